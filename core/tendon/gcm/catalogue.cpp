@@ -119,7 +119,7 @@ std::vector<CatalogueChange> Catalogue::AsChanges() const {
       changes.push_back({.kind = Kind::kConnection, .process = name, .connections = {connection}});
     }
   }
-  // Not below zero, because each element took at least one change.
+  // This cannot be negative, because at least one change was applied for each element.
   std::uint64_t revision = revision_ - changes.size();
   for (CatalogueChange& change : changes) change.revision = ++revision;
   return changes;
@@ -140,7 +140,7 @@ Fingerprint Catalogue::ContentHash() const {
     for (const auto& [component_name, component] : entry.components) {
       ComponentDescription content = component;
       content.fault_time = 0;
-      content.warning.clear();  // depends on the load
+      content.warning.clear();  // depends on the load of the machine
       Append(content, bytes);
     }
     std::vector<ConnectionDescription> connections;

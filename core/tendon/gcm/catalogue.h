@@ -25,29 +25,30 @@ class Catalogue {
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
   [[nodiscard]] const std::map<std::string, ProcessEntry>& processes() const { return processes_; }
 
-  /// Null if there is none.
+  /// The Find functions return null if the object is not in the catalogue.
   [[nodiscard]] const ProcessEntry* FindProcess(const std::string& name) const;
   [[nodiscard]] const ComponentDescription* FindComponent(const std::string& process,
                                                           const std::string& component) const;
   [[nodiscard]] const ProvidedDescription* FindProvided(const InterfaceName& name) const;
   [[nodiscard]] const RequiredDescription* FindRequired(const InterfaceName& name) const;
-  /// The connection of a required interface, if it has one.
+  /// Finds the connection of a required interface.
   [[nodiscard]] const ConnectionDescription* FindConnection(const InterfaceName& required) const;
   [[nodiscard]] std::vector<ConnectionDescription> connections() const;
 
-  /// Applies the next change. Returns false, without an effect, if the change is invalid or its
-  /// revision is not the next one. Then the watcher asks for a snapshot.
+  /// Applies the next change. Returns false and changes nothing if the change is invalid, or if its
+  /// revision does not follow revision(). The watcher then has to ask for a snapshot.
   [[nodiscard]] bool Apply(const CatalogueChange& change);
 
-  /// The changes that build this catalogue from an empty one of revision `revision() - size`.
-  /// Snapshots are sent in this form.
+  /// Returns the changes that build this catalogue from the empty catalogue At(revision() - N),
+  /// where N is the number of changes. Snapshots are sent in this form.
   [[nodiscard]] std::vector<CatalogueChange> AsChanges() const;
 
-  /// An empty catalogue of this revision, as the start for applying a snapshot.
+  /// Returns an empty catalogue with this revision, to which the changes of a snapshot can be
+  /// applied.
   static Catalogue At(std::uint64_t revision);
 
-  /// A hash of everything except pids, instances, times, addresses, connection ids, reasons and
-  /// warnings. Equal for two systems that look the same to users.
+  /// Returns a hash of everything except pids, instances, times, addresses, connection ids, reasons
+  /// and warnings. Two systems that look the same to users have the same hash.
   [[nodiscard]] Fingerprint ContentHash() const;
 
   bool operator==(const Catalogue&) const = default;

@@ -27,7 +27,7 @@ Result<void> Ignored(const Result<None>& result) {
   return result.error();
 }
 
-/// The description of a process; an error if the process is gone or does not listen.
+/// Returns the description of a process, or an error if the process is gone or does not listen.
 Result<ProcessDescription> FindReachable(const Catalogue& catalogue, const std::string& process) {
   const auto entry = LookUpProcess(catalogue, process);
   if (!entry) return entry.error();
@@ -38,7 +38,8 @@ Result<ProcessDescription> FindReachable(const Catalogue& catalogue, const std::
   return (*entry)->process;
 }
 
-/// The descriptions of the events in the catalogue, in the order of the request.
+/// Returns the descriptions of the requested events from the catalogue, in the order of the
+/// request.
 Result<std::vector<MemberDescription>> LookUpEvents(const Catalogue& catalogue,
                                                     const EventSubscription& wanted) {
   const auto provided = LookUpProvided(catalogue, wanted.provided);
@@ -57,13 +58,14 @@ Result<std::vector<MemberDescription>> LookUpEvents(const Catalogue& catalogue,
   return events;
 }
 
-/// `path` was parsed, so it is printable.
+/// The error for a path without a member. `path` was parsed before, so it is printable.
 Error NoCommand(const std::string& path) {
   return {ErrorCode::kInvalid,
           "'" + path + "' does not name a command: expected process/component/interface.member"};
 }
 
-/// With a long timeout, waits longer for a busy process before it reports that the process hangs.
+/// Returns the options for the links to processes. If the timeout of the client is long, a busy
+/// process gets more time to accept a link.
 client::ProcessLinks::Options OpeningOf(const GcmClient::Options& options) {
   client::ProcessLinks::Options opening{.name = options.name, .role = options.role};
   opening.patience = std::max(opening.patience, options.timeout / 2);
@@ -120,7 +122,7 @@ class OnceCallback {
   Handler handler_;  // empty after the call
 };
 
-/// The same as a function.
+/// Returns a OnceCallback as a function.
 template <typename T>
 std::function<void(Result<T>)> CallOnce(std::shared_ptr<OutstandingRequests> outstanding,
                                         std::function<void(Result<T>)> handler) {
@@ -130,7 +132,8 @@ std::function<void(Result<T>)> CallOnce(std::shared_ptr<OutstandingRequests> out
 
 }  // namespace
 
-/// The parts of a client; their order is that of construction and destruction.
+/// The parts of a client. Their order matters: they are constructed in this order and destroyed in
+/// reverse order.
 class GcmClient::Implementation {
  public:
   Implementation(std::shared_ptr<Middleware> middleware, const Options& options,
@@ -183,7 +186,8 @@ class GcmClient::Implementation {
   Worker& timer() { return *timer_; }
   client::ProcessRequests& requests() { return *requests_; }
   client::EventFeed& events() { return *events_; }
-  /// Created at the first call, because many programs have no subscriptions.
+  /// Returns the telemetry client. It is created at the first call, because many programs have no
+  /// subscriptions.
   TelemetryClient& telemetry() {
     const std::scoped_lock lock(mutex_);
     if (!telemetry_) {
@@ -211,8 +215,8 @@ class GcmClient::Implementation {
         static_cast<int>(std::min<std::int64_t>(orders, 1'000'000)));
   }
 
-  /// All callers before the next check of the catalogue share that check, which limits their
-  /// number.
+  /// The handlers of all calls before the next check of the catalogue wait for this one check, so
+  /// there are at most two checks a second.
   void LearnConflictingTypes(DoneHandler handler) {
     const std::scoped_lock lock(mutex_);
     if (closing_) return;
@@ -252,7 +256,8 @@ class GcmClient::Implementation {
     };
   }
 
-  /// Asks the GCM each time; the GCM answers only clients that may watch.
+  /// Returns a function that asks the GCM for the address of the broker at each call. The GCM
+  /// answers only clients that may watch.
   [[nodiscard]] FindBroker BrokerFinder() const {
     return [weak = std::weak_ptr(link_), timeout = timeout_]() -> Result<std::string> {
       const auto alive = weak.lock();
@@ -266,11 +271,12 @@ class GcmClient::Implementation {
   }
 
   [[nodiscard]] Hello Mine() const {
-    const auto cookie = LoopbackCookie();  // without it, the peer's refusal says what to do
+    // Without a cookie, the peer refuses, and its error says what to do.
+    const auto cookie = LoopbackCookie();
     return {.instance = os::RandomNumber(), .name = name_, .cookie = cookie ? *cookie : 0};
   }
 
-  /// Destroys the handlers, which reports an error to their callers.
+  /// Destroys the waiting handlers. Each is called with an error by its OnceCallback.
   void EndLearning() {
     std::vector<DoneHandler> learners;
     const std::scoped_lock lock(mutex_);
@@ -302,8 +308,8 @@ class GcmClient::Implementation {
     for (const auto& [process, instance] : processes) telemetry_->Retry(process);
   }
 
-  /// Owned only here, because it must not be destroyed in one of its own threads, where links may
-  /// end.
+  /// No other object owns the middleware: links may be destroyed in its threads, and the middleware
+  /// must not be destroyed in one of these.
   const std::shared_ptr<Middleware> middleware_;
   const std::string name_;
   const std::chrono::milliseconds timeout_;

@@ -19,164 +19,177 @@
 
 namespace tendon {
 
-/// The next records of the log of all processes, oldest first.
+/// The next log records of all processes, oldest first.
 struct LogBatch {
   std::vector<message::LogRecord> records;
-  std::uint64_t lost = 0;   ///< earlier records that the GCM no longer had
-  bool is_current = false;  ///< includes all records that the GCM had at the time of the request
+  std::uint64_t lost = 0;  ///< number of earlier records that the GCM had already dropped
+  /// True if the listener now has all records that the GCM had when the log was requested.
+  bool is_current = false;
 };
 
 /// Receives the events of a GCM, in a thread of the middleware or of the client; must not block.
-/// The window converts each call to a queued signal.
+/// The window turns each of these calls into a queued signal.
 class GcmListener {
  public:
   virtual ~GcmListener() = default;
-  /// Called with the whole catalogue after the first connect, after a gap, and when the GCM is
-  /// back.
+  /// Called with the whole catalogue when the GCM is reached for the first time or again, and after
+  /// a gap in the changes.
   virtual void OnSnapshot(const Catalogue& catalogue) = 0;
-  /// The next changes, which follow the last ones without a gap.
+  /// Called with the next changes. No change is missing between them and the previous ones.
   virtual void OnChanges(const std::vector<CatalogueChange>& changes) = 0;
-  /// The GCM cannot be reached; the client tries again every second.
+  /// Called when the GCM cannot be reached. The client tries again every second.
   virtual void OnGcmLost(const Error& reason) = 0;
   /// Called after GcmClient::WatchLog(). Texts and sources are printable.
   virtual void OnLog(const LogBatch& /*batch*/) {}
 };
 
 /// A viewer's connection to a system: watches a GCM's catalogue, asks the GCM for changes, and
-/// exchanges data with the processes directly. Reconnects by itself. Functions with a handler
-/// return at once and call it exactly once, in a thread of the middleware. The others wait for at
-/// most `timeout` and must not be called from a handler.
+/// exchanges data with the processes directly. Reconnects automatically.
+///
+/// Functions with a handler return at once, and call the handler exactly once, in a thread of the
+/// middleware. Functions without a handler wait for at most `timeout` and must not be called from a
+/// handler.
 class GcmClient {
  public:
-  /// A Connect() that replaces may take this many times `timeout`: the GCM ends the old connection,
-  /// makes the new one, and restores the old one if that fails.
+  /// A Connect() with WhenConnected::kReplace may take this many times `timeout`: the GCM ends the
+  /// old connection, makes the new one, and restores the old one if the new one fails.
   static constexpr int kReplaceTimeouts = 3;
 
-  /// Undo() may take this many times `timeout`. The GCM gives all orders within five times
-  /// `timeout`, however many components must run again. The sixth is for stopping them if one
-  /// fails.
+  /// Undo() may take this many times `timeout`. The GCM sends all orders within five times
+  /// `timeout`, even if many components must be started again. If a start fails, the GCM uses the
+  /// sixth `timeout` to stop the components again.
   static constexpr int kUndoTimeouts = 6;
 
-  /// ExecuteLifecycleOrder() may take this many times `timeout`: once to execute, once to report.
+  /// ExecuteLifecycleOrder() may take this many times `timeout`: one for the execution of the
+  /// order, one for the report of its outcome.
   static constexpr int kLifecycleOrderTimeouts = 2;
 
-  /// ExecuteProcessOrder() may take this many times `timeout`: to start or end the process, to wait
-  /// until it joins or to kill it, and to report.
+  /// ExecuteProcessOrder() may take this many times `timeout`: the GCM starts the process and waits
+  /// until it joins, or terminates it and kills it if necessary, and then reports.
   static constexpr int kProcessOrderTimeouts = 5;
 
   /// The client and its GCM.
   struct Options {
-    std::string name = "viewer";  ///< in the GCM's history and log: "gcm connect", "gcm-gui"
-    std::string address;          ///< address of the GCM
-    /// Longer than the GCM waits for a process, so that the GCM can report its answer.
+    /// The name of this program in the GCM's history and log: "gcm connect", "gcm-gui".
+    std::string name = "viewer";
+    std::string address;  ///< address of the GCM
+    /// Must be longer than the GCM waits for a process, so that the GCM can forward the answer of
+    /// the process.
     std::chrono::milliseconds timeout{2000};
     /// With Role::kViewer, the client gives up its other rights: the GCM and all processes refuse
     /// its changes.
     Role role = Role::kOperator;
   };
 
-  /// Does not wait for the GCM: see WaitUntilWatching().
+  /// Does not wait until the GCM is reached; see WaitUntilWatching().
   GcmClient(std::shared_ptr<Middleware> middleware, Options options,
             std::shared_ptr<GcmListener> listener = nullptr);
   GcmClient(const GcmClient&) = delete;
   GcmClient& operator=(const GcmClient&) = delete;
   ~GcmClient();
 
-  /// Waits for the first snapshot. kUnreachable: "no GCM at X (refused); start one with: gcm
-  /// serve".
+  /// Waits for the first snapshot. Fails with kUnreachable if there is no GCM: "no GCM at X
+  /// (refused); start one with: gcm serve".
   Result<void> WaitUntilWatching();
 
-  /// A copy of the current catalogue.
+  /// Returns a copy of the current catalogue.
   [[nodiscard]] Catalogue catalogue() const;
   /// Calls `read` with the current catalogue, without a copy. The client is locked during the call,
   /// so `read` must be short and must not use the client.
   void WithCatalogue(const std::function<void(const Catalogue&)>& read) const;
 
-  /// Asks the GCM for the whole catalogue again; the listener gets it. Does nothing if such a
-  /// request is pending or there is no GCM.
+  /// Asks the GCM for the whole catalogue again. The listener receives it with OnSnapshot(). Does
+  /// nothing if such a request is already pending or the GCM is not reached.
   void Resync();
 
   using ConnectHandler = std::function<void(Result<ConnectionDescription>)>;
   using DoneHandler = std::function<void(Result<void>)>;
   using TextHandler = std::function<void(Result<std::string>)>;
 
-  /// Connects a required interface; this is one step of the history. If the interface is already
+  /// Connects a required interface, as one step of the history. If the interface is already
   /// connected, WhenConnected::kRefuse refuses the request, and WhenConnected::kReplace first ends
   /// the old connection. The GCM restores the old connection if the new one is refused, or if the
   /// old one was active and the new one is not.
   void Connect(const InterfaceName& required, const InterfaceName& provided, ConnectHandler handler,
                WhenConnected when_connected = WhenConnected::kRefuse);
   void Disconnect(const InterfaceName& required, DoneHandler handler);
-  /// Gives an order for the lifecycle of a component, or to load a plug-in. May take twice
-  /// `order.patience`, which is `timeout` by default. The order is only valid for the process
-  /// instance that is in the catalogue now.
+  /// Sends an order for the lifecycle of a component, or an order to load a plug-in. May take twice
+  /// `order.patience`; if that is 0, `timeout` is used for it. If `order.instance` is 0, the order
+  /// is valid only for the process instance that is in the catalogue now.
   void ExecuteLifecycleOrder(const message::LifecycleOrder& order, DoneHandler handler);
   /// Starts an `lcm` on the GCM's host, or ends one that the GCM started. May take
   /// kProcessOrderTimeouts times as long as other requests.
   void ExecuteProcessOrder(message::ProcessOrder order, DoneHandler handler);
-  /// The processes that the GCM has started. A GCM that is older than this request answers kDenied.
+  /// Gets the processes that the GCM has started. Fails with kDenied if the version of the GCM is
+  /// older than this request.
   void GetChildren(std::function<void(Result<message::Children>)> handler);
-  /// The classes from which a process can create components, and the plug-ins that it could load.
+  /// Gets the classes from which a process can create components, and the plug-ins that it could
+  /// load.
   void GetClasses(const std::string& process,
                   std::function<void(Result<message::Classes>)> handler);
   using StepHandler = std::function<void(Result<message::HistoryEntry>)>;
-  /// Undoes the newest step. If `step` is not 0, the request is refused unless the newest step has
-  /// this number.
+  /// Undoes the newest step. If `step` is not 0 and is not the number of the newest step, the
+  /// request is refused.
   void Undo(StepHandler handler, std::uint64_t step = 0);
-  /// Skips the newest step, so that earlier steps can be undone. Refused with kFailed if the
-  /// process of the step may come back. Also refused if the step could be undone, unless `step` is
-  /// its number.
+  /// Marks the newest step as skipped, so that earlier steps can be undone. Fails with kFailed if
+  /// the process of the step is lost but may come back. Also fails if the step could be undone and
+  /// `step` is 0; to skip such a step, give its number.
   void PassOver(StepHandler handler, std::uint64_t step = 0);
-  /// Reserves the execution of plans for this client, until ReleasePlanLock() or the end of the
-  /// link. If another client has it, fails with kFailed, and the error names that client.
+  /// Takes the plan lock, which allows only this client to execute plans, until ReleasePlanLock()
+  /// or the end of the link to the GCM. Fails with kFailed if another client has the lock; the
+  /// error names that client.
   void TakePlanLock(DoneHandler handler);
   void ReleasePlanLock();
   void GetHistory(std::function<void(Result<message::History>)> handler);
-  /// The resources that processes use, as last reported to the GCM.
+  /// Gets the resources that the processes use, as they last reported to the GCM.
   void GetHealth(std::function<void(Result<message::SystemHealth>)> handler);
-  /// The version of a process, or of the GCM if `process` is empty. kDenied from a program that is
-  /// older than this request; kFailed if the program cannot be reached or refuses the link.
+  /// Gets the version of a process, or of the GCM if `process` is empty. Fails with kDenied if the
+  /// program is older than this request, and with kFailed if a process cannot be reached or refuses
+  /// the link.
   void GetVersion(const std::string& process,
                   std::function<void(Result<message::ProgramVersion>)> handler);
-  /// The counts of the connection of a required interface, from its process. kNotFound if there is
-  /// no connection; kFailed if it is not active.
+  /// Gets the counts of the connection of a required interface from the process that has this
+  /// interface. Fails with kNotFound if there is no connection, and with kFailed if the connection
+  /// is not active.
   void GetCounts(const InterfaceName& required,
                  std::function<void(Result<ConnectionCounts>)> handler);
-  /// The counts of a connection at the provided side: capacity and lost events. kNotFound if the
-  /// provider's process does not have the connection.
+  /// Gets the counts of a connection from the provider's process: capacity and lost events. Fails
+  /// with kNotFound if that process does not have the connection.
   void GetProviderCounts(const message::Wire& wire,
                          std::function<void(Result<ConnectionCounts>)> handler);
-  /// The fill levels of a component's mailboxes.
+  /// Gets the fill levels of a component's mailboxes.
   void GetFill(const std::string& process, const std::string& component,
                std::function<void(Result<MailboxFill>)> handler);
   /// Removes from the catalogue a process that is lost or has left.
   void Forget(const std::string& process, DoneHandler handler);
 
-  /// From now on, the listener gets the log of all processes: first the newest records that the GCM
-  /// has kept, then each new record within about 100 ms. Continues after a broken link, and with a
-  /// restarted GCM, which receives the records logged meanwhile.
+  /// From now on, the listener receives the log of all processes: first the newest records that the
+  /// GCM has kept, then each new record within about 100 ms. Continues when the link to the GCM is
+  /// restored or the GCM is restarted; the records logged meanwhile follow then.
   void WatchLog();
-  /// From now on, the process drops records below `level`. kNotFound for an unknown process;
-  /// kFailed if the process is gone.
+  /// From now on, the process drops log records below `level`. Fails with kNotFound for an unknown
+  /// process, and with kFailed if the process is gone.
   void SetLogLevel(const std::string& process, LogLevel level, DoneHandler handler);
 
-  /// Calls any command of a process by its path: reads, qualified reads, void and write commands
-  /// alike. `argument` is JSON (empty for none), and so is the answer ("" for none).
+  /// Calls any command of a process by its path: a read, qualified read, void or write command.
+  /// `argument` and the answer are JSON; each is empty if there is none.
   void Call(const std::string& path, const std::string& argument, TextHandler handler);
 
   using ListenerId = std::uint64_t;
-  /// The sink gets the events of any process as they are raised, until StopListening(). Reconnects
-  /// by itself. A component never waits for its listeners; events that do not fit into the queue
-  /// are lost and counted.
+  /// Subscribes to events of a process. The sink receives each event when it is raised, until
+  /// StopListening(). Reconnects automatically. A component never waits for its listeners; events
+  /// that do not fit into the queue are lost and counted.
   ListenerId Listen(const EventSubscription& events, std::shared_ptr<EventSink> sink);
-  /// After the return, the sink is not called any more. Must not be called from a sink.
+  /// Ends a subscription. After the return, the sink is not called any more. Must not be called
+  /// from a sink.
   void StopListening(ListenerId id);
 
-  /// The schema of a payload type as a process knows it, by fingerprint; cached.
+  /// Gets the schema of a payload type by its fingerprint, from a process that knows the type. The
+  /// client caches schemas.
   void GetSchema(const std::string& process, Fingerprint fingerprint,
                  std::function<void(Result<Schema>)> handler);
 
-  /// Fetches the schemas of types that share a name with another type of the catalogue, so that
+  /// If different types in the catalogue have the same name, fetches their schemas, so that
   /// FindSchema() knows them and Compare() can name the difference. Call it after every change; it
   /// checks the catalogue at most twice a second.
   void LearnConflictingTypes(DoneHandler handler);
@@ -189,9 +202,9 @@ class GcmClient {
   const std::unique_ptr<Implementation> implementation_;
 };
 
-/// Waits for the answer of one of the functions above: `Wait<ConnectionDescription>(timeout,
-/// [&](auto handler) { client.Connect(a, b, handler); })`. kTimeout if no answer comes in time; the
-/// request may still be executed. Must not be called from a handler.
+/// Calls one of the functions above and waits for its answer: `Wait<ConnectionDescription>(timeout,
+/// [&](auto handler) { client.Connect(a, b, handler); })`. Fails with kTimeout if no answer arrives
+/// in time; the request may still be executed. Must not be called from a handler.
 template <typename T, typename Start>
 Result<T> Wait(std::chrono::milliseconds timeout, Start&& start) {
   const auto answer = std::make_shared<std::promise<Result<T>>>();

@@ -10,7 +10,7 @@ namespace tendon::graph {
 namespace {
 
 constexpr int kSweeps = 4;
-constexpr double kTallness = 6;  // rows per column of blocks without peers
+constexpr double kTallness = 6;  // blocks without peers: rows divided by columns
 
 /// An interval of a column.
 struct Interval {
@@ -31,8 +31,8 @@ class Column {
   [[nodiscard]] bool empty() const { return taken_.empty(); }
   [[nodiscard]] double bottom() const { return taken_.empty() ? 0 : taken_.back().bottom; }
 
-  /// The free place of this height that is nearest to `wanted`; of two equally near ones, the upper
-  /// one. Linear in the number of occupied intervals.
+  /// Returns the y of the free interval of this height that is nearest to `wanted`. Linear in the
+  /// number of occupied intervals.
   [[nodiscard]] double NearestFree(double wanted, double height, double gap) const {
     double best = -1;
     const auto offer = [&](double y) {
@@ -62,7 +62,7 @@ class Column {
 
 enum class Visit { kNew, kOpen, kDone };
 
-/// A depth-first search without recursion, which visits the providers of a node before the node.
+/// A depth-first search without recursion. It visits the providers of a node before the node.
 class LongestPaths {
  public:
   LongestPaths(std::size_t count, const std::vector<LayerEdge>& edges)
@@ -93,7 +93,7 @@ class LongestPaths {
       if (visits_[here] == Visit::kDone) continue;
       visits_[here] = Visit::kDone;
       for (const std::size_t provider : providers_[here]) {
-        // A provider that is not finished closes a cycle; its edge is ignored.
+        // If the provider is not done yet, its edge closes a cycle and is ignored.
         if (visits_[provider] != Visit::kDone || provider == here) continue;
         layers_[here] = std::max(layers_[here], layers_[provider] + 1);
       }
@@ -127,7 +127,8 @@ struct ColumnLayout::Plan {
     return columns[index];
   }
 
-  /// The middle of the peers that are already placed; empty if none is.
+  /// Returns the mean y of the centres of the peers that are already placed; empty if no peer is
+  /// placed.
   [[nodiscard]] std::optional<double> PeersMiddle(std::size_t block) const {
     double sum = 0;
     int count = 0;
@@ -179,7 +180,7 @@ void ColumnLayout::KeepPlaces(Plan& plan) const {
   for (const std::size_t i : known) {
     Place place = place_of(i);
     place.height = plan.blocks[i].size.height;
-    // A block above that has grown pushes this one down, no further than necessary.
+    // If a block above has grown, this block moves down by as much as necessary.
     const Column& column = plan.ColumnAt(place.column);
     if (!column.empty()) place.y = std::max(place.y, column.bottom() + spacing_.rows);
     plan.Put(i, place);
@@ -191,7 +192,8 @@ void ColumnLayout::PlaceLayered(Plan& plan) const {
   for (std::size_t i = 0; i < plan.blocks.size(); ++i) {
     if (!plan.places[i] && plan.layers[i] >= 0) order.push_back(i);
   }
-  // Orders neighbours by the mean rank of their peers, in alternating sweeps.
+  // Repeatedly replaces the rank of each block by the mean rank of its peers, so that connected
+  // blocks come near to each other.
   std::vector<double> rank(plan.blocks.size());
   std::iota(rank.begin(), rank.end(), 0.0);
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
@@ -218,7 +220,8 @@ void ColumnLayout::PlaceLayered(Plan& plan) const {
 
 void ColumnLayout::PlaceLoose(Plan& plan) const {
   const auto loose = std::count(plan.layers.begin(), plan.layers.end(), -1);
-  // A few such blocks are put into one column, so that no edge between others passes behind them.
+  // A few blocks without peers get no further columns: they are put below the other blocks of a
+  // column, where no edge passes behind them.
   const int columns =
       std::max(plan.column_count,
                static_cast<int>(std::ceil(std::sqrt(static_cast<double>(loose) / kTallness))));

@@ -16,7 +16,7 @@ struct Size {
   bool operator==(const Size&) const = default;
 };
 
-/// A rectangle: upper left corner and size; y grows downwards.
+/// A rectangle, given by its upper left corner and its size. y grows downwards.
 struct Rect {
   double x = 0;
   double y = 0;
@@ -26,7 +26,7 @@ struct Rect {
   bool operator==(const Rect&) const = default;
 };
 
-/// From a provider to its client, by index.
+/// An edge from a provider to its client, as indices of the two blocks.
 struct LayerEdge {
   std::size_t from = 0;
   std::size_t to = 0;
@@ -34,17 +34,17 @@ struct LayerEdge {
   bool operator==(const LayerEdge&) const = default;
 };
 
-/// Places the components of a graph as blocks in columns, providers left of their clients. A placed
-/// block stays as long as its layer is the same and no other block grows into it. A new block goes
-/// to the free place nearest its peers. Remembers the places of removed blocks, one for each layer,
-/// in case they come back.
+/// Places the components of a graph as blocks in columns, providers left of their clients. A block
+/// keeps its position as long as its layer is the same and no block above it grows into it. A new
+/// block gets the free position nearest to its peers. If a removed block comes back, it gets its
+/// last position in its layer again.
 class ColumnLayout {
  public:
   /// An object to place, with its name.
   struct Block {
     std::string key;
     Size size;
-    bool keeps_place = true;  ///< false: it goes where the others leave room
+    bool keeps_place = true;  ///< false: placed last, where the other blocks leave room
 
     bool operator==(const Block&) const = default;
   };
@@ -56,18 +56,18 @@ class ColumnLayout {
 
   explicit ColumnLayout(Spacing spacing) : spacing_(spacing) {}
 
-  /// Edges are indices of blocks, from provider to client. Returns false and does nothing if blocks
-  /// and edges are the same as in the last call.
+  /// Computes the position of each block. The edges are indices into `blocks`. Returns false and
+  /// does nothing if blocks and edges are the same as in the last call.
   bool Arrange(std::vector<Block> blocks, std::vector<LayerEdge> edges);
 
-  /// The place of a block of the last Arrange(), as wide as its column.
+  /// Returns the rectangle of a block after the last Arrange(). It is as wide as its column.
   [[nodiscard]] Rect rect(const std::string& key) const;
-  /// The whole layout, from (0, 0).
+  /// The size of the whole layout, which begins at (0, 0).
   [[nodiscard]] Size size() const { return size_; }
 
  private:
   struct Place {
-    int layer = 0;  // -1: has no peers, and is put where there is room
+    int layer = 0;  // -1: the block has no peers
     int column = 0;
     double y = 0;
     double height = 0;
@@ -86,7 +86,7 @@ class ColumnLayout {
   Spacing spacing_;
   std::vector<Block> blocks_;  // blocks of the last Arrange()
   std::vector<LayerEdge> edges_;
-  std::map<std::pair<std::string, int>, Place> places_;  // by key and layer
+  std::map<std::pair<std::string, int>, Place> places_;  // by key of the block and layer
   std::map<std::string, Rect> rects_;
   Size size_;
 };

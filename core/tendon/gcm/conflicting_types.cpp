@@ -45,7 +45,8 @@ class TypesByName {
     if (!name.empty()) types_[name].try_emplace(type, process);
   }
 
-  std::map<std::string_view, std::map<Fingerprint, std::string_view>> types_;  // into the catalogue
+  // The views refer to strings in the catalogue.
+  std::map<std::string_view, std::map<Fingerprint, std::string_view>> types_;
 };
 
 }  // namespace

@@ -10,12 +10,13 @@
 namespace tendon {
 
 /// Finds payload types that have the same name but differ, for example because two processes run
-/// different versions of a component. Returns, by present process, a request for the schemas that
-/// FindSchema() does not know; with them, Compare() can name the difference. Linear in the members.
+/// different versions of a component. For each present process, returns a request for those of its
+/// schemas that FindSchema() does not know yet. When they are known, Compare() can name the
+/// difference. Linear in the number of members.
 [[nodiscard]] std::map<std::string, message::GetSchemas> ConflictingTypes(
     const Catalogue& catalogue);
 
-/// The same, but only for the types of two interfaces.
+/// Like ConflictingTypes(), but only for the types of the two interfaces of `wire`.
 [[nodiscard]] std::map<std::string, message::GetSchemas> ConflictingTypesBetween(
     const Catalogue& catalogue, const message::Wire& wire);
 

@@ -7,7 +7,7 @@ namespace {
 using FlawKind = ConnectionFlaw::Kind;
 
 constexpr std::chrono::milliseconds kLongestRoundTrip{100};
-constexpr double kFullest = 0.8;  // of a mailbox
+constexpr double kFullest = 0.8;  // a mailbox with this part of its capacity in use is nearly full
 
 /// True if a counter has grown; a smaller value means that it was reset.
 bool HasGrown(std::uint64_t now, std::uint64_t before) {

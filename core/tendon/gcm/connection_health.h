@@ -20,15 +20,17 @@ struct ConnectionFlaw {
   };
 
   Kind kind = Kind::kCallsRefused;
-  std::uint64_t count = 0;                 ///< total calls or events; kMailboxFull: waiting now
-  std::uint64_t capacity = 0;              ///< kMailboxFull: the capacity
+  /// The total number of refused calls or lost events. With kMailboxFull: the calls that wait now.
+  std::uint64_t count = 0;
+  std::uint64_t capacity = 0;              ///< kMailboxFull: capacity of the mailbox
   std::chrono::nanoseconds round_trip{0};  ///< kLate
 
   bool operator==(const ConnectionFlaw&) const = default;
 };
 
-/// The flaws of a connection, by the same rules in all programs. `before` has the counts at the
-/// last check: earlier losses are not reported again.
+/// Returns the flaws of a connection. All programs use these rules. `before` has the counts of the
+/// last check, so that refused calls and lost events before it are not reported again. Without
+/// `before`, these two are not reported.
 [[nodiscard]] std::vector<ConnectionFlaw> FlawsOf(const ConnectionCounts& now,
                                                   const std::optional<ConnectionCounts>& before);
 

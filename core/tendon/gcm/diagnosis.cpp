@@ -14,7 +14,7 @@ namespace {
 
 using Verdict = DiagnosisStep::Verdict;
 
-/// The text of each step that was not reached.
+/// The text of each step while it is not reached.
 constexpr std::array kSteps = {"both processes are available",
                                "both components are active",
                                "the required interface is free",
@@ -29,7 +29,7 @@ constexpr std::size_t kActive = 1;
 constexpr std::size_t kReached = 4;
 constexpr std::size_t kMade = 5;
 
-/// Makes the checks until one is bad.
+/// Collects the results of the checks, up to the first bad one.
 class Examination {
  public:
   explicit Examination(const message::Wire& wire) { diagnosis_.wire = wire; }
@@ -41,7 +41,8 @@ class Examination {
     diagnosis_.steps.push_back({Verdict::kBad, text, fix, std::move(details)});
     diagnosis_.failure = Error{code, text + (fix.empty() ? "" : "; " + fix)};
   }
-  /// As in the catalogue, if the required side is present, because only that side knows.
+  /// Sets Diagnosis::is_connected from the catalogue. It is false if the required side is absent,
+  /// because only that side knows its connections.
   void SetConnected(const Catalogue& catalogue) {
     const message::Wire& wire = diagnosis_.wire;
     const ProcessEntry* owner = catalogue.FindProcess(wire.required.process);
@@ -61,7 +62,7 @@ class Examination {
   Diagnosis diagnosis_;
 };
 
-/// A connection may wait for an end that is not in the catalogue.
+/// Handles a connection that waits for a provided interface that is not in the catalogue.
 void CheckAbsent(const Catalogue& catalogue, const message::Wire& wire, const Error& missing,
                  Examination& examination) {
   const ProcessEntry* provider = catalogue.FindProcess(wire.provided.process);
@@ -126,24 +127,25 @@ void CheckSignatures(const message::Wire& wire, const RequiredDescription& requi
                   std::move(details));
 }
 
-/// True if the provider announces a loopback address to a process on another host.
+/// Returns true if the provider announces a loopback address, but the required side is on another
+/// host.
 bool IsOutOfReach(const ProcessDescription& required, const ProcessDescription& provided) {
   return IsOfOneHost(provided.address) && required.host != provided.host;
 }
 
 std::string SeenFrom(const std::string& host) { return " (seen from host " + host + ")"; }
 
-/// The remedy for a pending connection, which is retried automatically, perhaps without success.
+/// The remedy for a pending connection. It is retried automatically, but this may never succeed.
 std::string FixOfPending(const ProcessDescription& required, const ProcessDescription& provided,
                          const std::string& reason) {
   if (os::IsNoRouteError(reason)) {
     return FixOfUnreached(provided.name, required.host, {ErrorCode::kUnreachable, reason});
   }
   if (!provided.reason.empty()) return provided.name + " " + provided.reason;
-  return "it is retried automatically; look at " + provided.name;
+  return "the connection is retried automatically; check process " + provided.name;
 }
 
-/// Steps 5 and 6.
+/// Makes steps 5 and 6 of the check.
 void CheckConnection(const Catalogue& catalogue, const message::Wire& wire,
                      Examination& examination) {
   const ProcessDescription& required = catalogue.FindProcess(wire.required.process)->process;
@@ -158,15 +160,17 @@ void CheckConnection(const Catalogue& catalogue, const message::Wire& wire,
   }
   if (connection == nullptr) return;  // no connection was tried
   if (connection->state == ConnectionState::kPending) {
-    return examination.Bad(ErrorCode::kTimeout,
-                           "it is pending: " + connection->reason + SeenFrom(required.host),
-                           FixOfPending(required, provided, connection->reason));
+    return examination.Bad(
+        ErrorCode::kTimeout,
+        "the connection is pending: " + connection->reason + SeenFrom(required.host),
+        FixOfPending(required, provided, connection->reason));
   }
   examination.Good(required.name == provided.name
                        ? "both ends are in one process"
                        : required.name + " reaches " + provided.name + " at " + provided.address);
-  if (connection->state == ConnectionState::kActive) return examination.Good("it is made");
-  examination.Bad(ErrorCode::kFailed, "it was refused: " + connection->reason,
+  if (connection->state == ConnectionState::kActive)
+    return examination.Good("the connection is made");
+  examination.Bad(ErrorCode::kFailed, "the connection was refused: " + connection->reason,
                   "disconnect it: gcm disconnect " + ToString(wire.required));
 }
 
@@ -190,8 +194,9 @@ ConnectionRemnant LeftAtProvider(const Catalogue& catalogue, const message::Wire
   using Kind = ConnectionRemnant::Verdict;
   const std::string& process = wire.provided.process;
   if (!served && served.error().code != ErrorCode::kNotFound) {
-    return {process, Kind::kUnknown,
-            "unknown for " + process + ", which does not report it: " + served.error().message};
+    return {
+        process, Kind::kUnknown,
+        "unknown, because process '" + process + "' does not report it: " + served.error().message};
   }
   const auto* other = catalogue.FindConnection(wire.required);
   const bool serves_another = other != nullptr && other->provided.process == process;
@@ -275,7 +280,8 @@ void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>&
   }
   const bool is_made = diagnosis.steps.at(kReached).verdict == Verdict::kGood;
   DiagnosisStep& step = is_made ? diagnosis.steps.back() : diagnosis.steps.at(kReached);
-  if (is_trying && os::IsNoRouteError(step.text)) return;  // the required side knows best
+  // The reason that the required side has reported is more precise.
+  if (is_trying && os::IsNoRouteError(step.text)) return;
   const std::string fix = FixOfUnreached(name, os::HostName(), round_trip.error());
   step = {Verdict::kBad,
           is_trying ? step.text : round_trip.error().message + SeenFrom(os::HostName()),

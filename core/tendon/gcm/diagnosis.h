@@ -20,12 +20,12 @@ struct DiagnosisStep {
   Verdict verdict = Verdict::kNotReached;
   std::string text;                  ///< what was found, or what would be checked
   std::string fix;                   ///< kBad: the remedy
-  std::vector<std::string> details;  ///< each member that does not match
+  std::vector<std::string> details;  ///< a text for each member that does not match
 
   bool operator==(const DiagnosisStep&) const = default;
 };
 
-/// The rest of an inactive connection in one of its two processes.
+/// Whether one of the two processes still holds a part of an inactive connection.
 struct ConnectionRemnant {
   enum class Verdict { kNothing, kSomething, kUnknown };
 
@@ -36,56 +36,62 @@ struct ConnectionRemnant {
   bool operator==(const ConnectionRemnant&) const = default;
 };
 
-/// The check of a connection in seven steps: why it works or fails. If no step is bad and it is not
-/// connected, it can be connected. The console and the window show the same steps.
+/// The result of checking a connection in seven steps: why it works or fails. If no step is bad and
+/// the interfaces are not connected, they can be connected. The console and the window show the
+/// same steps.
 struct Diagnosis {
   message::Wire wire;
-  std::vector<DiagnosisStep> steps;         ///< all seven; those after a bad one were not reached
-  std::optional<Error> failure;             ///< error of the bad step
-  bool is_connected = false;                ///< the present required side has this connection
+  /// All seven steps. The steps after a bad step were not reached.
+  std::vector<DiagnosisStep> steps;
+  std::optional<Error> failure;  ///< error of the bad step
+  bool is_connected = false;     ///< true if the required side is present and has this connection
   std::vector<ConnectionRemnant> remnants;  ///< of both processes; see AddRemnants()
 };
 
-/// Makes the checks that need only the catalogue: that processes and components are present, that
-/// the required interface is free, the signatures, and the state of a requested connection. Errors:
-/// kInvalid; kNotFound if an end is not in the catalogue, unless a connection waits for it.
+/// Makes the checks that need only the catalogue: that the processes are present and the components
+/// are not faulted, that the required interface is free, that the signatures match, and what the
+/// state of a requested connection is. Fails with kInvalid for an invalid name, and with kNotFound
+/// if an interface is not in the catalogue. If the required interface is waiting for this provided
+/// interface, a missing provided interface is a bad step instead.
 Result<Diagnosis> Diagnose(const Catalogue& catalogue, const message::Wire& wire);
 
-/// Adds flaws of an active connection, which the catalogue does not know: losses to step 6, delays
-/// to step 7. Does nothing if a step is bad already.
+/// Adds the flaws of an active connection, which the catalogue does not contain: marks step 7 as
+/// bad for a long round trip, step 6 for other flaws. Does nothing if a step is bad already.
 void AddHealth(Diagnosis& diagnosis, const std::vector<ConnectionFlaw>& flaws);
 
-/// True if the required side still tries to reach the provider, so that its reason is current.
+/// Returns true if the connection is pending because the required side still tries to reach the
+/// provider. The reason that it reports is then current.
 [[nodiscard]] bool IsTrying(const Diagnosis& diagnosis);
 
-/// Adds the round-trip time from this host to the provider's process, or the reason why there was
-/// no answer. Adds it to the last step if the connection was made, otherwise to the step "the
-/// processes reach each other". kTimeout means that the process was reached, but did not answer.
-/// Does nothing if a step is bad, unless IsTrying() is true.
+/// Adds the round-trip time from this host to the provider's process to the last step. If there was
+/// no answer, adds the reason instead: to the last step if the processes reach each other,
+/// otherwise to the step "the processes reach each other". The reason kTimeout means that the
+/// process was reached, but did not answer. Does nothing if a step is bad, unless IsTrying() is
+/// true.
 void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>& round_trip);
 
-/// Adds a note to step 2 of an active connection if a component at one end does not run, which may
-/// explain later problems.
+/// If the connection is made, but one of its components is not active, marks step 2 as bad, because
+/// this may explain later problems.
 void AddActivity(Diagnosis& diagnosis, const Catalogue& catalogue);
 
-/// Adds `remnants`, which say for both processes whether they have removed a refused or failed
-/// connection. The catalogue knows this about the required side. For the provider, `served` is the
-/// answer of GcmClient::GetProviderCounts(). Does nothing for a requested connection, because its
-/// required side keeps trying.
+/// Adds `remnants` for a refused or failed connection: for each of the two processes, whether it
+/// has removed the connection. For the required side, the catalogue has this information. For the
+/// provider, `served` is the answer of GcmClient::GetProviderCounts(). Does nothing if the required
+/// side still has the connection.
 void AddRemnants(Diagnosis& diagnosis, const Catalogue& catalogue,
                  const Result<ConnectionCounts>& served);
 
-/// True if the required side keeps an inactive connection, and makes it as soon as it can.
+/// Returns true if the connection is not active, but the required side keeps it and makes it as
+/// soon as possible.
 [[nodiscard]] bool IsKept(const Diagnosis& diagnosis);
 
-/// The remnants of an inactive connection as text, one line for each process that was asked: "left
-/// over: nothing in robot"; or one line if the connection is kept: "requested: desk makes the
-/// connection as soon as possible". The text is also correct if nobody has tried to make the
-/// connection.
+/// Returns the remnants of an inactive connection as text, one line for each process: "left over:
+/// nothing in robot". If IsKept() is true, returns one line: "requested: desk makes the connection
+/// as soon as possible". The text is also correct if nobody has tried to make the connection.
 [[nodiscard]] std::vector<std::string> LeftoverTexts(const Diagnosis& diagnosis);
 
-/// The remedy if `host` could not reach process `name`: the process is silent or absent, or `host`
-/// has no route to it.
+/// Returns the remedy if `host` could not reach process `name`. It depends on `reason`: no route to
+/// the process, no answer, or no connection.
 [[nodiscard]] std::string FixOfUnreached(const std::string& name, const std::string& host,
                                          const Error& reason);
 
@@ -93,12 +99,12 @@ void AddRemnants(Diagnosis& diagnosis, const Catalogue& catalogue,
 struct ProviderCandidate {
   InterfaceName provided;
   Compatibility compatibility;
-  bool is_connected = false;  ///< to the required interface in question
+  bool is_connected = false;  ///< true if `required` is connected to it now
 };
 
-/// The provided interfaces of present processes with at least one matching member, the best first:
-/// those that fit, then by the number of matching members, then by name. Errors of
-/// LookUpRequired().
+/// Returns the provided interfaces of present processes that have at least one matching member.
+/// Interfaces that fit come first; then the order is by number of matching members, number of
+/// mismatches, and name. Fails like LookUpRequired().
 Result<std::vector<ProviderCandidate>> RankCandidates(const Catalogue& catalogue,
                                                       const InterfaceName& required);
 

@@ -14,19 +14,21 @@
 
 namespace tendon {
 
-/// The chosen events of a provided interface: {"robot", "arm", "Control"}, {"GoalReached"}.
+/// The events of a provided interface to subscribe to: {"robot", "arm", "Control"},
+/// {"GoalReached"}.
 struct EventSubscription {
   InterfaceName provided;
   std::vector<std::string> events;
-  /// How many events may wait in their process to be sent; further ones are lost.
+  /// How many events may wait in the sending process until they are sent. Further events are lost.
   std::uint32_t capacity = 1024;
 };
 
 /// The time when an event was raised.
 struct EventTime {
-  SteadyTime raised;  ///< on this process's steady clock; never later than now
-  /// The largest possible error: at most half a round trip, about 10 us on one host. The largest
-  /// value of the type if the other clock is not usable; then `raised` is the time of arrival.
+  SteadyTime raised;  ///< on the steady clock of the receiving process; never later than now
+  /// The largest possible error of `raised`: at most half a round trip, about 10 us on one host. If
+  /// the clock of the sending process is not known, this is the largest value of the type, and
+  /// `raised` is the time of arrival.
   std::chrono::nanoseconds uncertainty = std::chrono::nanoseconds::max();
 };
 
@@ -35,15 +37,16 @@ struct EventTime {
 class EventSink {
  public:
   virtual ~EventSink() = default;
-  /// From now on each event is delivered or reported as lost. Called again after each recovery,
-  /// with the types that the process has now.
+  /// Called when the subscription becomes active: from now on each event is delivered or reported
+  /// as lost. Called again after each interruption, with the types that the process has now.
   virtual void OnListening(const std::vector<MemberDescription>& events) = 0;
-  /// `value` is the CDR body of the event's type; empty if it has none.
+  /// Called for each event. `value` is the CDR body of the event's type; empty if the event has no
+  /// type.
   virtual void OnEvent(std::size_t event, std::span<const std::byte> value,
                        const EventTime& time) = 0;
-  /// `lost` further events were raised and not delivered.
+  /// Called when `lost` further events were raised and not delivered.
   virtual void OnEventsLost(std::size_t event, std::uint64_t lost) = 0;
-  /// There are no events for now; the client keeps trying.
+  /// Called when the subscription is interrupted or could not be made. The client keeps trying.
   virtual void OnStale(const Error& reason) = 0;
 };
 

@@ -42,8 +42,7 @@ inline constexpr auto kPayload<ProcessVerb> = DescribeEnum("tendon.ProcessVerb",
 
 namespace tendon::message {
 
-// From a viewer; all are requests. A viewer also sends kRenew every second, to check that the GCM
-// lives.
+// Requests from a viewer. A viewer also sends kRenew every second, to check that the GCM is alive.
 inline constexpr auto kWatch = static_cast<MessageType>(0x310);    // None -> CatalogueSnapshot
 inline constexpr auto kConnect = static_cast<MessageType>(0x311);  // Wire -> ConnectionDescription
 inline constexpr auto kDisconnect = static_cast<MessageType>(0x312);  // Wire -> None
@@ -57,33 +56,34 @@ inline constexpr auto kGetChildren = static_cast<MessageType>(0x31d);  // None -
 inline constexpr auto kPlanLock = static_cast<MessageType>(0x31e);     // PlanLock -> None
 inline constexpr auto kPassOver = static_cast<MessageType>(0x31f);  // StepSelection -> HistoryEntry
 inline constexpr auto kWatchLog = static_cast<MessageType>(0x342);  // WatchLog -> WatchLogReply
-// From the GCM, in addition to process/log/log_messages.h.
+// Sent by the GCM, in addition to the messages of process/log/log_messages.h.
 inline constexpr auto kChanges = static_cast<MessageType>(0x320);  // notice to a viewer: Changes
 
-/// The catalogue as changes to an empty one (Catalogue::At(base)).
+/// The catalogue, as changes to apply to the empty catalogue Catalogue::At(base).
 struct CatalogueSnapshot {
   std::uint64_t gcm_instance = 0;
   std::uint64_t base = 0;
   std::vector<CatalogueChange> changes;
 };
 
-/// The next changes. If they do not follow the viewer's revision, the viewer was too slow, and must
-/// send kWatch again.
+/// The next changes of the catalogue. If they do not follow the viewer's revision, the viewer was
+/// too slow and has to send kWatch again.
 struct Changes {
   std::vector<CatalogueChange> changes;
 };
 
-/// Asks for the records of all processes from now on, preceded by those that the GCM has kept.
+/// Asks for the log records of all processes: those that the GCM has kept, and then each new one.
 struct WatchLog {
-  std::uint64_t gcm_instance = 0;  ///< instance of the GCM that sent the viewer's records, or 0
-  std::uint64_t after = 0;         ///< the viewer has all records before this one
+  /// Instance of the GCM that sent the records that the viewer has; 0 if it has none.
+  std::uint64_t gcm_instance = 0;
+  std::uint64_t after = 0;  ///< number of the first record that the viewer needs
 };
 
 /// The answer to WatchLog; the records follow, as LogRecords.
 struct WatchLogReply {
   std::uint64_t gcm_instance = 0;
-  std::uint64_t begin = 0;  ///< the number of the first record
-  std::uint64_t end = 0;    ///< the number of the GCM's next record
+  std::uint64_t begin = 0;  ///< number of the first record that follows
+  std::uint64_t end = 0;    ///< number of the GCM's next new record
 };
 
 /// The resources of a member, as last reported.
@@ -92,42 +92,42 @@ struct ProcessHealth {
   std::uint64_t instance = 0;
   double cpu = -1.0;         ///< number of busy cores; negative until the second report
   std::uint64_t memory = 0;  ///< resident bytes
-  /// How far its steady clock is ahead of the GCM's clock, and the largest possible error; the
-  /// latter is negative if nothing is known yet.
+  /// How far the steady clock of the process is ahead of the GCM's clock, and the largest possible
+  /// error of this value. The error is negative as long as the offset is not known.
   std::chrono::nanoseconds clock_offset{0};
   std::chrono::nanoseconds clock_uncertainty{-1};
-  std::chrono::nanoseconds age{0};  ///< time since its report; members report every second
+  std::chrono::nanoseconds age{0};  ///< time since the last report; members report every second
 };
 
-/// The members that have reported, without processes that are gone.
+/// The health of all members that have reported. Processes that are gone are not included.
 struct SystemHealth {
   std::vector<ProcessHealth> processes;  ///< by name
 };
 
-/// Removes a process that is lost or has left.
+/// Asks the GCM to remove a process that is lost or has left.
 struct Forget {
   std::string process;
 };
 
-/// One order, for a process that the GCM starts or has started.
+/// An order to start a process, or to end a process that the GCM has started.
 struct ProcessOrder {
   ProcessVerb verb = ProcessVerb::kStart;
   std::string process;
-  RestartPolicy restart = RestartPolicy::kNever;  ///< start
-  /// The time limit; 0: the GCM chooses. A started process that has not joined by then is stopped;
-  /// a process that has not ended by then is killed.
+  RestartPolicy restart = RestartPolicy::kNever;  ///< used only with kStart
+  /// The time limit; with 0, the GCM chooses it. With kStart, a process that has not joined by then
+  /// is stopped. With kKill, a process that has not ended by then is killed.
   std::chrono::nanoseconds patience{0};
 };
 
-/// The change of a lifecycle step, and the state before it.
+/// The change that a lifecycle step made, and the state before the step.
 struct LifecycleStep {
   std::string process;
   std::string component;  ///< empty: the step started the process itself
   std::string class_name;
   std::string library;
   std::string configuration;  ///< "create", "configure": the new configuration
-  /// "configure", "remove": the old configuration. "stop": the followers that stopped too, see
-  /// lifecycle/followers.h.
+  /// For "configure" and "remove", the old configuration. For "stop", the followers that stopped
+  /// with the component; see lifecycle/followers.h.
   std::string former;
   std::string thread;                                   ///< "remove": as in LifecycleOrder
   std::string leader;                                   ///< "remove": as in LifecycleOrder
@@ -137,13 +137,13 @@ struct LifecycleStep {
   bool operator==(const LifecycleStep&) const = default;
 };
 
-/// A process that the GCM has started, and can end or restart.
+/// A process that the GCM has started, and that it can therefore end or restart.
 struct Child {
   std::string process;
   RestartPolicy restart = RestartPolicy::kNever;
 };
 
-/// The answer to kGetChildren. The catalogue does not have this information.
+/// The answer to kGetChildren. The catalogue does not contain this information.
 struct Children {
   std::vector<Child> processes;  ///< by name
 };
@@ -157,10 +157,12 @@ struct StepSelection {
   std::chrono::nanoseconds patience{0};
 };
 
-/// Reserves the execution of plans: sent before the first and after the last step of a plan.
-/// Otherwise two plans executed at once would undo each other's steps.
+/// Takes or releases the lock for the execution of plans. Sent before the first and after the last
+/// step of a plan, because two plans that are executed at the same time would undo each other's
+/// steps.
 struct PlanLock {
-  bool is_wanted = true;  ///< true: refused while another viewer holds it; false: releases it
+  /// True takes the lock; refused while another viewer holds it. False releases the lock.
+  bool is_wanted = true;
 };
 
 /// One step of the history, which can be undone.
@@ -168,21 +170,22 @@ struct HistoryEntry {
   std::uint64_t id = 0;
   std::string verb;  ///< "connect", "disconnect", "replace", or the verb of an order
   Wire wire;
-  InterfaceName former;     ///< "replace": the former provided interface
-  LifecycleStep lifecycle;  ///< for a lifecycle order; otherwise its process is empty
-  std::string who;          ///< the program that made the request: "gcm connect", "gcm-gui"
-  std::int64_t when = 0;    ///< ns since 1970
-  /// The instance of the process that made the change; for a connection, this is the process of the
-  /// required side. After a restart of the process there is nothing to undo.
+  InterfaceName former;  ///< "replace": the former provided interface
+  /// The lifecycle step. Its `process` is empty if this is a step of a connection.
+  LifecycleStep lifecycle;
+  std::string who;        ///< the program that made the request: "gcm connect", "gcm-gui"
+  std::int64_t when = 0;  ///< ns since 1970
+  /// The instance of the process that made the change. For a connection, this is the process of the
+  /// required side. If the process was restarted since, the step cannot be undone.
   std::uint64_t instance = 0;
-  bool is_unknown = false;  ///< the step was begun, and its outcome is unknown
+  bool is_unknown = false;  ///< the step was begun, but its outcome is unknown
   bool undone = false;
   bool passed_over = false;  ///< the step cannot be undone, and a user has confirmed this
 
   bool operator==(const HistoryEntry&) const = default;
 };
 
-/// The recorded changes that people and programs requested.
+/// The changes that people and programs requested, as the GCM has recorded them.
 struct History {
   std::vector<HistoryEntry> entries;  ///< oldest first
 };

@@ -10,7 +10,8 @@
 namespace tendon {
 namespace {
 
-/// A file of a GCM; GCMs at different addresses have separate files.
+/// Returns the path of a file or folder of a GCM. It contains the address, so GCMs at different
+/// addresses do not share files.
 std::filesystem::path StatePath(const GlobalManager::Options& options, const std::string& what,
                                 const std::string& ending) {
   std::string address = options.address;
@@ -21,7 +22,7 @@ std::filesystem::path StatePath(const GlobalManager::Options& options, const std
   return folder / (what + "-" + address + ending);
 }
 
-/// Peers would refuse a GCM with any other certificate.
+/// Checks that the certificate is one for a GCM, because peers would refuse a GCM with any other.
 Result<void> CheckCertificateOf(const Middleware& middleware) {
   const Certificate* certificate = middleware.certificate();
   if (certificate == nullptr) return {};
@@ -45,7 +46,8 @@ Result<std::unique_ptr<GlobalManager>> GlobalManager::Start(std::shared_ptr<Midd
   const auto cookie = LoopbackCookie();
   if (!cookie) return cookie.error();
   const Hello mine{.instance = os::RandomNumber(), .name = kGcmName, .cookie = *cookie};
-  // Listens first: if another GCM has the address, that one uses the history.
+  // Listens before it makes the server: if another GCM has the address, that GCM also uses the
+  // history file, so this function must not open the file.
   std::promise<std::weak_ptr<server::Server>> made;
   const auto choose = [server = made.get_future().share()]() -> std::shared_ptr<ChannelHandler> {
     const auto alive = server.get().lock();
@@ -53,7 +55,7 @@ Result<std::unique_ptr<GlobalManager>> GlobalManager::Start(std::shared_ptr<Midd
   };
   auto listener = middleware->Listen(options.address, Channel::Acceptor(mine, choose));
   if (!listener) return listener.error();
-  auto promise = std::move(made);  // if no server is made, destroyed before the listener
+  auto promise = std::move(made);  // destroyed before the listener if the server cannot be made
   auto server = std::make_shared<server::Server>(server::Server::Options{
       .history = StatePath(options, "history", ".jsonl"),
       .clock = options.clock,

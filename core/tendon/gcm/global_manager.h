@@ -18,45 +18,48 @@ namespace server {
 class Server;
 }
 
-/// The global component manager. LCMs join it under their names and report changes; viewers watch
-/// its catalogue and log, and ask it to connect and disconnect. It carries no data. A restarted GCM
-/// rebuilds its catalogue when the LCMs join again; its absence does not affect running components.
-/// Only the history of steps is kept in a file.
+/// The global component manager (GCM). LCMs join it under their names and report changes. Viewers
+/// watch its catalogue and log, and ask it to connect and disconnect. No data of components passes
+/// through the GCM, so running components continue while there is none. A restarted GCM builds its
+/// catalogue again when the LCMs join. Only the history of steps is kept in a file.
 ///
-/// Thread safety: all functions at any time. Has one thread of its own, and those of the
-/// middleware.
+/// Thread safety: all functions may be called at any time, in any thread. The manager has one
+/// thread of its own, and uses those of the middleware.
 class GlobalManager {
  public:
   /// The address and the files of a GCM.
   struct Options {
     std::string address = "127.0.0.1:10705";
-    std::filesystem::path state_folder;   ///< for the history; empty: os::StateFolder()
-    const Clock* clock = &SteadyClock();  ///< for the leases; outlives the manager
-    /// How long to wait for an LCM's answer: longer than an LCM needs to detect a hanging peer,
-    /// shorter than clients wait for the GCM.
+    std::filesystem::path state_folder;   ///< where the history is kept; empty: os::StateFolder()
+    const Clock* clock = &SteadyClock();  ///< for the leases; must outlive the manager
+    /// How long the GCM waits for the answer of an LCM. It must be longer than an LCM needs to
+    /// detect a hanging peer, and shorter than clients wait for the GCM.
     std::chrono::milliseconds order_timeout{1500};
-    LaunchOptions launch{};  ///< for the processes that it starts
+    LaunchOptions launch{};  ///< for the processes that the GCM starts
     /// The address of the multicast broker for rows; empty: there is none.
     std::string broker{};
   };
 
-  /// Errors are those of Middleware::Listen(): kExists if another GCM has this address.
+  /// Starts a GCM. Fails like Middleware::Listen(), for example with kExists if another GCM has
+  /// this address; also fails if the certificate of the middleware is not one for a GCM, or the
+  /// loopback cookie cannot be read.
   static Result<std::unique_ptr<GlobalManager>> Start(std::shared_ptr<Middleware> middleware,
                                                       Options options);
   GlobalManager(const GlobalManager&) = delete;
   GlobalManager& operator=(const GlobalManager&) = delete;
-  /// Closes all channels; LCMs continue and try to join a GCM again. Not in a thread of the
-  /// middleware.
+  /// Closes all channels. The LCMs continue to run and try to join a GCM again. Must not be called
+  /// in a thread of the middleware.
   ~GlobalManager();
 
-  /// The announced address, with the actual port.
+  /// The address that the GCM announces, with the actual port.
   [[nodiscard]] std::string address() const { return listener_->address(); }
-  /// New at each start.
+  /// A number that is new at each start of a GCM.
   [[nodiscard]] std::uint64_t instance() const { return instance_; }
   /// A copy of the current catalogue.
   [[nodiscard]] Catalogue catalogue() const;
 
-  /// Checks the leases; the manager's thread does this every 100 ms. For tests that set the clock.
+  /// Checks the leases. The manager's thread does this every 100 ms; only tests that set the clock
+  /// call it.
   void Tick();
 
  private:

@@ -24,7 +24,8 @@ std::string WholeRead(const ProvidedDescription& of, const MemberDescription& co
         one.signature.kind == CommandKind::kRead && one.signature.out == command.signature.in;
     if (!fits) continue;
     if (Subject(one.name) == Subject(command.name)) return one.name;
-    // Numbers of one type are too common to match by type alone.
+    // Only a structure may match by its type alone, because many commands return plain numbers of
+    // the same type.
     if (found.empty() && IsStructure(command.in_type)) found = one.name;
   }
   return found;

@@ -9,30 +9,31 @@
 
 namespace tendon {
 
-/// A read command whose value may be the initial argument of another command.
+/// A read command whose result can be offered as the initial argument of another command.
 struct MatchingRead {
   std::string name;
-  Fingerprint type;      ///< type of its result
-  bool is_whole = true;  ///< returns the whole argument; otherwise a structure with some common
-                         ///< fields
+  Fingerprint type;  ///< type of its result
+  /// True if it returns the whole argument. False if it returns a structure that may have some
+  /// fields in common with the argument.
+  bool is_whole = true;
 
   bool operator==(const MatchingRead&) const = default;
 };
 
-/// The read commands of the interface that may return the value that `command` sets, the most
-/// likely one first. Commands that return the type of the argument come first; among them, a
-/// command with the same subject, such as GetGains for SetGains. If the argument is a structure,
-/// commands that return other structures follow.
+/// Returns the read commands of an interface that may return the value that `command` sets, the
+/// most likely one first. If a command returns the type of the argument, it comes first; if there
+/// are several, it is one with the same subject, such as GetGains for SetGains. If the argument is
+/// a structure, all commands that return other structures follow.
 [[nodiscard]] std::vector<MatchingRead> MatchingReads(const ProvidedDescription& of,
                                                       const MemberDescription& command);
 
-/// The names of the fields of structure `wanted` that `offered` also has, with the same type and
-/// unit. Empty if either is not a structure, or if a value of `offered` may be large: an image
-/// should not be read to get its width.
+/// Returns the names of the fields that both structures have with the same type and unit. Returns
+/// nothing if one of the two is not a structure, or if a value of `offered` may be large, because
+/// an image should not be read to get its width.
 [[nodiscard]] std::vector<std::string> CommonFields(const Schema& wanted, const Schema& offered);
 
-/// Copies these fields from the JSON object `source` to the JSON object `value`, and returns the
-/// result. Returns `value` unchanged if either is not an object.
+/// Returns the JSON object `value` with these fields replaced by those of the JSON object `source`.
+/// Returns `value` unchanged if one of the two is not an object.
 [[nodiscard]] std::string WithFieldsOf(const std::string& value, const std::string& source,
                                        const std::vector<std::string>& fields);
 

@@ -8,7 +8,7 @@
 namespace tendon {
 namespace {
 
-/// Lists the interfaces of present processes.
+/// Interfaces with their names. Select() lists those of present processes.
 template <typename Description>
 using Named = std::vector<std::pair<InterfaceName, const Description*>>;
 
@@ -30,7 +30,7 @@ Named<Description> Select(const Catalogue& catalogue, const std::string& pattern
 
 Error NoneIs(const std::string& kind, const std::string& pattern) {
   return {ErrorCode::kNotFound,
-          "no " + kind + " interface is named '" + pattern + "'; look with: gcm ls -R"};
+          "no " + kind + " interface matches '" + pattern + "'; gcm ls -R lists all names"};
 }
 
 bool IsOfOneComponent(const InterfaceName& a, const InterfaceName& b) {

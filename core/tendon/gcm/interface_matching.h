@@ -12,20 +12,22 @@ namespace tendon {
 /// A required interface and the provided interfaces that fit it.
 struct Match {
   InterfaceName required;
-  std::vector<InterfaceName> provided;  ///< all equally good candidates; one if the choice is clear
+  /// All equally good candidates; only one if the choice is clear.
+  std::vector<InterfaceName> provided;
 };
 
-/// Globs of process/component/interface that limit the match.
+/// Globs over process/component/interface: only interfaces whose path matches are considered.
 struct MatchPatterns {
   std::string required;
   std::string provided;
 };
 
-/// Finds the provided interfaces that fit each unconnected required interface. Both must match
-/// their pattern, and belong to different components. If some of the provided interfaces have the
-/// same name as the required one, returns only these. Sorted by path. The cost is proportional to
-/// the number of required times the number of provided interfaces. kNotFound if a pattern matches
-/// nothing.
+/// For each required interface without a connection, finds the provided interfaces of other
+/// components that fit it. Considers only interfaces that match the patterns. If some of the
+/// provided interfaces that fit have the same name as the required interface, returns only these.
+/// The result is sorted by path. The cost is proportional to the number of required interfaces
+/// times the number of provided interfaces. Fails with kNotFound if one of the patterns matches no
+/// interface.
 Result<std::vector<Match>> MatchInterfaces(const Catalogue& catalogue,
                                            const MatchPatterns& patterns);
 

@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t kMostListed = 8;
 
-/// "; did you mean 'arm'?", or the list of names if it is short.
+/// Returns "; did you mean 'arm'?" if a name is similar. Otherwise lists the names if there are
+/// few.
 std::string Hint(const std::string& name, const std::vector<std::string>& candidates) {
   if (candidates.empty()) return "; there is none";
   if (std::string near = DidYouMean(name, candidates); !near.empty()) return near;
@@ -27,7 +28,8 @@ Error NotFound(const std::string& what, const std::string& full, const std::stri
   return {ErrorCode::kNotFound, "no " + what + " '" + full + "'" + Hint(name, candidates)};
 }
 
-/// The error for an interface on the wrong side; lists the interfaces on the right side, if any.
+/// The error for an interface of the wrong kind: required instead of provided, or the reverse.
+/// Lists the interfaces of the needed kind, if the component has any.
 Error OtherSide(const InterfaceName& name, const std::string& what, const std::string& needed,
                 const std::vector<std::string>& candidates) {
   const std::string hint = candidates.empty()
@@ -55,14 +57,14 @@ std::vector<std::string> NamesIn(const List& elements) {
   return names;
 }
 
-/// Checks the names, which are untrusted, before an error message contains them.
+/// Checks the names before they are used in an error message, because they are untrusted.
 Result<void> CheckFullName(const InterfaceName& name) {
   if (auto checked = CheckName("process", name.process); !checked) return checked;
   if (auto checked = CheckName("component", name.component); !checked) return checked;
   return CheckName("interface", name.interface);
 }
 
-/// The words between required and provided interface in a sentence.
+/// The words that connect the names of the required and the provided interface in a sentence.
 std::string StandOf(ConnectionState state) {
   switch (state) {
     case ConnectionState::kPending:
@@ -88,7 +90,7 @@ std::string Connected(const ConnectionDescription& connection, const InterfaceNa
          " --replace";
 }
 
-/// Refuses to replace an active connection by one that would be pending.
+/// Returns an error if an active connection would be replaced by a pending one.
 Result<void> CheckReplacement(const Catalogue& catalogue, const ConnectionDescription& connection,
                               const std::string& provider) {
   if (connection.state != ConnectionState::kActive) return {};

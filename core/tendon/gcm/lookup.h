@@ -10,9 +10,9 @@
 #include <string>
 #include <string_view>
 
-/// Looks up, in a catalogue, names that people type. Errors have the code kNotFound if not noted
-/// otherwise; they say what is missing and suggest similar names. The pointers are valid until the
-/// catalogue changes.
+/// Functions that search a catalogue for names that people have typed. If a comment does not name
+/// another code, errors have the code kNotFound, say what is missing, and suggest similar names.
+/// Returned pointers are valid until the catalogue changes.
 namespace tendon {
 
 Result<const ProcessEntry*> LookUpProcess(const Catalogue& catalogue, const std::string& process);
@@ -27,52 +27,57 @@ Result<const RequiredDescription*> LookUpRequired(const Catalogue& catalogue,
 /// Finds a command. A column of a state table counts as a read command.
 Result<MemberDescription> LookUpCommand(const Catalogue& catalogue, const Path& path);
 
-/// True if a call or an event has an argument.
+/// Returns true if a call of a member with this signature has an argument.
 [[nodiscard]] bool TakesArgument(const Signature& signature);
 
-/// Checks a connect against the catalogue, and returns the order for the required side's LCM.
-/// Errors: kInvalid; kNotFound, also for a missing interface of a present process; kIncompatible,
-/// with the text of Refusal(); kExists if the required interface is connected; kFailed if its
-/// process is absent.
+/// Checks against the catalogue whether a connection can be made, and returns the order for the LCM
+/// of the required side. Errors: kInvalid for an invalid name; kNotFound for a missing required
+/// interface, or for a missing provided interface if its process is present; kIncompatible, with
+/// the text of Refusal(); kExists if the required interface is connected and may not be replaced;
+/// kFailed if the process of the required side is absent.
 ///
-/// If the provider's process is absent or unknown, the connection will be pending. A pending
-/// connection cannot replace an active one: kFailed for an absent process, kNotFound for an unknown
-/// one.
+/// If the provider's process is absent or unknown, the new connection will be pending. A pending
+/// connection cannot replace an active one: this fails with kFailed for an absent process, and with
+/// kNotFound for an unknown process.
 Result<message::ConnectionPlan> PlanConnect(const Catalogue& catalogue, const message::Wire& wire,
                                             WhenConnected when_connected = WhenConnected::kRefuse);
 
-/// The order that PlanConnect() returns, without its checks.
+/// Returns the same order as PlanConnect(), but checks nothing.
 [[nodiscard]] message::ConnectionPlan ConnectionPlanOf(const Catalogue& catalogue,
                                                        const message::Wire& wire);
 
-/// The connection that a disconnect would end. Errors: kInvalid, kNotFound; kFailed if it is not
-/// connected or its process is absent.
+/// Returns the connection that a disconnect of the required interface would end. Errors: kInvalid
+/// for an invalid name; kNotFound; kFailed if the interface is not connected or its process is
+/// absent.
 Result<ConnectionDescription> PlanDisconnect(const Catalogue& catalogue,
                                              const InterfaceName& required);
 
-/// Finds a required interface by its path or by the number of its connection: "12", or "desk/12" if
-/// several processes have a connection with that number (otherwise kInvalid).
+/// Finds a required interface by its path or by the number of its connection: "12" or "desk/12".
+/// Fails with kInvalid if only a number is given and several processes have a connection with this
+/// number.
 Result<InterfaceName> LookUpConnected(const Catalogue& catalogue, const std::string& text);
 
-/// The instance of a process, which changes at each start; 0 if there is no process with that name.
+/// Returns the instance of a process, a number that is new at each start; 0 if there is no process
+/// with this name.
 [[nodiscard]] std::uint64_t InstanceOf(const Catalogue& catalogue, const std::string& process);
 
-/// True if the process is present, even if it is slow.
+/// Returns true if the process is present. It may be slow (ProcessState::kSuspect).
 [[nodiscard]] bool IsPresent(const ProcessDescription& process);
 
 /// ProcessDescription::reason begins with this text if a process was lost because it was silent
 /// while its link was open.
 inline constexpr std::string_view kNoRenewal = "no renewal of its lease for ";
 
-/// True if the process was lost because it was silent: it may be suspended, hang, or be
-/// disconnected from the network, and may come back. A process whose link broke has ended.
+/// Returns true if the process was lost because it was silent while its link was open. Such a
+/// process may be suspended, hang, or be disconnected from the network, and may come back. If the
+/// link of a process broke, the process has ended, and this returns false.
 [[nodiscard]] bool HasFallenSilent(const ProcessDescription& process);
 
-/// The remedy if a process is gone: "start it again", or for a silent process, how to resume or end
-/// its program.
+/// Returns the remedy for a process that is gone. If HasFallenSilent() is true, this says how to
+/// resume or end its program; otherwise it is "start it again".
 [[nodiscard]] std::string AdviceFor(const ProcessDescription& process);
 
-/// Fails if the process is not present: kFailed, "process 'robot' is lost (reason)" or "is
+/// Fails with kFailed if the process is not present: "process 'robot' is lost (reason)" or "is
 /// starting".
 Result<void> RequirePresent(const ProcessDescription& process);
 

@@ -35,8 +35,8 @@ enum class StaleReason { kNone, kNotStarted, kSuspended, kFinished, kFaulted, kN
   return "lost";
 }
 
-/// From the states of a process and of its component. If the process does not answer or is gone,
-/// the state of the component does not count.
+/// Determines the reason from the states of a process and of its component. If the process does not
+/// answer or is gone, the state of the component is ignored.
 [[nodiscard]] constexpr StaleReason StaleReasonOf(ProcessState process,
                                                   ComponentState component) noexcept {
   if (process == ProcessState::kSuspect) return StaleReason::kNoAnswer;
@@ -57,7 +57,8 @@ enum class StaleReason { kNone, kNotStarted, kSuspended, kFinished, kFaulted, kN
   return StaleReason::kFaulted;
 }
 
-/// From the catalogue. A component that is not in it counts as lost.
+/// Determines the reason from the catalogue. A component that is not in the catalogue counts as
+/// lost.
 [[nodiscard]] inline StaleReason StaleReasonOf(const Catalogue& catalogue,
                                                const std::string& process,
                                                const std::string& component) {
@@ -68,10 +69,10 @@ enum class StaleReason { kNone, kNotStarted, kSuspended, kFinished, kFaulted, kN
   return StaleReasonOf(entry->process.state, found->second.state);
 }
 
-/// True if the console and the window must mark a value as old. If the component does not run, its
-/// values are old, except those of a very new row, which may have just arrived. If the component
-/// runs, its values are old when the next row is overdue. `age` is the age of the row, if known;
-/// `rate` is the rate of rows in Hz, 0 if unknown.
+/// Returns true if the console and the window must mark a value as stale. If the component does not
+/// run, a value is stale unless its row is younger than 500 ms, because such a row may just have
+/// arrived. If the component runs, a value is stale when the next row is overdue. `age` is the age
+/// of the row, if known; `rate` is the rate of rows in Hz, 0 if unknown.
 [[nodiscard]] inline bool IsStale(StaleReason why, std::optional<std::chrono::nanoseconds> age,
                                   double rate) {
   constexpr std::chrono::milliseconds kOnItsWay{500};
@@ -82,7 +83,7 @@ enum class StaleReason { kNone, kNotStarted, kSuspended, kFinished, kFaulted, kN
   return *age > std::max(kLate, std::chrono::duration<double>(kMostPeriods / rate));
 }
 
-/// "12 s", "3 min", "2 h".
+/// Returns an age as text: "12 s", "3 min", "2 h".
 [[nodiscard]] inline std::string AgeText(std::chrono::nanoseconds age) {
   constexpr std::int64_t kMinute = 60;
   constexpr std::int64_t kHour = 60 * kMinute;

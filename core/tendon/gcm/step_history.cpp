@@ -66,7 +66,7 @@ std::optional<message::HistoryEntry> EntryOf(const OrderedJson& line) {
   return step;
 }
 
-// The kinds of lines that mark an earlier step.
+// The keys of lines that mark an earlier step as undone or skipped.
 constexpr const char* kUndo = "undo";
 constexpr const char* kPassOver = "pass over";
 
@@ -138,8 +138,8 @@ void StepHistory::Probe() const {
   const auto writable = os::CheckWritable(file_);
   if (writable) return;
   Log(LogLevel::kWarning, "gcm",
-      "history is off: " + writable.error().message +
-          "; steps can be undone until this GCM ends, but not after it; make the folder writable, "
+      "the history is not saved: " + writable.error().message +
+          "; steps can be undone only until this GCM ends; make the folder writable, "
           "or choose another folder with XDG_STATE_HOME");
 }
 
@@ -241,7 +241,7 @@ void StepHistory::Close() {
   Write();
 }
 
-/// Writes all waiting lines together, to wait for a slow disk only once.
+/// Writes all pending lines with one access to the disk, because the disk may be slow.
 void StepHistory::Write() {
   const bool is_long = file_bytes_ > 2 * kMaxBytes;
   std::vector<Line> lines;

@@ -16,32 +16,33 @@
 
 namespace tendon {
 
-/// The text of a step: "connect desk/teleoperation/Robot robot/arm/Control", "start robot/arm",
-/// "start robot".
+/// Returns the text of a step: "connect desk/teleoperation/Robot robot/arm/Control", "start
+/// robot/arm", "start robot".
 [[nodiscard]] std::string ToString(const message::HistoryEntry& step);
 
-/// The undo of a step: the program and the time.
+/// Which program undid a step, and when.
 struct UndoMark {
-  std::string who;        ///< the program that requested it; empty if unknown
+  std::string who;        ///< the program that requested the undo; empty if unknown
   std::int64_t when = 0;  ///< ns since 1970
 };
 
-/// The steps of users, in a file with one JSON object per line, so that they can also be undone
-/// after a restart. Keeps the newest kMaxSteps, or as many as fit into kMaxBytes, and rewrites the
-/// file when it is twice as large. Ignores a last line that a crash cut off; ignores other invalid
-/// lines with a warning.
+/// The steps of users. They are kept in a file with one JSON object per line, so that they can also
+/// be undone after a restart of the GCM. Keeps the newest kMaxSteps, or fewer if these exceed
+/// kMaxBytes. Rewrites the file when it is larger than twice kMaxBytes. If a crash cut off the last
+/// line, this line is ignored; other invalid lines are ignored with a warning.
 ///
-/// A step is in memory at once. A separate thread writes it, so that a slow disk delays only
-/// callers that wait for `done`. A crash can lose only steps whose `done` was not called. A write
-/// error is logged, and the step stays in memory until the process ends; the constructor checks
-/// that the file can be written.
+/// A new step is in memory at once. A separate thread writes it to the file, so a slow disk delays
+/// only callers that wait for `done`. A crash can lose only steps whose `done` was not called yet.
+/// If a step cannot be written, the error is logged, and the step stays in memory until the process
+/// ends.
 ///
-/// Thread safety: all functions except Close() at any time.
+/// Thread safety: all functions except Close() may be called at any time, in any thread.
 class StepHistory {
  public:
   static constexpr std::size_t kMaxSteps = 1000;
   static constexpr std::size_t kMaxBytes = std::size_t{4} << 20U;
-  /// Called once, in the order of the steps, by the history's thread or by Close().
+  /// Called once when the step is written, or when writing has failed. The calls are made in the
+  /// order of the steps, in the history's thread or in Close().
   using Done = std::function<void()>;
 
   /// Reads the file, if it exists. The history's thread logs if the file cannot be written.
@@ -51,16 +52,16 @@ class StepHistory {
   /// Calls Close().
   ~StepHistory();
 
-  /// Adds a step; returns its number.
+  /// Adds a step and returns its number.
   std::uint64_t Record(message::HistoryEntry step, Done done);
   void MarkUndone(std::uint64_t id, Done done, const UndoMark& by = {});
   void MarkPassedOver(std::uint64_t id, Done done);
-  /// Waits until everything is on the disk. Afterwards, no steps may be added.
+  /// Waits until all steps are on the disk. No steps may be added afterwards.
   void Close();
 
   /// Oldest first.
   [[nodiscard]] message::History steps() const;
-  /// For an undone step; `who` is empty if it is not known.
+  /// Returns which program undid a step, and when; `who` is empty if this is not known.
   [[nodiscard]] UndoMark undo_of(std::uint64_t id) const;
   /// The newest step that was neither undone nor skipped.
   [[nodiscard]] std::optional<message::HistoryEntry> last() const;
@@ -82,7 +83,7 @@ class StepHistory {
 
   const std::filesystem::path file_;
   // Used only in the writing thread.
-  bool is_torn_ = false;  // the file may end in the middle of a line
+  bool is_torn_ = false;  // true if the file may end in the middle of a line
   std::size_t file_bytes_ = 0;
 
   mutable std::mutex mutex_;  // guards the members below

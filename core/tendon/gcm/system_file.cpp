@@ -27,7 +27,8 @@ Error Refused(const fs::path& path, const std::string& reason) {
   return {ErrorCode::kInvalid, path.string() + ": " + reason};
 }
 
-/// Reads at most kMaxSize bytes of the file, plus one byte, which shows if the file is larger.
+/// Reads at most kMaxSize bytes of the file, plus one byte, so that the caller can see that a file
+/// is too large.
 Result<std::string> ReadBytes(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
   std::string text(SystemFile::kMaxSize + 1, '\0');
@@ -41,8 +42,8 @@ void AddComment(OrderedJson& json, const std::string& comment) {
   if (!comment.empty()) json["comment"] = comment;
 }
 
-/// The state that a file requests for a component which is now in `state`: a faulted one should be
-/// active, a ready one constructed.
+/// The state to write into the file for a component that is now in `state`. A faulted component
+/// should become active again; a ready component becomes constructed.
 ComponentState DesiredFor(ComponentState state) {
   if (state == ComponentState::kFaulted) return ComponentState::kActive;
   if (state == ComponentState::kReady) return ComponentState::kConstructed;
@@ -112,7 +113,8 @@ OrderedJson JsonOf(const SystemFile& system) {
   return json;
 }
 
-/// Must be called first, because later code is recursive and the JSON may be nested too deeply.
+/// Checks that the configurations are JSON and not nested too deeply. Must be called before the
+/// other functions, because these are recursive.
 Result<void> CheckConfigurations(const SystemFile& system) {
   for (const auto& process : system.processes) {
     for (const auto& component : process.components) {
@@ -130,7 +132,7 @@ using file::FileObject;
 using file::Refuse;
 using file::Shown;
 
-/// Missing fields have their defaults.
+/// Reads "thread". Fields that are not in the file keep their defaults.
 std::optional<ThreadOptions> ReadThread(const FileObject& object, const std::string& task) {
   const Json* given = object.Find("thread");
   if (given == nullptr) return std::nullopt;
@@ -150,7 +152,7 @@ std::optional<ThreadOptions> ReadThread(const FileObject& object, const std::str
   return *options;
 }
 
-/// The value in `known` whose name is in the file.
+/// Reads a name and returns the value in `known` that has this name.
 template <typename T, std::size_t kCount>
 T ReadWord(const FileObject& object, const std::string& key, const std::array<T, kCount>& known) {
   const std::string text = object.Text(key);
@@ -172,7 +174,8 @@ ComponentState ReadState(const FileObject& object) {
   return ReadWord(object, "state", SystemFile::kDesirable);
 }
 
-/// Reads a class; null means that only its own program creates the component.
+/// Reads the class. Returns an empty text for null, which means that the program of the process
+/// creates the component itself.
 std::string ReadClass(const FileObject& object) {
   if (object.Get("class").is_null()) {
     for (const char* key : {"library", "configuration", "thread", "runs_after"}) {
@@ -223,11 +226,11 @@ void CheckLeaders(const std::vector<SystemFile::Component>& components, const Fi
            "the process has no component '" + leader + "'" + DidYouMean(leader, names));
   }
   if (const std::string cycle = FindCycle(components); !cycle.empty()) {
-    Refuse(process.Place("components"), "runs_after forms a ring: " + cycle);
+    Refuse(process.Place("components"), "runs_after forms a cycle: " + cycle);
   }
 }
 
-/// For a process that the GCM starts as an `lcm`.
+/// Reads "start", which only a process that the GCM starts as an `lcm` has.
 SystemFile::Start ReadStart(const Json& json, const FileObject& process) {
   const FileObject object(json, process.Place("start"), {"restart"});
   if (object.Find("restart") == nullptr) return {};
@@ -284,7 +287,8 @@ class LinkReader {
   }
 
  private:
-  /// The component must be in the file; its interface is checked only when it runs.
+  /// Checks that the component is in the file. Its interface cannot be checked before the component
+  /// exists.
   void CheckComponent(const std::string& process, const std::string& component,
                       const std::string& place) const {
     if (index_.FindComponent(process, component) != nullptr) return;
@@ -402,7 +406,7 @@ Result<std::string> SystemFileText(const SystemFile& system) {
   try {
     constexpr int kIndent = 2;
     text = JsonOf(system).dump(kIndent) + "\n";
-  } catch (const OrderedJson::exception& exception) {  // a text is not UTF-8
+  } catch (const OrderedJson::exception& exception) {  // thrown if a text is not UTF-8
     return refuse(exception.what());
   }
   const auto again = ParseSystemFile(text, "it could not be read again");

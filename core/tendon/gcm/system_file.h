@@ -16,8 +16,8 @@
 
 namespace tendon {
 
-/// The description of a whole system by its user: which components run in which processes, in which
-/// state, and their connections. JSON, version 1:
+/// The description of a whole system, as a user writes or saves it: which components run in which
+/// processes and states, and how they are connected. The file is JSON, version 1:
 ///
 ///     {
 ///       "version": 1,
@@ -32,31 +32,34 @@ namespace tendon {
 ///       "layout": {"robot/arm": [120, 40]}
 ///     }
 ///
-/// A component may also have "configuration" (for its constructor), "period" (in s, chosen by its
-/// class; only compared, never set), "thread" (fields of ThreadOptions), "runs_after" (a task of
-/// its process, in whose thread and cycle it runs), and "state": "active" by default, or
-/// "suspended", "finished" or "constructed". With "thread" but no "runs_after", it runs in a thread
-/// of its own; with neither, its class chooses. A "class" of null means that its own program
-/// creates the component. A process with "start" is an `lcm` that the GCM starts on its own host:
-/// {"restart": "on-failure"}, or {} for no restarts. With "strict": true a component is not started
-/// without the connections that it needs; otherwise it runs and waits for them. Each object may
-/// have a "comment". All these keys of a component are optional, and so are "connections", "layout"
-/// and "strict".
+/// A component may also have these keys: "configuration" is for its constructor. "period" is in s;
+/// the class chooses the period, so the value is only compared, never set. "thread" has fields of
+/// ThreadOptions. "runs_after" names a task of the same process; the component runs in its thread
+/// and cycle. "state" is "active" (the default), "suspended", "finished" or "constructed". A
+/// component with "thread" but without "runs_after" runs in a thread of its own; without both, its
+/// class chooses. If "class" is null, the program of the process creates the component itself.
+///
+/// A process with "start" is an `lcm` that the GCM starts on its own host: {"restart":
+/// "on-failure"}, or {} for no restarts. With "strict": true, a component is not started without
+/// the connections that it needs; otherwise it runs and waits for them. Each object may have a
+/// "comment". All these keys are optional, and so are "connections" and "layout".
 struct SystemFile {
   /// A component to create.
   struct Component {
     std::string name;
-    std::string class_name;     ///< empty: created only by its own program
-    std::string library;        ///< plug-in name without path; empty: any plug-in with the class
-    std::string configuration;  ///< JSON that the class checks; empty for its defaults
-    double period = 0.0;        ///< s; 0 if it is unknown or there is none
+    std::string class_name;  ///< empty: the program of the process creates it itself
+    /// The name of the plug-in without path. Empty: any plug-in that has the class.
+    std::string library;
+    std::string configuration;  ///< JSON, checked by the class; empty: the defaults of the class
+    double period = 0.0;        ///< s; 0 if unknown or not periodic
     std::optional<ThreadOptions> thread{};
-    std::string runs_after{};  ///< the component after which it runs, or empty
-    /// The desired state, one of kDesirable; any state if taken from a running system.
+    std::string runs_after{};  ///< the component after which this one runs, or empty
+    /// The desired state, one of kDesirable. In a description of a running system, the present
+    /// state, which can be any.
     ComponentState state = ComponentState::kActive;
     std::string comment{};
 
-    /// True if it is known in which thread the component runs.
+    /// Returns true if `thread` or `runs_after` is set, so the thread of the component is known.
     [[nodiscard]] bool tells_thread() const { return thread || !runs_after.empty(); }
 
     bool operator==(const Component&) const = default;
@@ -72,7 +75,7 @@ struct SystemFile {
     std::string name;
     std::vector<Component> components;
     std::string comment{};
-    std::optional<Start> start{};  ///< empty: not started by the GCM
+    std::optional<Start> start{};  ///< empty: the GCM does not start the process
 
     bool operator==(const Process&) const = default;
   };
@@ -99,7 +102,8 @@ struct SystemFile {
   std::string comment{};
   bool strict = false;
 
-  /// Null if there is none. Linear search, unlike SystemIndex.
+  /// The Find functions return null if the object is not in the file. They search linearly;
+  /// SystemIndex is faster.
   [[nodiscard]] const Process* FindProcess(const std::string& process_name) const;
   [[nodiscard]] const Component* FindComponent(const std::string& process_name,
                                                const std::string& component_name) const;
@@ -115,23 +119,26 @@ struct SystemFile {
                                             ComponentState::kConstructed};
 };
 
-/// Reads a file. Unknown content is an error, with its place: "demo.json: line 12, column 5:
-/// unexpected ','" or "demo.json: line 7, column 20: processes[0].components[1].class: expected
-/// string, got number". The code is kNotFound for a missing file, else kInvalid.
+/// Reads a system file. Unknown keys and invalid values are errors. The error gives the position:
+/// "demo.json: line 12, column 5: unexpected ','" or "demo.json: line 7, column 20:
+/// processes[0].components[1].class: expected string, got number". Fails with kNotFound for a
+/// missing file, otherwise with kInvalid.
 Result<SystemFile> ReadSystemFile(const std::filesystem::path& path);
 
-/// The content of the file, which must be a regular one; cut just above kMaxSize.
+/// Returns the content of the file, which must be a regular file. Reads at most one byte more than
+/// kMaxSize.
 Result<std::string> ReadSystemText(const std::filesystem::path& path);
 
-/// Errors begin with `source`.
+/// Parses the text of a system file. Error messages begin with `source`.
 Result<SystemFile> ParseSystemFile(std::string_view text, const std::string& source);
 
-/// The text of a file from which `system` can be read again, except that a faulted component
-/// becomes active. kInvalid if a configuration is not JSON or is too long.
+/// Returns the text of a file from which `system` can be read again. The state of a faulted
+/// component is written as active. Fails with kInvalid if a configuration is not JSON or is too
+/// long.
 Result<std::string> SystemFileText(const SystemFile& system);
 
-/// Replaces the file completely or not at all; see os::ReplaceDurably(). Errors: kInvalid as in
-/// SystemFileText(), otherwise kFailed.
+/// Writes the file. An existing file is replaced completely or not at all; see
+/// os::ReplaceDurably(). Fails with kInvalid like SystemFileText(), otherwise with kFailed.
 Result<void> WriteSystemFile(const std::filesystem::path& path, const SystemFile& system);
 
 }  // namespace tendon

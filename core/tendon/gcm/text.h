@@ -16,39 +16,39 @@
 
 namespace tendon {
 
-/// The object of a request to a GCM, for the audit log: "start robot/arm". The body is untrusted
-/// and may be malformed; empty if there is no text.
+/// Returns what a request to a GCM is about, for the audit log: "start robot/arm". The body is
+/// untrusted and may be malformed. Empty for other types of requests and for malformed bodies.
 [[nodiscard]] std::string AuditObject(MessageType type, std::span<const std::byte> body);
 
-/// The largest age of a value that is shown as current; members report every second.
+/// The largest age of a health report that is shown as current. Members report every second.
 inline constexpr std::chrono::seconds kFreshHealth(3);
 
-/// The last health report of a process, of any age; null if there is none.
+/// Returns the last health report of a process, of any age; null if there is none.
 [[nodiscard]] const message::ProcessHealth* LastHealth(const message::SystemHealth& health,
                                                        const ProcessDescription& process);
 
-/// The last health report if it is current; null if the process is not alive, or has not reported
-/// within kFreshHealth.
+/// Returns the last health report of a process if it is current; null if the process is not alive,
+/// or has not reported within kFreshHealth.
 [[nodiscard]] const message::ProcessHealth* FindHealth(const message::SystemHealth& health,
                                                        const ProcessDescription& process);
 
-/// "0.1 ms".
+/// Returns a time as text: "0.1 ms".
 [[nodiscard]] std::string MillisecondsText(std::chrono::nanoseconds time);
 
-// These return "-" for null, or if the value is not known yet.
+// The next three functions return "-" if `health` is null or the value is not known yet.
 
-/// "12.5 %" of one core.
+/// The CPU load: "12.5 %" of one core.
 [[nodiscard]] std::string CpuText(const message::ProcessHealth* health);
-/// "34.1 MiB".
+/// The memory: "34.1 MiB".
 [[nodiscard]] std::string MemoryText(const message::ProcessHealth* health);
-/// "0.0 ms off (+-0.1 ms)".
+/// The offset of the clock: "0.0 ms off (+-0.1 ms)".
 [[nodiscard]] std::string ClockText(const message::ProcessHealth* health);
 
 /// Describes the loaded version of a plug-in: "/opt/robot/arm.so of 2025-11-21 15:40:03".
 [[nodiscard]] std::string PluginText(const PluginDescription& plugin);
 
-/// Describes the change of its file since then: "written again at 2025-11-21 15:50:10", "gone";
-/// empty if the file is unchanged.
+/// Describes how the file of a plug-in has changed since the plug-in was loaded: "written again at
+/// 2025-11-21 15:50:10", "gone"; empty if the file is unchanged.
 [[nodiscard]] std::string PluginChangeText(const PluginDescription& plugin);
 
 /// A plug-in whose file has changed.
@@ -59,7 +59,7 @@ struct OutdatedPlugin {
   std::string remedy;  ///< "restart the process to use it"
 };
 
-/// Nothing if the file is unchanged.
+/// Returns nothing if the file of the plug-in is unchanged.
 [[nodiscard]] std::optional<OutdatedPlugin> FindOutdatedPlugin(const std::string& process,
                                                                const PluginDescription& plugin);
 
@@ -67,22 +67,24 @@ struct OutdatedPlugin {
 [[nodiscard]] std::string OutdatedPluginText(const std::string& process,
                                              const PluginDescription& plugin);
 
-/// "step 7 (connect a/b/C d/e/F, by gcm connect at 2025-11-21 15:40:03)".
+/// Returns a step with number, program and time: "step 7 (connect a/b/C d/e/F, by gcm connect at
+/// 2025-11-21 15:40:03)".
 [[nodiscard]] std::string WholeText(const message::HistoryEntry& step);
 
-/// "noise 0.001 -> 0.5, bandwidth default -> 80": the changes of a "configure" step; empty for
+/// The changes of a "configure" step, "noise 0.001 -> 0.5, bandwidth default -> 80"; empty for
 /// other steps.
 [[nodiscard]] std::string ChangesText(const message::HistoryEntry& step);
 
-/// True if the step concerns the lifecycle of a component or of a started process.
+/// IsLifecycleStep() is true for a step of the lifecycle of a component or of a process that the
+/// GCM has started. IsProcessStep() is true only for the latter.
 [[nodiscard]] bool IsLifecycleStep(const message::HistoryEntry& step);
 [[nodiscard]] bool IsProcessStep(const message::HistoryEntry& step);
 
-/// The process that executed the step, and that would undo it. If the step started a process, the
-/// started process.
+/// Returns the process that executed the step and would undo it. If the step started a process,
+/// returns the started process.
 [[nodiscard]] const std::string& ProcessOf(const message::HistoryEntry& step);
 
-/// "version 0.4.0, protocol 10".
+/// Returns a version as text: "version 0.4.0, protocol 10".
 [[nodiscard]] std::string VersionText(const message::ProgramVersion& version);
 
 /// The result of CompareVersion().
@@ -90,16 +92,16 @@ struct VersionReport {
   std::string text;  ///< "version 0.3.0, protocol 10, but this program has another version"
   bool is_own = false;
 };
-/// Compares the version that a program has reported with `own`. The text also covers a program that
-/// did not report one.
+/// Compares the version that a program has reported with `own`. If the program reported none, the
+/// text says so.
 [[nodiscard]] VersionReport CompareVersion(const Result<message::ProgramVersion>& told,
                                            const message::ProgramVersion& own);
 
-/// The time in nanoseconds since 1970. It may jump, so use it for display only; for decisions, use
-/// a Clock.
+/// Returns the time of the system clock in nanoseconds since 1970. This time may jump, so use it
+/// for display only; for decisions, use a Clock.
 [[nodiscard]] std::int64_t WallTime();
 
-/// "2025-11-21 15:40:03", in local time.
+/// Returns a time as text, in local time: "2025-11-21 15:40:03".
 [[nodiscard]] std::string WallTimeText(std::int64_t nanoseconds);
 
 /// The same with milliseconds: "2025-11-21 15:40:03.250".

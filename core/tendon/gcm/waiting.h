@@ -8,27 +8,27 @@
 
 namespace tendon {
 
-/// The required interfaces that a running component needs, and that are not connected. Empty if the
-/// component does not run, or if its process is absent. All programs use this.
+/// Returns the required interfaces that a running component needs and that are not connected. Empty
+/// if the component does not run or its process is absent. All programs use this function.
 [[nodiscard]] std::vector<UnsatisfiedInterface> WaitsOf(const ProcessEntry& process,
                                                         const ComponentDescription& component);
 
-/// The same; `find` finds connections faster than a search in `process`.
+/// The same, with a function `find` that finds a connection faster than the search in `process`.
 [[nodiscard]] std::vector<UnsatisfiedInterface> WaitsOf(const ProcessEntry& process,
                                                         const ComponentDescription& component,
                                                         const FindConnection& find);
 
-/// The required interfaces that the component would wait for if it ran.
+/// Returns the required interfaces for which the component would wait if it ran.
 [[nodiscard]] std::vector<UnsatisfiedInterface> UnmetNeedsOf(const ProcessEntry& process,
                                                              const ComponentDescription& component);
 
-/// "waiting for Robot, Camera", or empty.
+/// Returns "waiting for Robot, Camera"; empty if `waits` is empty.
 [[nodiscard]] std::string WaitingText(const std::vector<UnsatisfiedInterface>& waits);
 
-/// "waiting for Robot: not connected", or empty.
+/// Returns "waiting for Robot: not connected"; empty if `waits` is empty.
 [[nodiscard]] std::string WaitingReasons(const std::vector<UnsatisfiedInterface>& waits);
 
-/// "active, waiting for Robot": the state of a component, and why it cannot work.
+/// The state of a component and the interfaces for which it waits: "active, waiting for Robot".
 [[nodiscard]] std::string StateText(const ProcessEntry& process,
                                     const ComponentDescription& component);
 

@@ -9,8 +9,9 @@
 
 namespace tendon::ice {
 
-/// Reads the encoding of Ice from untrusted bytes: checks every size against the remaining bytes.
-/// Generated code of Ice 3.7.8 does not check sizes, and crashes; it is not used here.
+/// Reads the encoding of Ice from untrusted bytes, and checks every size against the number of
+/// remaining bytes. The generated code of Ice 3.7.8 is not used, because it does not check sizes
+/// and crashes.
 class BoundedReader {
  public:
   explicit BoundedReader(std::span<const std::byte> bytes) : rest_(bytes) {}
@@ -27,7 +28,8 @@ class BoundedReader {
     std::memcpy(&value, bytes->data(), sizeof value);
     return value;
   }
-  /// Reads a size: one byte, or 255 and an int. Fails if it is larger than the remaining bytes.
+  /// Reads a size: one byte, or the byte 255 and an int. Fails if the size is larger than the
+  /// number of remaining bytes.
   std::optional<std::size_t> ReadSize() {
     const auto first = ReadByte();
     if (!first) return std::nullopt;
@@ -55,7 +57,8 @@ class BoundedReader {
 std::optional<std::span<const std::byte>> ReadOnlyParameter(
     std::span<const std::byte> encapsulation);
 
-/// The inverse. Replaces the content of `encapsulation` and keeps its capacity.
+/// Writes one sequence of bytes as the only parameter, so that ReadOnlyParameter() can read it.
+/// Replaces the content of `encapsulation` and keeps its capacity.
 void WriteOnlyParameter(std::span<const std::byte> parameter, Bytes& encapsulation);
 
 }  // namespace tendon::ice

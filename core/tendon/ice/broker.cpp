@@ -16,8 +16,8 @@
 namespace tendon::ice {
 namespace {
 
-/// Settings that do not depend on access. The queue of a stopped listener is limited, and further
-/// messages are dropped; a listener that receives nothing for a long time is removed.
+/// The settings that are the same with and without TLS. If a subscriber does not read, its queue is
+/// limited and further messages are dropped. If it reads nothing for 10 s, it is removed.
 constexpr const char* kLimits = R"(
 IceBox.InheritProperties=1
 IceBox.Service.IceStorm=IceStormService,37:createIceStorm
@@ -49,8 +49,8 @@ std::string SettingsFor(const HostPort& place, const std::string& instance,
          "\nIceStorm.Publish.Endpoints=" + host + "0\n";
 }
 
-/// The folders in which the dynamic linker looks for libraries that icebox loads; that of Ice comes
-/// first.
+/// Returns the folders in which the dynamic linker searches libraries for icebox. The folder of Ice
+/// comes first.
 std::vector<std::filesystem::path> LibraryFolders() {
   const auto* of_ice = reinterpret_cast<const void*>(&Ice::stringToIdentity);
   std::vector<std::filesystem::path> folders = {os::FileOf(of_ice).parent_path()};
@@ -60,8 +60,8 @@ std::vector<std::filesystem::path> LibraryFolders() {
   return folders;
 }
 
-/// Fails if the settings cannot hold the file name: Ice reads lines of NAME=VALUE, with comments
-/// and escapes, and separates files by ':'.
+/// Checks that the settings can contain the file name. Ice reads lines of NAME=VALUE, with comments
+/// and escapes, and separates files by ':', so some characters are not possible.
 Result<void> CheckFits(const std::filesystem::path& file) {
   const std::string text = file.string();
   if (text.find_first_of("#\\=: \t\r\n") == std::string::npos) return {};

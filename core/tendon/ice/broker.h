@@ -10,18 +10,19 @@ namespace tendon::ice {
 /// The name of the broker, IceStorm, in its certificate.
 inline constexpr const char* kBrokerName = "broker";
 
-/// The common name of the broker's objects. With TLS it is public. Without TLS it is derived from
-/// the user's cookie, so that other users on this machine cannot find topics, because IceStorm
-/// itself does not authenticate.
+/// Returns the name that all objects of the broker contain. With TLS, the name is public. Without
+/// TLS, it is derived from the user's cookie, because IceStorm does not authenticate: other users
+/// on this machine do not know the name and therefore cannot find topics.
 Result<std::string> BrokerInstance(bool is_certified);
 
-/// Fails with kNotFound, and a text that says what to install, if icebox would not find IceStorm.
+/// Checks that icebox can find IceStorm. If not, fails with kNotFound; the error says what to
+/// install.
 Result<void> CheckBrokerIsInstalled();
 
-/// Settings for icebox(1) that make it a broker at `address`, for this machine only.
+/// Returns settings with which icebox(1) is a broker at `address`, for this machine only.
 Result<std::string> BrokerSettings(const std::string& address);
-/// The same with TLS: only operators may publish. kInvalid for file names that the settings cannot
-/// hold.
+/// Returns settings for a broker with TLS, to which only operators may publish. Fails with kInvalid
+/// if the settings cannot contain the name of a file.
 Result<std::string> BrokerSettings(const std::string& address, const Credentials& credentials);
 
 }  // namespace tendon::ice

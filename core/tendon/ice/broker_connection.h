@@ -9,9 +9,10 @@
 
 namespace tendon::ice {
 
-/// Connects to a broker and checks that it is ours: by its certificate, or without TLS by the user
-/// who owns the socket. The returned proxies use only this connection, so that a later process on
-/// the port gets no messages. Thread-safe; functions block, and throw exceptions of Ice.
+/// Connects to a broker and checks that it is trusted: with TLS, by its certificate; without TLS,
+/// by the user who owns the socket. The returned proxies use only the checked connection, so
+/// another process that takes the port later receives no messages. The functions block and throw
+/// exceptions of Ice. Thread-safe.
 class BrokerConnection {
  public:
   BrokerConnection(std::shared_ptr<Ice::Communicator> communicator, bool is_certified)
@@ -19,7 +20,8 @@ class BrokerConnection {
 
   Result<std::shared_ptr<IceStorm::TopicManagerPrx>> Open(const std::string& broker) const;
 
-  /// A proxy for an object named by the topic manager, over a connection checked in the same way.
+  /// Returns a proxy for an object that the topic manager has returned. The connection of the proxy
+  /// is checked in the same way.
   Result<std::shared_ptr<Ice::ObjectPrx>> Reach(
       const std::shared_ptr<Ice::ObjectPrx>& object) const;
 

@@ -16,8 +16,9 @@
 namespace tendon::ice {
 namespace {
 
-/// Passes messages of a topic to its listener. Its name is a random number that only the broker
-/// knows; with TLS, it accepts only messages from the broker.
+/// Passes the messages of a topic to a handler. Without TLS, other processes cannot send messages
+/// to it, because its name is a random number that only the broker knows. With TLS, it accepts only
+/// messages from the broker.
 class SubscriberServant final : public Ice::BlobjectArray {
  public:
   SubscriberServant(Broadcast::MessageHandler handler, bool is_certified)
@@ -41,7 +42,8 @@ class SubscriberServant final : public Ice::BlobjectArray {
   }
 
  private:
-  /// True if the connection comes from the broker; checks each connection once.
+  /// Returns true if the connection comes from the broker. Remembers the last good connection, so
+  /// that it is checked only once.
   bool IsOfBroker(const std::shared_ptr<Ice::Connection>& connection) {
     if (connection == good_.lock()) return true;
     const auto certificate = CertificateOf(*connection);
@@ -56,7 +58,7 @@ class SubscriberServant final : public Ice::BlobjectArray {
   std::weak_ptr<Ice::Connection> good_;
 };
 
-/// A subscription to a topic, which its destructor ends.
+/// A subscription to a topic. Its destructor ends the subscription.
 class IceSubscription final : public Broadcast::Subscription {
  public:
   IceSubscription(std::shared_ptr<Ice::ObjectAdapter> adapter,
@@ -89,14 +91,14 @@ std::shared_ptr<IceStorm::TopicPrx> Find(IceStorm::TopicManagerPrx& manager,
   }
 }
 
-/// The local address of a connection, with or without TLS.
+/// Returns the local address of a connection, with or without TLS.
 std::string LocalHostOf(const Ice::Connection& connection) {
   auto info = connection.getInfo();
   while (info->underlying) info = info->underlying;
   return std::dynamic_pointer_cast<Ice::IPConnectionInfo>(info)->localAddress;
 }
 
-/// A random number that cannot be guessed.
+/// Returns a random number that cannot be guessed, as text.
 std::string NumberText() {
   return std::to_string(os::RandomNumber()) + "-" + std::to_string(os::RandomNumber());
 }
@@ -162,7 +164,7 @@ std::shared_ptr<Ice::ObjectAdapter> IceBroadcast::AdapterAt(const std::string& h
   if (!adapter) {
     const std::string transport = connection_.is_certified() ? "ssl" : "tcp";
     const std::string name = "listeners-" + host;
-    // Uses a separate thread, because code of viewers runs in it.
+    // The adapter has a separate thread, because this thread calls the handlers of subscribers.
     communicator_->getProperties()->setProperty(name + ".ThreadPool.Size", "1");
     communicator_->getProperties()->setProperty(name + ".ThreadPool.SizeMax", "1");
     const auto made =

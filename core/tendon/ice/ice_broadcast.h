@@ -12,8 +12,9 @@
 
 namespace tendon::ice {
 
-/// Multicast through IceStorm. Calls its interfaces by Ice's generated code, because the broker is
-/// trusted: see BrokerConnection. Messages of a topic are untrusted, and are read like frames.
+/// Multicast through IceStorm. Uses generated code of Ice for the calls to the broker, because the
+/// broker is trusted (see BrokerConnection). The messages of a topic are untrusted, so they are
+/// read with BoundedReader.
 class IceBroadcast final : public Broadcast {
  public:
   IceBroadcast(std::shared_ptr<Ice::Communicator> communicator, bool is_certified);
@@ -25,15 +26,15 @@ class IceBroadcast final : public Broadcast {
                                                   std::chrono::milliseconds timeout) override;
 
  private:
-  /// The adapter through which the broker reaches listeners: our address on the route to the
-  /// broker, any port.
+  /// Returns the adapter that receives messages from the broker. It has the address of this machine
+  /// on the route to the broker, and any port.
   std::shared_ptr<Ice::ObjectAdapter> AdapterAt(const std::string& host);
 
   const std::shared_ptr<Ice::Communicator> communicator_;
   const BrokerConnection connection_;
   std::mutex mutex_;
   std::map<std::string, std::shared_ptr<Ice::ObjectAdapter>> adapters_;  // by host
-  std::shared_ptr<Worker> worker_;                                       // serves publishers
+  std::shared_ptr<Worker> worker_;  // maintains the topics of publishers
 };
 
 }  // namespace tendon::ice

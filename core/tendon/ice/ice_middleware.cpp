@@ -35,7 +35,8 @@ std::uint16_t PortOf(const Ice::ObjectAdapter& adapter) {
   return 0;
 }
 
-/// Releases calls that are open for too long, in the thread of Ice's timer.
+/// Ends the waiting for deferred replies that take too long (PendingCalls::ReleaseOld()). Runs in
+/// the thread of Ice's timer.
 class PendingCallsTimer final : public IceUtil::TimerTask {
  public:
   explicit PendingCallsTimer(std::shared_ptr<Links> links) : links_(std::move(links)) {}
@@ -75,14 +76,15 @@ Error WhyNotListening(const HostPort& place) {
   }
 }
 
-/// `tls` is null without TLS, also below.
+/// The error for a link that was not opened in time. `tls` is null without TLS, also in the
+/// functions below.
 Error TimedOut(const HostPort& place, std::chrono::milliseconds timeout, const Tls* tls) {
   return {ErrorCode::kTimeout,
           "no answer from " + ToString(place) + " within " + Milliseconds(timeout) +
               (tls != nullptr ? "" : ": the program there hangs, or requires a --certificate")};
 }
 
-/// Thrown when nobody waits for the link any more.
+/// Thrown when the attempt to open a link was cancelled.
 struct ConnectCancellationSignal {};
 std::exception_ptr NobodyWaits() { return std::make_exception_ptr(ConnectCancellationSignal()); }
 
@@ -123,8 +125,8 @@ class IceMiddleware final : public Middleware {
         broadcast_(communicator_, tls_ != nullptr) {
     if (!RefusesImpossibleSizes(communicator_)) {
       Log(LogLevel::kWarning, "ice",
-          "this build of Ice accepts impossible sizes: any program on this machine can exhaust its "
-          "memory; use the Ice of Debian, or plain TCP");
+          "this build of Ice does not check the sizes in messages: any program on this machine can "
+          "exhaust the memory of this program; use the Ice of Debian, or plain TCP");
     }
     opened_->add(std::make_shared<EndpointServant>(links_), EndpointIdentity());
     opened_->activate();
@@ -139,7 +141,8 @@ class IceMiddleware final : public Middleware {
   [[nodiscard]] const Certificate* certificate() const override {
     return tls_ ? &tls_->certificate() : nullptr;
   }
-  /// With TLS, needs the certificate of a process, because the broker connects to each listener.
+  /// Null if the certificate belongs to a person: with TLS, only the certificate of a process can
+  /// be used, because the broker connects to each subscriber.
   [[nodiscard]] Broadcast* broadcast() override {
     return tls_ && tls_->certificate().holder == Holder::kPerson ? nullptr : &broadcast_;
   }
@@ -208,7 +211,7 @@ class IceMiddleware final : public Middleware {
     return ++last_number_;
   }
 
-  /// Returns a new connection; empty if `deadline` passes first.
+  /// Returns a new connection or the reason why there is none; empty if `deadline` passes first.
   std::optional<Connected> Connect(const HostPort& place, SteadyTime deadline) {
     const auto proxy =
         communicator_->stringToProxy("tendon:" + EndpointAt(place))
@@ -230,8 +233,8 @@ class IceMiddleware final : public Middleware {
     return connected->WaitUntil(deadline);
   }
 
-  /// Starts to serve a link. A ping makes the other end do the same. Returns the failure (null for
-  /// success), or no value if the deadline passes first.
+  /// Begins to serve a link, and sends a ping so that the other end also begins to serve it.
+  /// Returns the failure (null: success), or no value if `deadline` passes first.
   std::optional<std::exception_ptr> Greet(const std::shared_ptr<IceLink>& link,
                                           const std::shared_ptr<Ice::Connection>& connection,
                                           SteadyTime deadline) {
@@ -256,7 +259,8 @@ class IceMiddleware final : public Middleware {
   const std::shared_ptr<Tls> tls_;
   const std::shared_ptr<Links> links_ = std::make_shared<Links>();
   const std::shared_ptr<Ice::Communicator> communicator_;
-  const std::shared_ptr<Ice::ObjectAdapter> opened_;  // serves the connections opened here
+  // Serves the connections that this process opens.
+  const std::shared_ptr<Ice::ObjectAdapter> opened_;
   IceBroadcast broadcast_;
   std::mutex mutex_;
   std::uint64_t last_number_ = 0;

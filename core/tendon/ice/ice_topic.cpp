@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kBetweenChecks(1000);
 
-/// The state of a topic, shared by callbacks, the worker and the publisher's end.
+/// The state of a topic. It is shared by the IceTopic, the worker and the callbacks of Ice.
 class TopicPublisher final : public std::enable_shared_from_this<TopicPublisher> {
  public:
   TopicPublisher(const BrokerConnection& connection, std::string broker, std::string name)
@@ -51,7 +51,7 @@ class TopicPublisher final : public std::enable_shared_from_this<TopicPublisher>
     return Status::kQueued;
   }
 
-  /// On the worker: checks the topic, and creates it if it is missing.
+  /// Checks that the topic exists, and creates it if it is missing. Called in the worker's thread.
   void CheckTopic(const std::weak_ptr<Worker>& worker) {
     {
       const std::scoped_lock lock(mutex_);
@@ -89,7 +89,7 @@ class TopicPublisher final : public std::enable_shared_from_this<TopicPublisher>
     }
   }
 
-  /// Creates the topic if the broker does not have it, as after a restart of the broker.
+  /// Creates the topic if the broker does not have it, for example after a restart of the broker.
   void Make() {
     const auto manager = connection_.Open(broker_);
     if (!manager) return LogOnce(manager.error().message);
@@ -113,7 +113,8 @@ class TopicPublisher final : public std::enable_shared_from_this<TopicPublisher>
     complaint_.clear();
   }
 
-  /// Returns false if the topic has ended here, so that the caller must destroy it.
+  /// Stores the topic. Returns false if End() was called meanwhile; then the caller must destroy
+  /// the topic.
   bool Keep(const std::shared_ptr<IceStorm::TopicPrx>& topic) {
     const std::scoped_lock lock(mutex_);
     if (!has_ended_) topic_ = topic;
@@ -130,13 +131,13 @@ class TopicPublisher final : public std::enable_shared_from_this<TopicPublisher>
     publisher_ = nullptr;
   }
 
-  /// Called after a failure of `publisher`; ignored if `publisher` is not the present one.
+  /// Called when `publisher` has failed. Does nothing if `publisher` is not the present one.
   void Lose(const std::shared_ptr<Ice::ObjectPrx>& publisher) {
     const std::scoped_lock lock(mutex_);
     if (publisher_ == publisher) publisher_ = nullptr;
   }
 
-  /// Logs each reason once.
+  /// Logs the reason, unless it is the same as the last one.
   void LogOnce(const std::string& reason) {
     if (std::exchange(complaint_, reason) != reason) Log(LogLevel::kWarning, "broker", reason);
   }

@@ -9,11 +9,12 @@
 
 namespace tendon::ice {
 
-/// The operation that carries a topic's messages; its parameter is one sequence of bytes.
+/// The name of the operation that sends the messages of a topic. Its parameter is one sequence of
+/// bytes.
 inline constexpr const char* kTopicOperation = "message";
 
-/// The publisher's end of a topic. The worker creates the topic, and checks every second that it
-/// exists. Stop the worker before `connection` is destroyed.
+/// Returns a topic for its publisher. The worker creates the topic at the broker, and checks every
+/// second that it still exists. The worker must be stopped before `connection` is destroyed.
 std::unique_ptr<Broadcast::Topic> MakeTopic(const BrokerConnection& connection,
                                             std::shared_ptr<Worker> worker, std::string broker,
                                             std::string name);

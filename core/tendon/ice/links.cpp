@@ -22,12 +22,13 @@ SocketAddresses AddressesIfOpen(const Ice::Connection& connection) {
   try {
     if (const auto address = AddressIn(connection.getInfo())) return AddressesOf(*address);
   } catch (const Ice::Exception&) {
-    // Closed already.
+    // The connection is already closed.
   }
   return {};
 }
 
-/// The exception that the peer threw while it answered; empty if the link broke or is closing.
+/// Returns the text of the exception that the peer threw while it answered; empty if the link broke
+/// or is being closed.
 std::string FailureOfPeer(const Ice::Exception& why) {
   if (const auto* unknown = dynamic_cast<const Ice::UnknownException*>(&why)) {
     return unknown->unknown;
@@ -35,7 +36,7 @@ std::string FailureOfPeer(const Ice::Exception& why) {
   return dynamic_cast<const Ice::RequestFailedException*>(&why) != nullptr ? why.what() : "";
 }
 
-/// Makes a refusal frame, which replaces the answer to `request`.
+/// Returns a refusal frame, which is delivered instead of the answer to `request`.
 Bytes RefusalOf(const FrameHeader& request, const std::string& peer, const std::string& failure) {
   const Bytes body = EncodeBody(Error{
       ErrorCode::kFailed, peer + " failed while it answered: " + failure + "; outcome unknown"});
@@ -48,7 +49,8 @@ Bytes RefusalOf(const FrameHeader& request, const std::string& peer, const std::
   return refusal;
 }
 
-/// Used for a link that is about to be closed.
+/// Called before a link is closed. Returns true if sent data is being retransmitted without
+/// acknowledgement; closing the socket then resets the connection.
 bool IsUnacknowledged(const std::string& local, const std::string& peer) {
   const auto here = ParseAddress(local, 1);
   const auto there = ParseAddress(peer, 1);
@@ -76,7 +78,7 @@ void AdoptSocket(const Ice::Connection& connection) {
     os::AdoptSocket(static_cast<std::uint16_t>(address->localPort),
                     static_cast<std::uint16_t>(address->remotePort));
   } catch (const Ice::Exception&) {
-    // Closed already.
+    // The connection is already closed.
   }
 }
 
@@ -89,9 +91,9 @@ IceLink::IceLink(std::shared_ptr<Ice::Connection> connection, std::uint64_t list
       local_(AddressesIfOpen(*connection_).local),
       certificate_(CertificateOf(*connection_)) {}
 
-/// A direct frame is a two-way call of Ice, which returns an immediate answer without another
-/// thread or message. No thread waits in Ice. The acceptor queues its frames, because no caller
-/// waits for its requests.
+/// A frame with Delivery::kDirect is sent as a two-way call of Ice, which can return an immediate
+/// answer without a second message. The call is asynchronous, so no thread waits for the answer.
+/// The acceptor always queues its frames, because no caller waits for its requests.
 Status IceLink::Send(std::span<const std::byte> frame, Delivery delivery) {
   const auto header = ReadWholeFrame(frame, kMaxPieceSize);
   if (!header) return Status::kInvalid;
@@ -99,7 +101,7 @@ Status IceLink::Send(std::span<const std::byte> frame, Delivery delivery) {
   return Begin(two_way_, "ask", frame, *header);
 }
 
-/// Sends one message; `request` is the header of a direct request.
+/// Begins to send one message. `request` is the header if this is a direct request.
 Status IceLink::Begin(const std::shared_ptr<Ice::ObjectPrx>& peer, const std::string& operation,
                       std::span<const std::byte> bytes, const std::optional<FrameHeader>& request) {
   const auto message = std::make_shared<OutgoingMessage>(
@@ -159,7 +161,7 @@ void IceLink::Close() {
 
 void IceLink::Fail(const Error& reason) {
   if (!StartClosing(reason)) return;
-  pending_calls_.Release();  // otherwise Ice would not close the connection
+  pending_calls_.Release();  // because Ice does not close a connection with open calls
   const bool is_unacknowledged = listener_ == 0 && IsUnacknowledged(local_, peer_);
   connection_->close(is_unacknowledged ? Ice::ConnectionClose::Forcefully
                                        : Ice::ConnectionClose::Gracefully);
@@ -186,8 +188,8 @@ void IceLink::CheckAdmission() {
   Fail({ErrorCode::kTimeout, peer_ + " connected but did not authenticate within 3 s"});
 }
 
-/// Sends a marker, which the peer ignores. When the marker was sent, all earlier replies were sent
-/// too.
+/// Sends a marker, which the peer ignores. When Ice reports that the marker was sent, all earlier
+/// replies were sent too.
 void IceLink::SendMarker() {
   if (is_marker_on_way_.Get()) return;
   is_marker_on_way_.Set(true);
@@ -222,7 +224,7 @@ bool IceLink::Deliver(std::span<const std::byte> frame) {
   return Forward(frame, kMaxPieceSize, nullptr);
 }
 
-/// Delivers a frame. An admitted peer may send `most` bytes.
+/// Delivers a frame to the handler. An admitted peer may send frames of up to `most` bytes.
 bool IceLink::Forward(std::span<const std::byte> frame, std::size_t most,
                       std::shared_ptr<const void> owner) {
   const std::scoped_lock delivery(delivery_);

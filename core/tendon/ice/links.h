@@ -20,13 +20,13 @@ namespace tendon::ice {
 
 class Links;
 
-/// The two ends of a connection's socket, as "host:port".
+/// The local and the peer's address of a socket, as "host:port".
 struct SocketAddresses {
   std::string local = "unknown";
   std::string peer = "unknown";
 };
 
-/// Either end of an Ice connection. Callbacks of Ice hold it only by shared pointers.
+/// One end of an Ice connection. Callbacks of Ice hold it only by shared pointers.
 class IceLink final : public Link, public std::enable_shared_from_this<IceLink> {
  public:
   /// `listener` identifies the listener that accepted the link; 0 if the link was opened here.
@@ -41,45 +41,49 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
     return certificate_ ? &*certificate_ : nullptr;
   }
 
-  /// Call it before the first frame is delivered.
+  /// Must be called before the first frame is delivered.
   void SetHandler(std::shared_ptr<LinkHandler> handler);
-  /// Delivers one message. Returns false if the peer may not send it.
+  /// Delivers one frame to the handler. Returns false if the peer may not send this frame.
   bool Deliver(std::span<const std::byte> frame);
-  /// Like Deliver(), for a frame with Delivery::kDirect. An immediate or deferred reply may be the
-  /// response of the call. Ice does not report when such replies were sent, and queues any number
-  /// of them. So above 2 MiB a marker is sent after them, and while more than 4 MiB are unsent,
-  /// replies use Send() and its window.
+  /// Like Deliver(), but for a frame with Delivery::kDirect: an immediate or deferred reply may be
+  /// sent as the response of the Ice call. Ice queues any number of such replies and does not
+  /// report when they were sent. Therefore, if 2 MiB of them may be unsent, a marker is sent after
+  /// them, whose sending is reported. If 4 MiB may be unsent, replies are sent with Send(), which
+  /// limits the unsent bytes.
   bool DeliverAsked(std::span<const std::byte> frame, ReplySlot& answer);
-  /// True if a reply may still be the response of its call.
+  /// Returns true if fewer than 4 MiB of such replies may be unsent, so a reply may be sent as the
+  /// response of its call.
   [[nodiscard]] bool MayReturn() const { return OnWay() < kMostReturned; }
-  /// Counts a reply of `size` bytes that was the response of its call.
+  /// Counts a reply of `size` bytes that was sent as the response of its call.
   void CountReturned(std::size_t size) { returned_.Add(size); }
-  /// Calls with deferred replies; released when the link ends.
+  /// The calls with deferred replies. They are released when the link ends.
   [[nodiscard]] PendingCalls& pending_calls() { return pending_calls_; }
-  /// Closes the link because of an error of the peer, after answering it.
+  /// Closes the link because of an error of the peer. The answer to the present call of the peer is
+  /// still sent.
   void Fail(const Error& reason);
   void CloseAtOnce();
-  /// Called some time after an accept: fails the link if it is not admitted.
+  /// Called 3 s after the link was accepted. Closes the link if it is not admitted yet.
   void CheckAdmission();
 
-  // Outcomes of a message. `size` is the room that it occupies in the window; it becomes 0.
+  // The next three functions are called with the outcome of a message. `size` is the number of
+  // bytes that the link counts as unsent for this message; it is set to 0.
 
-  /// The message was sent. So were the first `returned_before` bytes of all replies that were the
-  /// responses of calls.
+  /// Called when the message was sent. Then all replies before it were sent too, which are the
+  /// first `returned_before` bytes of CountReturned().
   void OnSent(std::size_t& size, std::uint64_t returned_before);
-  /// The message has failed, or its answer is missing. If the peer has thrown an exception, refuses
-  /// `request`.
+  /// Called when the message could not be sent or has no answer. If this is because the peer has
+  /// thrown an exception, delivers a refusal of `request`.
   void OnFailed(std::size_t& size, const std::optional<FrameHeader>& request,
                 const Ice::Exception& why);
-  /// The message was answered with one parameter: a frame or nothing. Valid as long as `owner` is
-  /// held; if it is null, only during the call.
+  /// Called when the message was answered. `answer` is one parameter, which is a frame or empty.
+  /// The bytes are valid as long as `owner` is held; if it is null, only during the call.
   void OnAnswer(std::size_t& size, std::span<const std::byte> answer,
                 std::shared_ptr<const void> owner);
 
  private:
   friend class Links;
 
-  /// Limits of reply bytes that may be unsent.
+  /// The limits for reply bytes that may be unsent; see DeliverAsked().
   static constexpr std::size_t kMostReturned = std::size_t{4} << 20U;
   static constexpr std::size_t kManyReturned = std::size_t{2} << 20U;
 
@@ -93,28 +97,28 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   bool Forward(std::span<const std::byte> frame, std::size_t most,
                std::shared_ptr<const void> owner);
   bool StartClosing(const Error& reason);
-  /// The connection is gone, for any reason.
+  /// Called when the connection has ended for any reason.
   void OnGone();
 
   const std::shared_ptr<Ice::Connection> connection_;
-  const std::shared_ptr<Ice::ObjectPrx> two_way_;  // to the peer's endpoint
+  const std::shared_ptr<Ice::ObjectPrx> two_way_;  // proxy of the peer's endpoint
   const std::shared_ptr<Ice::ObjectPrx> oneway_;
   const std::uint64_t listener_;
   const std::string peer_;
   const std::string local_;
   const std::optional<Certificate> certificate_;
 
-  std::mutex delivery_;  // held during a call of the handler
+  std::mutex delivery_;  // held while the handler is called
   std::shared_ptr<LinkHandler> handler_;
 
   std::mutex mutex_;
-  std::optional<Error> reason_;  // why the link is closed, or about to be
-  std::size_t unsent_ = 0;       // bytes; those of small requests count until answered
+  std::optional<Error> reason_;  // why the link is closed or is being closed
+  std::size_t unsent_ = 0;       // bytes; small requests are counted until they are answered
 
-  /// Largest size of a frame; 0 once closed.
+  /// The largest size of a frame that the peer may send; 0 after the link was closed.
   Published<std::size_t> limit_{kMaxUnauthenticatedFrameSize};
   SharedCounter<> returned_;            // bytes of all returned replies
-  Published<std::uint64_t> confirmed_;  // of these, known to be sent
+  Published<std::uint64_t> confirmed_;  // bytes of these that are certainly sent
   Flag is_marker_on_way_;
   PendingCalls pending_calls_;
 };
@@ -122,7 +126,7 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
 /// The links of one communicator. Thread-safe.
 class Links {
  public:
-  /// From now on, passes the frames and the end of the link's connection to the link.
+  /// Adds a link. From now on, the link receives the frames and the end of its connection.
   static void Add(const std::shared_ptr<Links>& links, const std::shared_ptr<IceLink>& link);
 
   std::shared_ptr<IceLink> Find(const std::shared_ptr<Ice::Connection>& connection);
@@ -131,8 +135,8 @@ class Links {
   /// Calls PendingCalls::ReleaseOld() of all links.
   void ReleaseOldCalls(SteadyTime now);
 
-  /// Closes the links accepted at `listener`; for 0 all present and future links. After the return,
-  /// all their handlers have got OnClosed().
+  /// Closes the links that `listener` has accepted; with 0, closes all links, also those that are
+  /// added later. Before it returns, OnClosed() was called for all their handlers.
   void CloseAll(std::uint64_t listener);
 
  private:
@@ -142,16 +146,16 @@ class Links {
   std::map<Ice::Connection*, std::shared_ptr<IceLink>> links_;
 };
 
-/// The IP information of a connection; null if there is none.
+/// Returns the IP addresses in the information about a connection; null if there are none.
 std::shared_ptr<Ice::IPConnectionInfo> AddressIn(std::shared_ptr<Ice::ConnectionInfo> info);
 SocketAddresses AddressesOf(const Ice::IPConnectionInfo& address);
 
-/// Changes the socket of a connection (os::AdoptSocket()), so that child processes cannot inherit
-/// it and hold its port, and the kernel does not pace it. The cost grows with the number of
-/// sockets.
+/// Sets options of a connection's socket with os::AdoptSocket(): child processes do not inherit the
+/// socket, because they would keep its port in use, and the kernel does not delay its data. The
+/// cost grows with the number of sockets of the process.
 void AdoptSocket(const Ice::Connection& connection);
 
-/// The identity of the endpoint, at both ends.
+/// Returns the identity of an Endpoint, which is the same at both ends.
 Ice::Identity EndpointIdentity();
 
 }  // namespace tendon::ice

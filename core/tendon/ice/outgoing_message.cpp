@@ -6,7 +6,7 @@
 namespace tendon::ice {
 namespace {
 
-/// An answer of at least this size is lent to its requester instead of copied.
+/// An answer of at least this size is not copied: its requester gets the memory of Ice.
 constexpr std::size_t kLent = std::size_t{16} << 10U;
 
 }  // namespace
@@ -43,7 +43,7 @@ void OutgoingMessage::handleInvokeResponse(bool /*ok*/, OutgoingAsyncBase* self)
     try {
       owner = std::make_shared<IceInternal::Buffer>();
       owner->swapBuffer(in);           // does not move the bytes
-    } catch (const std::bad_alloc&) {  // then the answer is copied or refused
+    } catch (const std::bad_alloc&) {  // then the answer is copied instead
       owner.reset();
     }
   }

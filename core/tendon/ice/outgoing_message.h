@@ -13,17 +13,18 @@
 
 namespace tendon::ice {
 
-/// A message that a link sends through Ice, with one sequence of bytes. Does what generated code
-/// does, but with one allocation and no function object. Reports its outcome to its link once.
-/// Create it with std::make_shared().
+/// A message that a link sends through Ice, with one sequence of bytes as its parameter. Does the
+/// same as generated code, but with only one memory allocation and without function objects.
+/// Reports its outcome to the link once. Must be created with std::make_shared().
 class OutgoingMessage final : public IceInternal::OutgoingAsync {
  public:
-  /// The data that the link needs when the message was sent.
+  /// The values that the link needs back when the message was sent.
   struct SendAccounting {
-    std::size_t size = 0;  ///< as counted by the link
+    std::size_t size = 0;  ///< bytes that the link counts as unsent for this message
     std::uint64_t returned_before = 0;
   };
-  /// `peer` is two-way if an answer is expected; then `request` is the header.
+  /// If an answer is expected, `peer` must be a two-way proxy, and `request` is the header of the
+  /// frame.
   OutgoingMessage(const std::shared_ptr<Ice::ObjectPrx>& peer, std::shared_ptr<IceLink> link,
                   const SendAccounting& accounting, const std::optional<FrameHeader>& request)
       : OutgoingAsync(peer, false),
@@ -32,11 +33,13 @@ class OutgoingMessage final : public IceInternal::OutgoingAsync {
         counted_(accounting.size),
         request_(request) {}
 
-  /// Starts to send; never waits. Throws if Ice has ended; then the link gets no outcome.
+  /// Begins to send; never blocks. Throws if Ice has ended; then no outcome is reported to the
+  /// link.
   void Send(const std::string& operation, std::span<const std::byte> bytes);
 
  private:
-  // Called by Ice; the first three decide whether it calls the others.
+  // Called by Ice. The results of the first three functions decide whether Ice calls the last
+  // three.
   bool handleSent(bool is_done, bool was_sent) override {
     return !was_sent && (is_done || accounting_.size >= kLarge);
   }
@@ -46,13 +49,13 @@ class OutgoingMessage final : public IceInternal::OutgoingAsync {
   void handleInvokeException(const Ice::Exception& why, OutgoingAsyncBase* self) const override;
   void handleInvokeResponse(bool ok, OutgoingAsyncBase* self) const override;
 
-  /// A request of at least this size is removed from the window when it was sent, because its
-  /// answer may take long.
+  /// A request of at least this size is no longer counted as unsent when it was sent, because its
+  /// answer may take long. A smaller request is counted until it is answered.
   static constexpr std::size_t kLarge = std::size_t{16} << 10U;
 
   const std::shared_ptr<IceLink> link_;
   const SendAccounting accounting_;
-  mutable std::size_t counted_;  // bytes still counted by the link
+  mutable std::size_t counted_;  // bytes that the link still counts
   const std::optional<FrameHeader> request_;
 };
 

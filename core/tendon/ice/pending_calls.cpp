@@ -17,7 +17,7 @@ void PendingCalls::Add(const Call& call) noexcept {
       return;
     }
   } catch (const std::bad_alloc&) {
-    // No memory to keep it.
+    // There is not enough memory to keep the call.
   }
   AnswerWithNothing(*call);
 }

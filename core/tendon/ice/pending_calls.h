@@ -11,32 +11,35 @@
 
 namespace tendon::ice {
 
-/// The calls of one peer that Ice has dispatched and that have no reply yet. While there are any,
-/// Ice does not close an idle connection, close gracefully, or end an adapter. Thread-safe.
+/// The calls of one peer that Ice has dispatched and that have no reply yet. While there is such a
+/// call, Ice does not close the connection when it is idle, does not complete a graceful close, and
+/// cannot end the adapter. Thread-safe.
 class PendingCalls {
  public:
   using Call = std::shared_ptr<IceInternal::IncomingAsync>;
-  /// A call that takes longer gets its reply in a separate message.
+  /// If a call takes longer, Ice's call is answered with an empty reply, and the reply frame is
+  /// sent later in a separate message.
   static constexpr std::chrono::milliseconds kOpenAtMost{500};
 
-  /// Adds a call. Gives it an empty reply if Release() was called or memory is exhausted.
+  /// Adds a call. If Release() was called before or memory is exhausted, answers the call with an
+  /// empty reply instead.
   void Add(const Call& call) noexcept;
   /// Returns true if the caller now owns the reply; at most one caller gets true.
   [[nodiscard]] bool Take(const Call& call);
-  /// Gives calls older than kOpenAtMost an empty reply; called regularly.
+  /// Answers calls that are older than kOpenAtMost with an empty reply. Called regularly.
   void ReleaseOld(SteadyTime now) noexcept;
-  /// Gives all calls, also later ones, an empty reply.
+  /// Answers all calls, also those that are added later, with an empty reply.
   void Release() noexcept;
 
  private:
   std::mutex mutex_;
   bool is_released_ = false;
-  std::map<Call, SteadyTime> calls_;  // open calls, and the time when they began
+  std::map<Call, SteadyTime> calls_;  // open calls, with the times when they were added
 };
 
-/// Gives an empty reply to a call whose frame is sent separately, or not at all.
+/// Answers a call with an empty reply. The reply frame is sent separately or not at all.
 void AnswerWithNothing(IceInternal::IncomingAsync& call) noexcept;
-/// Gives a failure as the reply to a call whose frame was begun and not completed.
+/// Answers a call with a failure, because its reply frame was begun but not completed.
 void AnswerWithFailure(IceInternal::IncomingAsync& call) noexcept;
 
 }  // namespace tendon::ice

@@ -6,7 +6,7 @@
 namespace tendon::ice {
 namespace {
 
-/// Checks one connection after kPatience.
+/// Closes one connection if it is not admitted. Runs kPatience after the connection was accepted.
 class AdmissionCheck final : public IceUtil::TimerTask {
  public:
   AdmissionCheck(std::shared_ptr<Links> links, SocketAddresses addresses)
@@ -22,7 +22,7 @@ class AdmissionCheck final : public IceUtil::TimerTask {
   const SocketAddresses addresses_;
 };
 
-/// The observer of one connection, while that is open.
+/// Observes one connection as long as it is open.
 class PendingHandshake final : public Ice::Instrumentation::ConnectionObserver {
  public:
   PendingHandshake(IceUtil::TimerPtr timer, std::shared_ptr<AdmissionCheck> check)

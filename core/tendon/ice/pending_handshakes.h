@@ -13,18 +13,20 @@
 
 namespace tendon::ice {
 
-/// Closes accepted connections that are not admitted after kPatience. Ice's timeout ends a silent
-/// connection, but not one that sends a byte now and then. As an observer of Ice, it is notified of
-/// every connection, and checks each one in the thread of Ice's timer. Thread-safe.
+/// Closes accepted connections that are not admitted after kPatience. This is necessary because the
+/// timeout of Ice closes only a silent connection, not one that sends a byte from time to time. As
+/// an observer of Ice, this object is notified of every new connection; it checks each connection
+/// later in the thread of Ice's timer. Thread-safe.
 class PendingHandshakes final : public Ice::Instrumentation::CommunicatorObserver {
  public:
   static constexpr std::chrono::seconds kPatience{3};
-  /// The prefix of the names of watched adapters.
+  /// Connections of an adapter are checked if its name begins with this prefix.
   static constexpr std::string_view kListener = "door";
 
   explicit PendingHandshakes(std::shared_ptr<Links> links) : links_(std::move(links)) {}
 
-  /// Starts watching a communicator that was created with this observer.
+  /// Begins to check the connections of a communicator, which must have been created with this
+  /// observer.
   void Watch(const std::shared_ptr<Ice::Communicator>& communicator);
 
  private:

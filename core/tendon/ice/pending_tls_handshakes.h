@@ -9,16 +9,16 @@
 
 namespace tendon::ice {
 
-/// The unfinished TLS handshakes of accepted connections. Ice's timeout ends a silent handshake,
-/// but not one that sends a byte now and then. When kMany are unfinished, a new one ends those
-/// older than kPatience, so that they cannot occupy sockets that others need. Thread-safe; called
-/// by OpenSSL.
+/// The unfinished TLS handshakes of accepted connections. The timeout of Ice ends only a silent
+/// handshake, not one in which the peer sends a byte from time to time. Therefore, if a handshake
+/// begins while kMany are unfinished, those older than kPatience are ended, so that they do not use
+/// up the sockets. Thread-safe; called by OpenSSL.
 class PendingTlsHandshakes {
  public:
   static constexpr std::chrono::seconds kPatience{3};
   static constexpr std::size_t kMany = 32;
 
-  /// Watches the handshakes of `context`; this object must outlive them.
+  /// Begins to watch the handshakes of `context`. This object must outlive them.
   void Watch(SSL_CTX& context);
 
  private:

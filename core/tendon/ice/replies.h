@@ -11,13 +11,14 @@
 
 namespace tendon::ice {
 
-/// A reply frame as the only parameter of Ice's reply to the call that it is dispatching.
+/// A slot for a reply frame that is sent as the response to the call that Ice is dispatching at
+/// present.
 class ImmediateReply final : public ReplySlot {
  public:
   ImmediateReply(IceLink& link, IceInternal::Incoming& incoming)
       : link_(link), incoming_(incoming) {}
 
-  /// True if the call is answered later.
+  /// Returns true if the call is answered later.
   [[nodiscard]] bool is_deferred() const { return is_deferred_; }
 
  private:
@@ -29,7 +30,7 @@ class ImmediateReply final : public ReplySlot {
   bool is_deferred_ = false;
 };
 
-/// The same for a call that was dispatched earlier.
+/// A slot for a reply frame that is sent as the response to a call that was dispatched earlier.
 class DeferredReply final : public ReplySlot {
  public:
   explicit DeferredReply(std::shared_ptr<IceLink> link) : link_(std::move(link)) {}
@@ -37,7 +38,8 @@ class DeferredReply final : public ReplySlot {
   DeferredReply& operator=(const DeferredReply&) = delete;
   ~DeferredReply() override;
 
-  /// Makes this object reply to `call`, perhaps with an empty reply. Call it once.
+  /// From now on, this object is responsible for the reply to `call`, which may become an empty
+  /// reply. Must be called once.
   void Take(PendingCalls::Call call) noexcept;
 
  private:

@@ -4,11 +4,13 @@
 #include <utility>
 #include <vector>
 
-/// Replaces the function of this name in Ice's library: the dynamic linker uses the first
-/// definition, also for calls within that library, unless it was linked with -Bsymbolic-functions.
-/// Up to version 3.7.11, Ice's own function adds in 32 bits, so that a size near 2^31 passes the
-/// check. Ice uses it to read the facet in a request's header, before any servant is called; then
-/// Ice allocates 64 GiB, or the connection hangs for ever.
+/// Replaces the function with this name in Ice's library. This works because the dynamic linker
+/// uses the first definition, also for calls inside the library, unless the library was linked with
+/// -Bsymbolic-functions.
+///
+/// Up to version 3.7.11, the function of Ice adds in 32 bits, so a size near 2^31 passes the check.
+/// Ice calls it for the facet in the header of a request, before it calls a servant. With such a
+/// size, Ice allocates 64 GiB, or the connection hangs for ever.
 Ice::Int Ice::InputStream::readAndCheckSeqSize(Int minSize) {
   const Int size = readSize();
   const std::int64_t left = b.end() - i;

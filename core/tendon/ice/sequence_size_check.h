@@ -4,8 +4,8 @@
 
 namespace tendon::ice {
 
-/// True if Ice checks the size of a sequence against the remaining bytes. If not, a message of 45
-/// bytes makes Ice allocate 64 GiB. See the source.
+/// Returns true if Ice checks the size of a sequence against the number of remaining bytes. If it
+/// does not, a message of 45 bytes can make Ice allocate 64 GiB. The source file explains why.
 [[nodiscard]] bool RefusesImpossibleSizes(const std::shared_ptr<Ice::Communicator>& communicator);
 
 }  // namespace tendon::ice

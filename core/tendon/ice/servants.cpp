@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kTypes[] = {"::Ice::Object", "::tendon::Endpoint"};
 
-// Encoded parameters.
+// Encoded results: nothing, false and true.
 constexpr std::array kNothing{std::byte{6}, std::byte{0}, std::byte{0},
                               std::byte{0}, std::byte{1}, std::byte{1}};
 constexpr std::array kNo{std::byte{7}, std::byte{0}, std::byte{0}, std::byte{0},
@@ -22,15 +22,15 @@ constexpr std::array kNo{std::byte{7}, std::byte{0}, std::byte{0}, std::byte{0},
 constexpr std::array kYes{std::byte{7}, std::byte{0}, std::byte{0}, std::byte{0},
                           std::byte{1}, std::byte{1}, std::byte{1}};
 
-/// Ends the link. A peer that waits for an answer gets the text `what`. (Ice requires a file and a
-/// line.)
+/// Closes the link because the peer violates the protocol. If the peer waits for an answer, it
+/// receives the text `what`. (The exception of Ice requires a file and a line.)
 [[noreturn]] void CutOff(IceLink& link, const std::string& what) {
-  link.Fail({ErrorCode::kInvalid, link.peer() + " was cut off: " + what});
+  link.Fail({ErrorCode::kInvalid, link.peer() + " was disconnected: " + what});
   throw Ice::MarshalException("tendon", 0, what);
 }
 
-/// Writes the reply, whose only parameter is empty or one frame. Returns false if the reply is
-/// deferred.
+/// Delivers the frame of an `ask` and writes the result, which is a frame or empty. Returns false
+/// if the reply is deferred.
 bool Ask(IceLink& link, std::span<const std::byte> frame, IceInternal::Incoming& incoming) {
   ImmediateReply answer(link, incoming);
   if (!link.DeliverAsked(frame, answer)) CutOff(link, NoFrame(link.peer()).message);
@@ -65,14 +65,15 @@ bool EndpointServant::_iceDispatch(IceInternal::Incoming& incoming, const Ice::C
   return Dispatch(parameters, current, incoming);
 }
 
-/// Writes the answer, unless the call is oneway. Returns false if it is written later.
+/// Executes a call and writes its result. Returns false if the result is written later.
 bool EndpointServant::Dispatch(std::span<const std::byte> parameters, const Ice::Current& current,
                                IceInternal::Incoming& incoming) {
   const auto link = LinkOf(current.con);
   if (!link) {
     throw Ice::ObjectNotExistException("tendon", 0, current.id, current.facet, current.operation);
   }
-  // Ice keeps the context as long as the call is open, so it would only occupy memory.
+  // Contexts are not used, and Ice keeps a context in memory as long as the call is open. Therefore
+  // a peer must not send one.
   if (!current.ctx.empty()) CutOff(*link, "it sends a context with '" + current.operation + "'");
   if (current.operation == "ice_ping") return Write(kNothing, incoming);
   const bool is_frame = current.operation == "frame";

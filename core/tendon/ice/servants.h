@@ -12,8 +12,8 @@
 
 namespace tendon::ice {
 
-/// The endpoint of tendon.ice, without generated code. Passes each frame to the link of its
-/// connection.
+/// Implements the interface Endpoint of tendon.ice without generated code. Passes each frame to the
+/// link of the connection on which it arrived.
 class EndpointServant : public Ice::Object {
  public:
   explicit EndpointServant(std::shared_ptr<Links> links) : links_(std::move(links)) {}
@@ -21,7 +21,7 @@ class EndpointServant : public Ice::Object {
   bool _iceDispatch(IceInternal::Incoming& incoming, const Ice::Current& current) override;
 
  protected:
-  /// The link of a connection; null if there is none.
+  /// Returns the link of a connection; null if there is none.
   virtual std::shared_ptr<IceLink> LinkOf(const std::shared_ptr<Ice::Connection>& connection);
 
   [[nodiscard]] const std::shared_ptr<Links>& links() const { return links_; }
@@ -33,14 +33,14 @@ class EndpointServant : public Ice::Object {
   const std::shared_ptr<Links> links_;
 };
 
-/// The endpoint of a listener, which makes a link from each new connection.
+/// The Endpoint of a listener. Makes a link from each new connection.
 class AcceptingServant final : public EndpointServant {
  public:
   AcceptingServant(std::shared_ptr<Links> links, AcceptLink accept, std::uint64_t listener)
       : EndpointServant(std::move(links)), accept_(std::move(accept)), listener_(listener) {}
 
-  /// Accepts no more connections and closes the accepted ones. After the return, all their handlers
-  /// have got OnClosed().
+  /// Closes the accepted links and accepts no more. Before it returns, OnClosed() was called for
+  /// all their handlers.
   void Stop();
 
  private:

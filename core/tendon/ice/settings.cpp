@@ -11,10 +11,10 @@
 namespace tendon::ice {
 namespace {
 
-/// The text after a title in a message of Ice, up to the end of its line.
+/// Returns the text after `title` in a message of Ice, up to the end of the line.
 std::string After(std::string_view title, const std::string& message) {
   const auto found = message.find(title);
-  if (found == message.npos) return "somebody";
+  if (found == message.npos) return "an unknown peer";
   const auto begin = found + title.size();
   return message.substr(begin, message.find('\n', begin) - begin);
 }
@@ -25,7 +25,7 @@ class Logger final : public Ice::Logger, public std::enable_shared_from_this<Log
     Log(LogLevel::kInfo, "ice", OnOneLine(message));
   }
   void trace(const std::string& category, const std::string& message) override {
-    // Ice reports a certificate rejected by OpenSSL only in the log.
+    // If OpenSSL rejects a certificate, Ice reports this only in its log.
     if (category == "Security" && message.starts_with("certificate verification failure")) {
       const std::string place = After("remote address = ", message);
       const std::string address = place.substr(0, place.rfind(':'));
@@ -48,7 +48,7 @@ class Logger final : public Ice::Logger, public std::enable_shared_from_this<Log
   AuditLog audit_;
 };
 
-/// The size limit, in KiB, for a message of Ice with a frame of that size.
+/// Returns the size limit in KiB for a message of Ice that contains a frame of this size.
 std::string KibibytesFor(std::size_t frame) {
   constexpr std::size_t kKibi = 1024;
   constexpr std::size_t kEnvelope = 16;  // KiB for Ice's envelope
@@ -80,22 +80,22 @@ Ice::InitializationData Settings() {
   set("Ice.MessageSizeMax", KibibytesFor(kMaxReturned));
   set("Ice.RetryIntervals", "-1");
   set("Ice.Default.CollocationOptimized", "0");
-  // A connection without progress for this time (ms) is lost.
+  // A connection on which no data can be sent for this time (ms) counts as lost.
   set("Ice.Override.Timeout", "3000");
   set("Ice.Override.ConnectTimeout", "3000");
   set("Ice.Override.CloseTimeout", "750");
-  // Clients send heartbeats; servers close silent connections, 2 to 4 s after a peer vanished. Not
-  // in both directions: an end's own heartbeats would hide from it that nothing comes back. So the
-  // opener must ping the peer, as WatchOver() does.
+  // Clients send heartbeats, and servers close a silent connection 2 to 4 s after its peer
+  // disappeared. Servers do not send heartbeats: if an end sent heartbeats itself, it would not
+  // notice that it receives nothing. Therefore the opener must ping the peer, as WatchOver() does.
   set("Ice.ACM.Timeout", "1");
   set("Ice.ACM.Client.Heartbeat", "3");  // always
   set("Ice.ACM.Client.Close", "0");
   set("Ice.ACM.Server.Heartbeat", "0");
-  set("Ice.ACM.Server.Close", "1");  // when idle, but not while a call is open: see PendingCalls
-  // One thread serves all opened connections, another all accepted ones. A pool that may grow wakes
-  // a thread for each message, to wait for the next (4 futex and 2 epoll calls). More threads are
-  // not needed, because WorkerPool executes long calls. One thread also keeps the order on each
-  // connection.
+  set("Ice.ACM.Server.Close", "1");  // when idle, but not while a call is open; see PendingCalls
+  // One thread serves all opened connections, and one thread all accepted ones. If the pool could
+  // grow, Ice would wake another thread for each message, which then waits for the next message;
+  // this costs 4 futex and 2 epoll calls. More threads are not needed, because long calls are
+  // executed by WorkerPool. One thread also keeps the order of frames on each connection.
   set("Ice.ThreadPool.Server.Size", "1");
   set("Ice.ThreadPool.Server.SizeMax", "1");
   set("Ice.ThreadPool.Client.Size", "1");

@@ -7,16 +7,17 @@
 
 namespace tendon::ice {
 
-/// The settings of all our communicators, independent of the environment. Ice's warnings go to our
-/// log, at a limited rate.
+/// Returns the settings of all communicators of Tendon. They do not depend on the environment.
+/// Warnings of Ice are written to the log of Tendon at a limited rate.
 Ice::InitializationData Settings();
 
-/// An adapter that accepts unauthenticated peers: its messages are limited to kMaxPieceSize.
+/// Makes an adapter that accepts connections. Because its peers may be unauthenticated, messages
+/// are limited to frames of kMaxPieceSize.
 std::shared_ptr<Ice::ObjectAdapter> MakeListeningAdapter(Ice::Communicator& communicator,
                                                          const std::string& name,
                                                          const std::string& endpoints);
 
-/// Puts a message of Ice, which has several lines, on one line.
+/// Joins the lines of a message of Ice into one line.
 std::string OnOneLine(const std::string& text);
 
 }  // namespace tendon::ice

@@ -14,7 +14,7 @@
 namespace tendon::ice {
 namespace {
 
-/// The PEM text of the peer's certificate; empty if there is none.
+/// Returns the certificate of the peer as PEM text; empty if there is none.
 std::string ShownBy(const IceSSL::ConnectionInfo& info) {
   return info.certs.empty() ? std::string() : info.certs.front()->encode();
 }
@@ -23,7 +23,7 @@ std::chrono::sys_seconds Now() {
   return std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
 }
 
-/// Converts OpenSSL's reason, as Ice reports it, to one of our texts.
+/// Converts the reason of OpenSSL, as Ice reports it, to a text for users.
 std::string InOurWords(const std::string& reason, const Credentials& credentials) {
   const auto says = [&reason](const char* words) { return reason.find(words) != reason.npos; };
   if (says("self-signed") || says("self signed") || says("issuer certificate")) {
@@ -36,11 +36,12 @@ std::string InOurWords(const std::string& reason, const Credentials& credentials
   return OnOneLine(reason);
 }
 
-/// Called by OpenSSL in each handshake. Returns 1 to continue.
+/// Called by OpenSSL in each handshake to set the certificate. Returns 1 to continue the handshake.
 int ShowOwnOf(SSL* link, void* tls) {
   try {
     return static_cast<Tls*>(tls)->ShowOwn(*link) ? 1 : 0;
-  } catch (const std::exception& failure) {  // called by C code
+    // OpenSSL is C code, so no exception may leave this function.
+  } catch (const std::exception& failure) {
     Log(LogLevel::kError, "ice", std::string("no certificate to show: ") + failure.what());
     return 0;
   }
@@ -49,7 +50,8 @@ int ShowOwnOf(SSL* link, void* tls) {
 }  // namespace
 
 Result<std::shared_ptr<Tls>> Tls::Make(Credentials credentials) {
-  // Absolute paths, because files are read again later, perhaps in another working directory.
+  // Uses absolute paths, because the files are read again later, and the working directory may be
+  // another one then.
   credentials = {.certificate = std::filesystem::absolute(credentials.certificate),
                  .authority = std::filesystem::absolute(credentials.authority)};
   auto own = openssl::LocalCertificate::Read(credentials);
@@ -61,7 +63,7 @@ void Tls::AddTo(Ice::Properties& settings) const {
   settings.setProperty("Ice.Plugin.IceSSL", "IceSSL:createIceSSL");
   settings.setProperty("IceSSL.Protocols", "TLS1_2, TLS1_3");
   settings.setProperty("IceSSL.VerifyPeer", "2");
-  settings.setProperty("IceSSL.Trace.Security", "1");  // logs why an acceptor refuses a peer
+  settings.setProperty("IceSSL.Trace.Security", "1");  // logs why a peer is refused
   settings.setProperty("IceSSL.VerifyDepthMax", "2");
   settings.setProperty("IceSSL.CAs", (credentials_.authority / "ca.crt").string());
   settings.setProperty("IceSSL.CertFile", own_->file().string());
@@ -91,7 +93,7 @@ bool Tls::IsGood(const Ice::ConnectionInfo& peer) {
       ShownBy(dynamic_cast<const IceSSL::ConnectionInfo&>(peer)), authority_, Now());
   if (checked) return true;
   const auto place = std::dynamic_pointer_cast<Ice::IPConnectionInfo>(peer.underlying);
-  const std::string address = place ? place->remoteAddress : "somebody";
+  const std::string address = place ? place->remoteAddress : "an unknown peer";
   audit_.Write(address, LogLevel::kWarning, address + " was refused: " + checked.error().message);
   if (!peer.incoming && place) {
     const std::scoped_lock lock(mutex_);

@@ -20,30 +20,34 @@
 
 namespace tendon::ice {
 
-/// TLS for one communicator, with certificates at both ends. Ice checks the CA of a peer; this
-/// class checks revocation and role, and stores the reason of a refusal. Thread-safe.
+/// TLS for one communicator, with certificates at both ends. Ice checks that the certificate of a
+/// peer was issued by the CA. This class checks revocation and role, and stores why a peer was
+/// refused. Thread-safe.
 class Tls : public std::enable_shared_from_this<Tls> {
   struct Key {};
 
  public:
-  /// kDenied, kNotFound or kInvalid if our own certificate or key is not valid. Logs a warning if
-  /// it expires soon. A certificate renewed later is used for the next link.
+  /// Reads the certificate and key of this program. Fails with kDenied, kNotFound or kInvalid if
+  /// one of them is not valid. Logs a warning if the certificate expires soon. If the certificate
+  /// is renewed later, the new one is used for the next link.
   static Result<std::shared_ptr<Tls>> Make(Credentials credentials);
 
-  /// Adds TLS to the settings. Call it before a communicator is created with them.
+  /// Adds TLS to the settings. Must be called before a communicator is created with them.
   void AddTo(Ice::Properties& settings) const;
-  /// Installs the checks of certificates. Call it before the first connection.
+  /// Installs the checks of certificates. Must be called before the first connection is made.
   void CheckPeersOf(const Ice::Communicator& communicator);
 
-  /// The error for a link to `place` that was not opened: Ice's reason against the peer's
-  /// certificate, or our own reason.
+  /// The error for a link to `place` that was not opened because of the peer's certificate. Uses
+  /// the reason of this class if it has refused the peer; otherwise `reason`, which comes from Ice.
   Error NotTrusted(const HostPort& place, const std::string& reason);
-  /// The same if the peer closed the connection: most likely it does not trust our certificate.
+  /// The error if the peer closed the connection. Most likely, the peer does not trust the
+  /// certificate of this program.
   [[nodiscard]] Error NotAccepted(const HostPort& place) const;
 
-  /// Our own certificate.
+  /// The certificate of this program.
   [[nodiscard]] const Certificate& certificate() const { return own_->certificate(); }
-  /// Sets our certificate for the handshake of one link. Returns false if there is none.
+  /// Sets the certificate of this program for the handshake of one link. Returns false if this
+  /// fails.
   bool ShowOwn(SSL& link);
 
   Tls(Key /*only from Make()*/, Credentials credentials,
@@ -67,11 +71,12 @@ class Tls : public std::enable_shared_from_this<Tls> {
   PendingTlsHandshakes handshakes_;
   AuditLog audit_;
   std::mutex mutex_;
-  std::optional<RefusedPeer> refused_;  // the last refused peer of an opened link
+  std::optional<RefusedPeer> refused_;  // the last peer that was refused on a link opened here
 };
 
-/// The certificate of the peer; empty without TLS. Throws an Ice exception if the connection is
-/// already closed, because a peer with a certificate must not be treated as one without TLS.
+/// Returns the certificate of the peer; empty without TLS. Throws an Ice exception if the
+/// connection is already closed; otherwise a peer with a certificate could be treated as one
+/// without TLS.
 std::optional<Certificate> CertificateOf(const Ice::Connection& connection);
 
 }  // namespace tendon::ice

@@ -25,17 +25,17 @@ struct ColumnDescription {
 /// The description of a state table. The table is also the provided interface `state` (the table
 /// named "state") or `state-NAME`, with one read command per column.
 struct TableDescription {
-  std::string name;          ///< of its provided interface: "state" or "state-NAME"
-  std::uint64_t length = 0;  ///< rows kept
+  std::string name;          ///< also that of its provided interface: "state" or "state-NAME"
+  std::uint64_t length = 0;  ///< number of rows that are kept
   std::vector<ColumnDescription> columns;
 
   bool operator==(const TableDescription&) const = default;
 };
 
-/// The state of a plug-in's file since the plug-in was loaded.
+/// Whether the file of a plug-in has changed since the plug-in was loaded.
 enum class PluginState : std::int32_t {
-  kCurrent,  ///< the file holds the loaded version
-  kChanged,  ///< the file holds another version; only a new process can load it
+  kCurrent,  ///< the file contains the loaded version
+  kChanged,  ///< the file contains another version; only a new process can load it
   kGone,
 };
 
@@ -53,10 +53,11 @@ inline constexpr auto kPayload<PluginState> = DescribeEnum(
 /// changes.
 struct PluginDescription {
   std::string name;
-  std::string file;          ///< its path
-  std::int64_t written = 0;  ///< write time of the loaded version, ns since 1970 (for people)
+  std::string file;  ///< path of the file
+  /// Time at which the loaded version was written, ns since 1970 (for people).
+  std::int64_t written = 0;
   PluginState state = PluginState::kCurrent;
-  std::int64_t written_now = 0;  ///< only for kChanged: write time of the present file
+  std::int64_t written_now = 0;  ///< only for kChanged: time at which the present file was written
 
   bool operator==(const PluginDescription&) const = default;
 };
@@ -65,17 +66,18 @@ struct PluginDescription {
 struct ComponentDescription {
   std::string name;
   std::string class_name;
-  std::string library;        ///< the plug-in's file name, or empty
+  std::string library;        ///< name of the plug-in; empty if it comes from none
   std::string configuration;  ///< JSON, as given to the component; empty if none was given
   ComponentState state = ComponentState::kConstructed;
-  std::string fault;            ///< the reason of the fault
-  std::int64_t fault_time = 0;  ///< time of the fault, ns since 1970 (for people); 0 without one
-  std::string warning;          ///< a problem of an active component: "missed 8 x 10 ms"
-  double period = 0.0;          ///< s; 0 if the component has none
-  /// The options of its own thread, also while it runs after another component. One entry, or none
-  /// if it never has a thread of its own.
+  std::string fault;  ///< the reason of the fault
+  /// Time of the fault, ns since 1970 (for people); 0 if there was none.
+  std::int64_t fault_time = 0;
+  std::string warning;  ///< a problem of an active component: "missed 8 x 10 ms"
+  double period = 0.0;  ///< s; 0 if the component has none
+  /// The options of its own thread, as one entry; also set while the component runs after another
+  /// one. Empty if it never has a thread of its own.
   std::vector<ThreadOptions> thread{};
-  std::string leader{};  ///< the component after which it runs, or empty
+  std::string leader{};  ///< the component after which this one runs, or empty
   SharedList<ProvidedDescription> provided;
   SharedList<RequiredDescription> required;
   SharedList<TableDescription> tables;
@@ -84,7 +86,7 @@ struct ComponentDescription {
 };
 
 enum class ConnectionState : std::int32_t {
-  kPending,  ///< requested, but the peer does not exist (yet), or is faulted
+  kPending,  ///< requested, but the peer does not exist yet or is faulted
   kActive,
   kFailed,  ///< the peer has refused the connection
 };
@@ -99,23 +101,23 @@ inline constexpr auto kPayload<ConnectionState> = DescribeEnum(
   return NameOf(state);
 }
 
-/// A connection; it belongs to the process of its required side. A required interface has at most
-/// one.
+/// A connection. It belongs to the process of its required interface, which has at most one
+/// connection.
 struct ConnectionDescription {
   std::uint64_t id = 0;  ///< unique within the process of the required side
   InterfaceName required;
   InterfaceName provided;
   ConnectionState state = ConnectionState::kPending;
   std::string reason;  ///< why the connection is pending or failed
-  /// Functions whose values pass through the codec, because the two ends have different layouts of
-  /// a type. Such calls are slower and may allocate.
+  /// The functions whose values are encoded and decoded, because the two ends have different memory
+  /// layouts of a type. Such calls are slower and may allocate memory.
   std::vector<std::string> converted{};
 
   bool operator==(const ConnectionDescription&) const = default;
 };
 
-/// Marks a connection as pending because `component`, at one of its ends, is faulted. `fault` is
-/// the component's fault(), which becomes the reason.
+/// Marks a connection as pending because one of its two components, `component`, is faulted.
+/// `fault` is Component::fault(), which becomes a part of the reason.
 inline void SetEndFaulted(ConnectionDescription& connection, const std::string& component,
                           const std::string& fault) {
   connection.state = ConnectionState::kPending;
@@ -126,14 +128,14 @@ inline void SetEndFaulted(ConnectionDescription& connection, const std::string& 
 /// Statistics of a connection's calls and events since it was last made.
 struct ConnectionCounts {
   std::chrono::nanoseconds age{0};  ///< time since the connection was last made
-  /// Last measured round-trip time to the other process; negative within one process, or if
-  /// unknown.
+  /// The last measured round-trip time to the other process; negative if it is unknown or both ends
+  /// are in one process.
   std::chrono::nanoseconds round_trip{-1};
-  std::uint64_t taken = 0;        ///< calls and events that have left a mailbox: executed, or sent
-  std::uint64_t capacity = 0;     ///< calls that can wait at the server
-  std::uint64_t waiting = 0;      ///< calls that wait at the server now
-  std::uint64_t refused = 0;      ///< calls that found the server's mailbox full
-  std::uint64_t replaced = 0;     ///< calls replaced by newer ones, if only the latest is kept
+  std::uint64_t taken = 0;        ///< calls and events taken from a mailbox: executed or sent
+  std::uint64_t capacity = 0;     ///< number of calls that the server's mailbox can hold
+  std::uint64_t waiting = 0;      ///< number of calls in the server's mailbox now
+  std::uint64_t refused = 0;      ///< calls refused because the server's mailbox was full
+  std::uint64_t replaced = 0;     ///< calls replaced by newer ones, where only the latest is kept
   std::uint64_t lost_events = 0;  ///< events that did not reach the client
 
   bool operator==(const ConnectionCounts&) const = default;
@@ -141,8 +143,8 @@ struct ConnectionCounts {
 
 /// The fill level of a component's fullest mailbox.
 struct MailboxFill {
-  std::uint64_t waiting = 0;   ///< calls or events that wait now
-  std::uint64_t capacity = 0;  ///< calls or events that can wait; 0 if not connected
+  std::uint64_t waiting = 0;   ///< number of calls or events in the mailbox now
+  std::uint64_t capacity = 0;  ///< number that the mailbox can hold; 0 if not connected
 
   bool operator==(const MailboxFill&) const = default;
 };

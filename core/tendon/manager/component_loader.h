@@ -10,34 +10,36 @@
 
 namespace tendon {
 
-/// Loads component classes from plug-ins: shared libraries `NAME.so` in a list of folders, which
-/// export TendonRegisterComponents. A plug-in stays loaded, unchanged, for the life of the process,
-/// even if its file changes; files() shows such changes.
+/// Loads component classes from plug-ins. A plug-in is a shared library `NAME.so` that exports
+/// TendonRegisterComponents. It is searched in several folders. A plug-in stays loaded and
+/// unchanged until the process ends, even if its file changes; files() shows such changes.
 ///
 /// Used by one thread at a time.
 class ComponentLoader {
  public:
-  /// Folders are searched in this order: those in $TENDON_COMPONENTS (separated by ':'), `folders`,
-  /// and ../lib/tendon/components relative to the program.
+  /// The folders are searched in this order: those in $TENDON_COMPONENTS (separated by ':'), then
+  /// `folders`, then ../lib/tendon/components relative to the folder of the program.
   explicit ComponentLoader(std::vector<std::filesystem::path> folders = {});
 
-  /// Loads `library`, a bare name; does nothing if it is already loaded. Errors: kInvalid for a
-  /// name with '/' or "..", kNotFound with the searched folders and a suggestion, kFailed with one
-  /// sentence about the file: its path, what was expected, what was found. A library is first
-  /// loaded in a separate process, as a test; if it fails there, it is not loaded in this one and
-  /// adds no class.
+  /// Loads the plug-in with the name `library`, which has no path. Does nothing if it is already
+  /// loaded. A plug-in is first loaded in a separate process as a test; if this fails, it is not
+  /// loaded in this process and adds no class.
+  ///
+  /// Fails with kInvalid for a name with '/' or "..", with kNotFound (the error lists the searched
+  /// folders and suggests a name), and with kFailed (the error says which file, what was expected
+  /// and what was found).
   Result<void> Load(const std::string& library);
 
-  /// Loads the library and creates a component of one of its classes.
+  /// Loads the plug-in if necessary, and creates a component of one of its classes.
   Result<std::unique_ptr<Component>> Create(const std::string& library,
                                             const std::string& class_name, const std::string& name,
                                             const std::string& configuration_json);
 
-  /// The classes of each loaded library, by the library's name.
+  /// The classes of each loaded plug-in, by name of the plug-in.
   [[nodiscard]] const std::map<std::string, ComponentRegistry>& loaded() const { return loaded_; }
-  /// The loaded files; shared with other threads that watch them.
+  /// The files of the loaded plug-ins. Shared, because other threads check them for changes.
   [[nodiscard]] const std::shared_ptr<PluginFiles>& files() const { return files_; }
-  /// The names of the libraries in the folders, sorted; the files are not checked.
+  /// Returns the names of the plug-ins in the folders, sorted. The files are not checked.
   [[nodiscard]] std::vector<std::string> available() const;
 
  private:

@@ -12,10 +12,10 @@
 
 namespace tendon {
 
-/// A component class, for code that does not know its type.
+/// The description of a component class, for code that does not know its type.
 struct ComponentClass {
   std::string name;
-  Schema configuration;  ///< the schema of None if the class takes no configuration
+  Schema configuration;  ///< schema of None if the class takes no configuration
   std::string defaults;  ///< the default configuration, as JSON
 };
 
@@ -25,14 +25,15 @@ struct ComponentClass {
 ///       registry.Add<arm::SimulatedArm>("SimulatedArm");
 ///     }
 ///
-/// The constructor takes a name, or a name and a configuration: a described payload named
-/// `Configuration` in the class. Members that the JSON omits have their default values.
+/// The constructor of a class takes a name, or a name and a configuration. The configuration is a
+/// described payload with the name `Configuration` in the class. Members that are missing in the
+/// JSON have their default values.
 class ComponentRegistry {
  public:
   using Factory = std::function<Result<std::unique_ptr<Component>>(const std::string& name,
                                                                    const std::string& json)>;
 
-  /// Throws ConfigurationError if the class already exists.
+  /// Adds the class T. Throws ConfigurationError if a class with this name already exists.
   template <std::derived_from<Component> T>
   void Add(std::string class_name) {
     ComponentClass added{std::move(class_name), {}, ToJson(None{})};
@@ -47,7 +48,7 @@ class ComponentRegistry {
   }
   void AddFactory(ComponentClass added, Factory factory);
 
-  /// Creates a component. Errors name the class and contain the message of its constructor.
+  /// Creates a component. An error names the class and contains the message of its constructor.
   Result<std::unique_ptr<Component>> Create(const std::string& class_name, const std::string& name,
                                             const std::string& configuration_json) const;
 
@@ -55,9 +56,9 @@ class ComponentRegistry {
   [[nodiscard]] std::vector<ComponentClass> classes() const;
   [[nodiscard]] std::vector<std::string> class_names() const;
 
-  /// Replaces members of `defaults`, which is JSON, by those of `json`, a JSON object or empty;
-  /// nested objects are merged. Fails with kInvalid if one of the two is malformed; the error says
-  /// why.
+  /// Returns the JSON object `defaults` with its members replaced by those of `json`, which is a
+  /// JSON object or empty. Nested objects are merged. Fails with kInvalid if one of the two is
+  /// malformed; the error says why.
   static Result<std::string> MergeConfiguration(const std::string& defaults,
                                                 const std::string& json);
 

@@ -23,7 +23,7 @@ Error NoInterface(const std::string& sort, const InterfaceName& name,
                                          DidYouMean(name.interface, known)};
 }
 
-/// The error for an interface on the wrong side: a connection needs a required and a provided
+/// The error for an interface of the wrong kind. A connection needs a required and a provided
 /// interface.
 Error OtherSide(const InterfaceName& name, const std::string& is, const std::string& wanted) {
   return Error{ErrorCode::kNotFound, "interface '" + name.interface + "' of component '" +
@@ -39,12 +39,12 @@ ConfigurationError ExistsAlready(const std::string& name, const ComponentOrigin&
                             "; choose another name");
 }
 
-// Requests to a component, without waiting for their effect.
+// These functions make a request, but do not wait for its effect.
 Result<void> Start(Component& component) { return component.Start(kNoWait); }
 Result<void> Suspend(Component& component) { return component.Suspend(kNoWait); }
 Result<void> Stop(Component& component) { return component.Stop(kNoWait); }
 
-/// Runs `body` with the lock released, so that other threads may take it.
+/// Calls `body` while the lock is released, so that other threads can take it.
 Result<void> WithoutLock(std::unique_lock<std::recursive_mutex>& lock, const auto& body) {
   struct Relock {
     explicit Relock(std::unique_lock<std::recursive_mutex>& given) : held(given) { held.unlock(); }
@@ -106,8 +106,8 @@ Component& LocalManager::Add(std::unique_ptr<Component> component, ComponentOrig
 LocalManager::Entry LocalManager::MakeEntry(std::unique_ptr<Component> component,
                                             ComponentOrigin origin) {
   component->Seal();
-  // The last holder may be a thread that waits for the component's state without the lock. The lock
-  // is needed because the destructor also changes the tasks that run after this one.
+  // The component may be destroyed by a thread that waits for its state and does not hold the lock.
+  // The lock is needed, because the destructor also changes the tasks that run after this one.
   const auto destroy = [this](Component* one) {
     const auto destroyed = Lock();
     delete one;
@@ -132,7 +132,7 @@ Result<void> LocalManager::Remove(const std::string& component, Patience patienc
     if (Find(component) != removed.get()) {
       return Error{ErrorCode::kNotFound, "component '" + component + "' was removed meanwhile"};
     }
-    OnRemoving(*removed);  // removes the component's pending connections
+    OnRemoving(*removed);  // also removes pending connections
     DisconnectAll(component);
   }
   if (!removed->is_at_rest() && !removed->is_stopping()) {
@@ -170,7 +170,7 @@ Result<void> LocalManager::TryTakeOut(const std::shared_ptr<Component>& componen
                    "component '" + component->name() + "' is not removed: " + left.error().message};
     }
   }
-  Detach(*component);  // again, because others could connect while it was stopping
+  Detach(*component);  // again, because connections may have been made since
   std::erase_if(entries_, [&](const Entry& one) { return one.component == component; });
   return {};
 }
@@ -436,7 +436,7 @@ void LocalManager::DisconnectAll(const std::string& component) {
   });
 }
 
-// Life cycle.
+// Lifecycle.
 
 Result<void> LocalManager::Start(const std::string& component, Patience patience) {
   return RequestState(component, &tendon::Start, ComponentState::kActive, patience);
@@ -531,7 +531,8 @@ Result<void> LocalManager::StopInOrder(const IsMeant& is_meant, SteadyTime deadl
   return end.Run(deadline);
 }
 
-/// Also checks that no request is in progress, which might start the component.
+/// Returns true if the component is at rest and no request for it is in progress, because the
+/// request might start it.
 bool LocalManager::IsAtRest(const Component& component) const {
   const auto lock = Lock();
   return component.is_at_rest() && !serializer_.IsInUse(component);
@@ -545,7 +546,7 @@ void LocalManager::LetExecute(const Component& client, SteadyTime deadline) cons
   }
 }
 
-/// Ignores servers without a thread that makes their cycles: they execute nothing while this thread
+/// Ignores servers whose calls are executed by this thread: they execute nothing while this thread
 /// waits.
 bool LocalManager::HasCallsUnderWay(const Component& client) const {
   const auto lock = Lock();
@@ -561,7 +562,7 @@ bool LocalManager::HasCallsUnderWay(const Component& client) const {
 
 std::vector<OrderlyShutdown::Member> LocalManager::InEndOrder(const IsMeant& is_meant) const {
   const auto lock = Lock();
-  std::map<std::string, std::size_t> numbers;  // numbers of the entries
+  std::map<std::string, std::size_t> numbers;  // index of each entry, by name
   for (const Entry& entry : entries_) numbers.emplace(entry.component->name(), numbers.size());
   Dependencies needed(entries_.size());
   for (std::size_t i = 0; i < entries_.size(); ++i) {
@@ -576,7 +577,8 @@ std::vector<OrderlyShutdown::Member> LocalManager::InEndOrder(const IsMeant& is_
   for (const auto& [id, connection] : connections_) {
     const std::size_t client = numbers.at(connection.description.required.component);
     const std::size_t server = numbers.at(connection.description.provided.component);
-    // A server that runs after its own client ends together with it, not later.
+    // A server that runs after its own client ends with this client at the latest, so it cannot end
+    // later.
     if (RunsAfter(*entries_[server].component, *entries_[client].component)) continue;
     needed[client].push_back(server);
   }
@@ -681,7 +683,7 @@ Result<void> LocalManager::Replace(std::unique_ptr<Component> component, Compone
   return replaced;
 }
 
-/// Makes all checks that can fail before the first change.
+/// Makes all checks that can fail before it changes anything.
 Result<void> LocalManager::TryReplace(Entry& given, SteadyTime deadline) {
   Component& made = *given.component;
   const std::string& name = made.name();

@@ -24,7 +24,7 @@ namespace tendon {
 
 using ConnectionId = std::uint64_t;
 
-/// The origin of a component; shown to people.
+/// Where a component comes from, to be shown to people.
 struct ComponentOrigin {
   std::string class_name;
   std::string library;
@@ -32,36 +32,36 @@ struct ComponentOrigin {
   std::string configuration{};  ///< JSON, as given to the component; empty if none was given
 };
 
-/// How a component runs, apart from its class and configuration.
+/// How a component runs; does not include its class and configuration.
 struct RunSettings {
   std::optional<ThreadOptions> thread{};  ///< empty if it has no thread of its own
   std::string leader{};                   ///< the component after which it runs, or empty
   std::vector<std::string> followers{};   ///< the components that run after it
-  bool is_at_rest = true;                 ///< neither running nor starting
+  bool is_at_rest = true;                 ///< true if it neither runs nor is starting
 };
 
-/// The result of LocalManager::Counts() for a local connection.
+/// Returns the counts of a local connection.
 [[nodiscard]] ConnectionCounts CountsOf(const Connection& connection);
 
-/// The local component manager: owns the components of one process and the connections between
-/// them. A process may have several. Process is a LocalManager with a network.
+/// The local component manager (LCM): owns components of one process and the connections between
+/// them. A process may have several managers. The class Process is a LocalManager with a network.
 ///
-/// Thread-safe, but no function may be called from a component's own thread. Requests take a lock
-/// and wait for threads to end, so nothing here belongs in a cycle. While a request waits for a
-/// component's own functions, only further requests for the same component are delayed.
+/// Thread-safe, but no function may be called in a component's own thread. Requests take a lock and
+/// wait for threads, so they must not be made in a cycle. While a request waits for the functions
+/// of a component, it delays only other requests for this component.
 class LocalManager {
  public:
   LocalManager() = default;
   LocalManager(const LocalManager&) = delete;
   LocalManager& operator=(const LocalManager&) = delete;
-  /// Stops all components in order, as StopAll() does within kEndPatience, then disconnects and
-  /// destroys them. Waits without a limit for components that are busy in their own functions.
+  /// Stops all components like StopAll(), within kEndPatience. Then disconnects and destroys them.
+  /// If a component is busy in one of its own functions, waits for it without a time limit.
   virtual ~LocalManager();
 
   // Components.
 
   /// Creates a component T(name, arguments...) and adds it. Throws ConfigurationError if the name
-  /// is taken.
+  /// is already in use.
   template <std::derived_from<Component> T, typename... Arguments>
   T& Add(LocatedName name, Arguments&&... arguments) {
     auto component =
@@ -73,117 +73,125 @@ class LocalManager {
   }
   Component& Add(std::unique_ptr<Component> component, ComponentOrigin origin);
 
-  /// Stops the component while its connections still work, lets servers execute its last calls,
-  /// then disconnects and destroys it. kTimeout if the component does not stop; then it still
-  /// exists, but without connections.
+  /// Stops the component while its connections still work, and waits until servers have executed
+  /// its last calls. Then disconnects and destroys it. Fails with kTimeout if the component does
+  /// not stop; then it still exists, but without connections.
   Result<void> Remove(const std::string& component, Patience patience = kPatience);
 
-  /// Replaces the component with the same name by `component`, and destroys the old one. The name
-  /// exists all the time, and observers see one change. The new component runs after the same
-  /// leader. Connections within this process are kept if the new component fits them; connections
-  /// across the network end. kFailed if the old component is not at rest, or others run after it;
-  /// kTimeout as in RunAfter(). On an error nothing has changed.
+  /// Replaces the component with the same name by `component`, and destroys the old one. At any
+  /// time, there is a component with this name, and the observer is called once. The new component
+  /// runs after the same leader. Connections within this process are kept if the new component
+  /// fits; connections to other processes end. Fails with kFailed if the old component is not at
+  /// rest or other components run after it, and with kTimeout like RunAfter(). If it fails, nothing
+  /// is changed.
   Result<void> Replace(std::unique_ptr<Component> component, ComponentOrigin origin,
                        Patience patience = kPatience);
 
   // Connections.
 
-  /// Connects a required to a provided interface, at any time. Errors: kNotFound with a suggestion,
-  /// kExists, kIncompatible with the reason. A name without a process means this process.
+  /// Connects a required interface to a provided interface; possible at any time. A name without a
+  /// process means this process. Fails with kNotFound (the error suggests a name), kExists, or
+  /// kIncompatible (the error says why).
   virtual Result<ConnectionId> Connect(const InterfaceName& required,
                                        const InterfaceName& provided);
-  /// Drops accepted calls and events that are not executed within kDrainPatience, and logs their
-  /// number.
+  /// Disconnects a required interface. Waits up to kDrainPatience until accepted calls and events
+  /// are executed; drops the others and logs their number.
   virtual Result<void> Disconnect(const InterfaceName& required);
 
   // Lifecycle.
 
   /// From its next start on, `component` makes a cycle after each cycle of `leader`, in the
-  /// leader's thread: ThreadedTask::RunAfter(). kFailed if the component is not at rest, never has
-  /// a thread of its own, or the two would wait for each other. kTimeout if a cycle of the former
-  /// leader does not end within `patience`; then nothing has changed.
+  /// leader's thread; see ThreadedTask::RunAfter(). Fails with kFailed if the component is not at
+  /// rest or never has a thread of its own, or if the two would run after each other. Fails with
+  /// kTimeout if a cycle of the former leader does not end within `patience`; then nothing is
+  /// changed.
   Result<void> RunAfter(const std::string& component, const std::string& leader,
                         Patience patience = kPatience);
 
-  /// Each request follows the table of transitions (component_state.h) and waits for the target
-  /// state; kTimeout if the component does not reach it within `patience`.
+  /// These functions request a change of the state, as the table of transitions (component_state.h)
+  /// allows, and wait for the new state. They fail with kTimeout if the component does not reach it
+  /// within `patience`.
   Result<void> Start(const std::string& component, Patience patience = kPatience);
-  /// The same for a start that may be cancelled meanwhile: see `proceed` of Component::Start().
+  /// Starts a component, but lets the caller cancel the start: see `proceed` of Component::Start().
   Result<void> Start(const std::string& component, Patience patience,
                      std::function<bool()> proceed);
   Result<void> Suspend(const std::string& component, Patience patience = kPatience);
-  /// Components that run after this one stop first. After the stop, waits for at most
-  /// kDrainPatience until servers have executed the last calls of its Cleanup().
+  /// Stops a component. Components that run after it are stopped first. After the stop, waits for
+  /// at most kDrainPatience until servers have executed the last calls of its Cleanup().
   Result<void> Stop(const std::string& component, Patience patience = kPatience);
-  /// Brings a component at rest to the state that a file requests. For kActive, starts it; for
-  /// kSuspended, starts and then suspends it; for any other state, does nothing. If the suspension
-  /// fails within `patience`, stops the component, because it must not run. The error also says in
-  /// which state the component is left.
+  /// Brings a component at rest to the state that a file requests: for kActive, starts it; for
+  /// kSuspended, starts and then suspends it; for any other state, does nothing. If the component
+  /// cannot be suspended within `patience`, stops it, because it must not run; the error then says
+  /// if it was stopped.
   Result<void> TransitionTo(const std::string& component, ComponentState wanted,
                             Patience patience = kPatience);
-  /// Starts all components that are not active, one by one, in the order in which they were added,
-  /// but leaders before the components that run after them. `patience` is the total time. Starts
-  /// the others even if one fails; returns the first error.
+  /// Starts all components that are not active, one after the other, in the order in which they
+  /// were added, but leaders before the components that run after them. `patience` is the total
+  /// time. If one start fails, starts the others nevertheless, and returns the first error.
   Result<void> StartAll(Patience patience = kPatience);
-  /// Suspends all active components, in the reverse order.
+  /// Suspends all active components in the reverse order of StartAll().
   Result<void> SuspendAll(Patience patience = kPatience);
-  /// Stops all running components: clients before their servers, which first execute the clients'
-  /// last calls, and components before their leaders. Components that do not depend on each other
-  /// stop at the same time. In a cycle of connections, one component stops before its client; the
-  /// order in which components were added decides which one.
+  /// Stops all running components: clients before their servers, so that the servers can still
+  /// execute the clients' last calls, and components before their leaders. Components that do not
+  /// depend on each other are stopped at the same time. If connections form a cycle, one server
+  /// must be stopped before its client; the order in which components were added decides which one.
   Result<void> StopAll(Patience patience = kPatience);
-  /// Waits until all components are in that state. kTimeout: not within `patience`; kFailed: one is
-  /// faulted.
+  /// These functions wait until the component, or all components, are in this state. They fail with
+  /// kTimeout if this takes longer than `patience`, and with kFailed if a component is faulted.
   Result<void> WaitFor(const std::string& component, ComponentState state, Patience patience);
   Result<void> WaitForAll(ComponentState state, Patience patience);
 
   // Descriptions of components and connections.
 
-  /// Null if there is none; valid until the component is removed.
+  /// Returns a component, or null if there is no such component. The pointer is valid until the
+  /// component is removed.
   [[nodiscard]] Component* Find(const std::string& component) const;
   [[nodiscard]] std::vector<ComponentDescription> components() const;
   [[nodiscard]] Result<RunSettings> SettingsOf(const std::string& component) const;
-  /// A connection to a faulted component is pending, with the reason, until that component is
-  /// restarted.
+  /// Returns the connections. If a component is faulted, its connections are pending until it is
+  /// started again; the reason contains the fault.
   [[nodiscard]] virtual std::vector<ConnectionDescription> connections() const;
-  /// kNotFound if `required` is not connected, kFailed if the connection is not active.
+  /// Returns the counts of a connection. Fails with kNotFound if `required` is not connected, and
+  /// with kFailed if the connection is not active.
   [[nodiscard]] virtual Result<ConnectionCounts> Counts(const InterfaceName& required) const;
-  /// kNotFound if there is no such component.
+  /// Returns the fill level of the component's fullest mailbox. Fails with kNotFound if there is no
+  /// such component.
   [[nodiscard]] Result<MailboxFill> FillOf(const std::string& component) const;
 
   /// How long a disconnect waits for servers to execute accepted calls.
   static constexpr std::chrono::milliseconds kDrainPatience{500};
-  /// How long the destructor waits for all components to stop before it disconnects them. So a
-  /// program ends within 2 s of a termination request.
+  /// How long the destructor waits for all components to stop before it disconnects them. With this
+  /// time, a program ends within 2 s after a termination request.
   static constexpr std::chrono::milliseconds kEndPatience{1300};
 
  protected:
-  /// The interface, or kNotFound with a suggestion.
+  /// These functions return an interface. They fail with kNotFound; the error suggests a name.
   Result<RequiredInterface*> FindRequired(const InterfaceName& name) const;
   Result<ProvidedInterface*> FindProvided(const InterfaceName& name) const;
-  /// Locks the manager against other lookups and changes of components and connections. The holder
-  /// may call the public functions.
+  /// Locks the components and connections of the manager: other threads can neither read nor change
+  /// them. The holder of the lock may call the public functions.
   [[nodiscard]] std::unique_lock<std::recursive_mutex> Lock() const;
-  /// `observer` is called after every change of components, states or connections, in the thread
-  /// that made the change, which may be the thread of a faulting component. It must be quick and
-  /// must not call this object. After the return, the former observer is not called any more.
+  /// Sets a function that is called after every change of components, states or connections. It is
+  /// called in the thread that made the change, for example in the thread of a component that
+  /// becomes faulted. It must be quick and must not call this object. After the return, the former
+  /// observer is not called any more.
   void SetObserver(std::function<void()> observer);
   /// Calls the observer.
   void NotifyChanged() const;
   ConnectionId NextConnectionId() { return ++last_connection_; }
-  /// Called with the lock held, before a component is removed, so that everything that depends on
-  /// it can be removed first.
+  /// Called while the lock is held, before a component is removed, so that everything that depends
+  /// on it can be removed first.
   virtual void OnRemoving(const Component& /*component*/) {}
-  /// True if calls sent by `client` still wait at servers that can execute them.
+  /// Returns true if calls of `client` are still queued at servers that can execute them.
   [[nodiscard]] virtual bool HasCallsUnderWay(const Component& client) const;
-  // For destructors of derived classes: the steps of ~LocalManager().
-  /// Like StopAll(), with a deadline; logs the components that did not end in order.
+  // The steps of ~LocalManager(), for destructors of derived classes.
+  /// Like StopAll(), but with a deadline; logs the first error.
   void EndAll(SteadyTime deadline);
   void Clear();
 
  private:
   struct Entry {
-    std::shared_ptr<Component> component;  // shared with threads that wait for its state
+    std::shared_ptr<Component> component;  // shared, because threads may wait for its state
     ComponentOrigin origin;
   };
   using Components = std::vector<std::shared_ptr<Component>>;
@@ -193,25 +201,27 @@ class LocalManager {
     std::unique_ptr<Connection> connection;
   };
 
-  /// Seals the component; then it is ready for Attach().
+  /// Seals the component and returns an entry for it, which is ready for Attach().
   Entry MakeEntry(std::unique_ptr<Component> component, ComponentOrigin origin);
   [[nodiscard]] ComponentDescription Describe(const Entry& entry) const;
   [[nodiscard]] Result<std::shared_ptr<Component>> Require(const std::string& component) const;
-  /// All components, leaders before the components that run after them.
+  /// Returns all components, leaders before the components that run after them.
   [[nodiscard]] Components InOrder() const;
   using IsMeant = std::function<bool(const Component&)>;
-  /// The components for which `is_meant` is true, each one after its clients and after the
-  /// components that run after it.
+  /// Returns the components for which `is_meant` is true. Each comes after its clients and after
+  /// the components that run after it.
   [[nodiscard]] std::vector<OrderlyShutdown::Member> InEndOrder(const IsMeant& is_meant) const;
   Result<void> StopInOrder(const IsMeant& is_meant, SteadyTime deadline);
   [[nodiscard]] bool IsAtRest(const Component& component) const;
-  /// Waits until the calls of `client` are executed; logs a warning if `deadline` passes first.
+  /// Waits until servers have executed the calls of `client`; logs a warning if `deadline` passes
+  /// first.
   void LetExecute(const Component& client, SteadyTime deadline) const;
   Result<void> RequestState(const std::string& component, const Request& request,
                             ComponentState wanted, Patience patience);
   Result<void> RequestStateOfAll(const Components& components, const Request& request,
                                  ComponentState wanted, Patience patience);
-  /// Makes a request after all earlier requests for the component; does not wait for its effect.
+  /// Waits until no other request for the component is in progress, then makes the request. Does
+  /// not wait for its effect.
   Result<void> MakeRequest(const std::shared_ptr<Component>& component, const Request& request,
                            SteadyTime deadline);
   [[nodiscard]] static Error RequestInProgress(const std::string& component);
@@ -219,16 +229,16 @@ class LocalManager {
   [[nodiscard]] Result<ConnectionId> FindConnection(const InterfaceName& required) const;
   /// Closes a connection and logs how many calls and events were dropped.
   static void Close(const LocalConnection& connection, std::chrono::milliseconds patience);
-  /// With the lock held; does not call the observer.
+  /// Makes a connection. Called while the lock is held; does not call the observer.
   Result<ConnectionId> Join(const InterfaceName& required, const InterfaceName& provided);
   void DisconnectAll(const std::string& component);
-  /// Calls `attempt` with the lock held until the result is not kTimeout; releases the lock in
-  /// between.
+  /// Calls `attempt` repeatedly, while the lock is held, until its result is not kTimeout or
+  /// `patience` is over. Releases the lock between the calls.
   Result<void> Retry(Patience patience, const std::function<Result<void>(SteadyTime)>& attempt);
   Result<void> TryRunAfter(const std::string& component, const std::string& leader,
                            SteadyTime deadline);
   Result<void> TryTakeOut(const std::shared_ptr<Component>& component, SteadyTime deadline);
-  /// Afterwards, `given` is the former entry.
+  /// Replaces the entry with the same name by `given`. Afterwards, `given` is the former entry.
   Result<void> TryReplace(Entry& given, SteadyTime deadline);
   void ReplaceEntry(Entry& given, Component& former);
   void Attach(Component& component);
@@ -236,7 +246,7 @@ class LocalManager {
 
   mutable std::recursive_mutex mutex_;
   std::vector<Entry> entries_;
-  RequestSerializer serializer_;  // serialises requests; guarded by mutex_
+  RequestSerializer serializer_;  // guarded by mutex_
   std::map<ConnectionId, LocalConnection> connections_;
   ConnectionId last_connection_ = 0;
   mutable std::mutex observer_mutex_;

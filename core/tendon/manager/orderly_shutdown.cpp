@@ -17,7 +17,7 @@ OrderlyShutdown::OrderlyShutdown(std::vector<Member> members, Actions actions)
       drained_by_(members_.size()) {}
 
 Result<void> OrderlyShutdown::Run(SteadyTime deadline) {
-  const BlockWhenFull all_together;  // one time limit for all components that end in this thread
+  const BlockWhenFull all_together;  // one time limit for all components that this thread stops
   while (!Advance()) {
     if (SteadyClock().Now() >= deadline) {
       GiveUp();
@@ -70,7 +70,8 @@ void OrderlyShutdown::BeginDrain(std::size_t place) {
   drained_by_[place] = SteadyClock().Now() + kDrainPatience;
 }
 
-/// WaitFor() also runs the work of components without a thread.
+/// Waits a short time. Calls WaitFor(), because it also does the work of components without a
+/// thread.
 void OrderlyShutdown::Wait() {
   constexpr std::chrono::microseconds kBetweenLooks(500);
   bool has_waited = false;

@@ -12,31 +12,34 @@
 
 namespace tendon {
 
-/// Stops components so that the last calls of their Cleanup() are executed: a component is stopped
-/// only after its clients have ended and their calls are executed. Components that do not depend on
-/// each other stop at the same time.
+/// Stops components in such an order that the last calls of their Cleanup() are executed: a
+/// component is stopped only when its clients have ended and it has executed their calls.
+/// Components that do not depend on each other are stopped at the same time.
 class OrderlyShutdown {
  public:
-  /// A component, and the components that end before it.
+  /// A component, and the components that must end before it.
   struct Member {
     std::shared_ptr<Component> component;
-    std::vector<std::size_t> before;  ///< indices of the members that end before this one; all are
-                                      ///< smaller than its own
+    /// The indices of the members that must end before this one. All are smaller than its own
+    /// index.
+    std::vector<std::size_t> before;
   };
-  /// How to stop components, and how to query them.
+  /// The functions that stop components and query them.
   struct Actions {
     std::function<bool(const Component&)> is_at_rest;
-    /// Requests the stop. kTimeout: the request was not possible now, and is repeated later.
+    /// Requests the stop of a component. If it returns kTimeout, the request was not possible now
+    /// and is repeated later.
     std::function<Result<void>(const std::shared_ptr<Component>&)> stop;
-    /// True if calls that the component has sent are still to be executed.
+    /// Returns true if calls that the component has sent are not executed yet.
     std::function<bool(const Component&)> has_calls_under_way;
   };
 
   OrderlyShutdown(std::vector<Member> members, Actions actions);
 
-  /// Returns when all components have ended. At `deadline`, requests the stop of all that are left,
-  /// even if others still call them, and returns kGrace later. Returns the first error; the log
-  /// names the components whose last calls were not executed in time.
+  /// Stops the components, and returns when all have ended. At `deadline`, requests the stop of all
+  /// remaining components, even if others still call them, and returns at most kGrace later.
+  /// Returns the first error. If last calls of a component were not executed in time, logs a
+  /// warning.
   Result<void> Run(SteadyTime deadline);
 
   static constexpr std::chrono::milliseconds kGrace{100};
@@ -48,9 +51,9 @@ class OrderlyShutdown {
 
  private:
   enum class Phase {
-    kWaits,  ///< for members that end before it
+    kWaits,  ///< for the members that must end before it
     kRequested,
-    kEnded,  ///< but its last calls may still wait
+    kEnded,  ///< has ended, but its last calls may not be executed yet
     kDone,
   };
 
@@ -65,7 +68,7 @@ class OrderlyShutdown {
   const std::vector<Member> members_;
   const Actions actions_;
   std::vector<Phase> phases_;
-  std::vector<SteadyTime> drained_by_;  // latest time for the last calls
+  std::vector<SteadyTime> drained_by_;  // time limit for the last calls
   Result<void> outcome_;
 };
 

@@ -25,7 +25,7 @@ Error LoadError(const fs::path& file, const std::string& reason) {
   return {ErrorCode::kFailed, "plug-in " + file.string() + ": " + reason};
 }
 
-/// The message of the exception that is being handled.
+/// Returns a text with the message of the current exception. Must be called in a catch block.
 std::string ThrownWords() { return "threw: " + Printable(ReasonOf(std::current_exception()), 512); }
 
 Result<void> CheckAbi(void* library) {
@@ -42,7 +42,8 @@ Result<void> CheckAbi(void* library) {
                                        "; build it again against this version"};
 }
 
-/// A library is identified by its bytes: a file that was written again is another library.
+/// A library is identified by its path and the hash of its content, so a file that was written
+/// again is another library.
 using LoadedFile = std::pair<fs::path, std::array<std::uint64_t, 2>>;
 std::mutex loaded_mutex;
 std::map<LoadedFile, void*>& LoadedLibraries() {

@@ -4,9 +4,9 @@
 
 #include <cstdint>
 
-/// Identifies the build of a plug-in: the version of these headers and the compiler's binary
-/// interface. Every plug-in that includes this header has its own copy of the function. The loader
-/// compares the results before the plug-in may register anything.
+/// Returns a number that identifies the build of a plug-in: the version of these headers and the
+/// ABI of the compiler. Every plug-in that includes this header has its own copy of the function.
+/// The loader compares the result with its own before the plug-in may register anything.
 extern "C" [[gnu::used, gnu::visibility("default")]] inline std::uint64_t
 TendonPluginAbi() noexcept {
   constexpr std::uint64_t kMajor = 0;

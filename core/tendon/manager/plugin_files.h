@@ -14,14 +14,14 @@ namespace tendon {
 /// Thread-safe.
 class PluginFiles {
  public:
-  /// Adds a plug-in whose loaded content is `content`.
+  /// Adds a plug-in. `content` is the content that was loaded.
   void Add(const std::string& library, os::FileContent content);
-  /// Checks all files for changes; may wait for the disk.
+  /// Checks all files for changes; may block on the disk.
   void Update();
-  /// Changes whenever descriptions() changes.
+  /// A number that changes whenever descriptions() changes.
   [[nodiscard]] std::uint64_t revision() const;
-  /// The results of the last Update(), in the order of loading. Does not wait for a running
-  /// Update().
+  /// Returns the results of the last complete Update(), in the order of loading. Does not wait for
+  /// a running Update().
   [[nodiscard]] std::vector<PluginDescription> descriptions() const;
 
  private:
@@ -34,7 +34,7 @@ class PluginFiles {
 
   std::mutex update_mutex_;  // one Update() at a time; locked before mutex_
   std::vector<Loaded> loaded_;
-  mutable std::mutex mutex_;  // guards what follows
+  mutable std::mutex mutex_;  // guards the members below
   std::vector<PluginDescription> descriptions_;
   std::uint64_t revision_ = 0;
 };

@@ -5,8 +5,9 @@
 #include <exception>
 #include <string>
 
-/// tendon-probe FILE [ORIGINAL]: loads a plug-in like the other programs, prints "loaded" or the
-/// error, and exits with 0 or 1. FILE is a copy of ORIGINAL. A plug-in can harm only this process.
+/// tendon-probe FILE [ORIGINAL]: tests a plug-in. Loads it like the other programs, prints "loaded"
+/// or the error, and exits with 0 or 1. FILE is a copy of ORIGINAL. If the plug-in crashes, only
+/// this process is affected.
 namespace {
 
 std::string plugin;  // for the terminate handler, which takes no argument

@@ -9,18 +9,18 @@
 
 namespace tendon {
 
-/// True if `component` runs after `leader`, directly or through others.
+/// Returns true if `component` runs after `leader`, directly or through other components.
 [[nodiscard]] bool RunsAfter(const Component& component, const Component& leader);
 
-/// Allows one request at a time for each component; requests of different components may overlap.
-/// All functions are called with the owner's lock held.
+/// Lets only one request at a time be in progress for each component. Requests for different
+/// components may overlap. All functions must be called while the owner's lock is held.
 class RequestSerializer {
  public:
   /// The right to make one request for a component.
   class Turn {
    public:
-    /// Releases the lock and waits until no other request for the component is in progress. Gives
-    /// up at `deadline`, but not before kShortest has passed; then is_ours() is false.
+    /// Waits until no other request for the component is in progress; the lock is released while it
+    /// waits. Gives up at `deadline`, but not before kShortest has passed; then is_ours() is false.
     Turn(RequestSerializer& serializer, const Component& component,
          std::unique_lock<std::recursive_mutex>& lock, SteadyTime deadline);
     Turn(const Turn&) = delete;
@@ -35,8 +35,8 @@ class RequestSerializer {
     bool is_ours_ = true;
   };
 
-  /// True if a request for `component`, or for one that runs after it, is in progress. Then the
-  /// component must not be removed, nor its leader changed.
+  /// Returns true if a request for `component`, or for a component that runs after it, is in
+  /// progress. Then the component must not be removed, and its leader must not be changed.
   [[nodiscard]] bool IsInUse(const Component& component) const;
 
   static constexpr std::chrono::milliseconds kShortest{20};

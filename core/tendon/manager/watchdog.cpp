@@ -9,7 +9,7 @@
 namespace tendon {
 namespace {
 
-/// "10 ms", "0.5 ms".
+/// Returns a time as text: "10 ms", "0.5 ms".
 std::string InFourDigits(std::chrono::duration<double> time) {
   constexpr int kDigits = 4;
   std::array<char, 32> text{};

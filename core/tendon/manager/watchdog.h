@@ -17,11 +17,12 @@ namespace tendon {
 class Component;
 class Task;
 
-/// Detects periodic tasks whose cycle blocks: a task is overdue if no cycle began for three periods
-/// and 50 ms. Logs this once, and once more when the task continues. Tasks without a period are
-/// ignored.
+/// Detects periodic tasks whose cycle blocks. A task is overdue if no cycle has begun for three
+/// periods plus 50 ms. Logs this once, and logs once more when the task continues. Tasks without a
+/// period are ignored.
 ///
-/// One thread checks all tasks every 50 ms; it starts with the first task. Thread-safe.
+/// One thread checks all tasks every 50 ms. It is started when the first task is added.
+/// Thread-safe.
 class Watchdog {
  public:
   static constexpr std::chrono::milliseconds kBetweenLooks{50};
@@ -34,14 +35,15 @@ class Watchdog {
   Watchdog& operator=(const Watchdog&) = delete;
   ~Watchdog();
 
-  /// Call Forget() before `task` is destroyed.
+  /// Begins to check a task. Forget() must be called before `task` is destroyed.
   void Watch(const Task& task);
   void Forget(const Component& component);
 
-  /// "missed 8 x 10 ms" while the task is overdue, else empty.
+  /// Returns "missed 8 x 10 ms" while the task is overdue, otherwise an empty text.
   [[nodiscard]] std::string WarningOf(const Component& component) const;
 
-  /// True if a task with this period is overdue, given the time since its last cycle began.
+  /// Returns true if a task with this period is overdue. `since_last_cycle` is the time since its
+  /// last cycle began.
   [[nodiscard]] static bool IsOverdue(std::chrono::duration<double> period,
                                       std::chrono::nanoseconds since_last_cycle);
 

@@ -23,8 +23,8 @@ template <>
 inline constexpr auto kPayload<Error> = Describe("tendon.Error", Field{"code", &Error::code},
                                                  Field{"message", &Error::message});
 
-/// A payload that forms the whole body of a frame. Not a vector of bytes, which is an encoded body
-/// already.
+/// A payload that forms the whole body of a frame. A vector of bytes is excluded, because it is an
+/// encoded body already.
 template <typename T>
 concept Message = Payload<T> && !std::convertible_to<const T&, std::span<const std::byte>>;
 
@@ -35,8 +35,8 @@ template <Message T>
   return body;
 }
 
-/// Fails with kInvalid, and an error that names the type, if the bytes are not a valid T. To decode
-/// an Error, use ReadRefusal().
+/// Decodes a body. Fails with kInvalid if the bytes are not a valid T; the error names the type. To
+/// decode an Error, use ReadRefusal().
 template <Payload T>
 Result<T> DecodeBody(std::span<const std::byte> body) {
   T value{};

@@ -12,29 +12,30 @@
 
 namespace tendon {
 
-/// Multicast: one process publishes, any number of others receive, through a broker. The broker
-/// does not wait for a slow receiver, and does not report the messages that it misses. So messages
-/// must carry sequence numbers. Thread-safe.
+/// Multicast through a broker: one process publishes messages, and any number of processes receive
+/// them. The broker does not wait for a slow receiver. The receiver then misses messages without
+/// being informed, so messages must contain sequence numbers. Thread-safe.
 ///
-/// Broadcast is the interface; the broker is IceStorm, reached through ice/ice_broadcast.h. The
-/// rows of a table that go through the broker are one topic (RowTopic in
-/// process/telemetry/row_stream.h). `gcm broker` runs the broker (docs/broker.md).
+/// This class is only the interface. The implementation is ice/ice_broadcast.h, with IceStorm as
+/// the broker. If the rows of a state table are sent through the broker, they are one topic
+/// (RowTopic in process/telemetry/row_stream.h). `gcm broker` runs the broker (docs/broker.md).
 class Broadcast {
  public:
-  /// The publisher's end of a topic. The topic ends when this object is destroyed, and is created
-  /// again after a restart of the broker.
+  /// A topic on the side of its publisher. The topic is removed when this object is destroyed.
+  /// After a restart of the broker, it is created again.
   class Topic {
    public:
     Topic() = default;
     Topic(const Topic&) = delete;
     Topic& operator=(const Topic&) = delete;
     virtual ~Topic() = default;
-    /// Never blocks. kNotConnected while the broker has no such topic, kQueueFull if the broker is
-    /// too slow, kInvalid for a message above kMaxMessage.
+    /// Publishes a message; never blocks. Fails with kNotConnected while the broker does not have
+    /// the topic, with kQueueFull if the broker is too slow, and with kInvalid if the message is
+    /// larger than kMaxMessage.
     virtual Status Publish(std::span<const std::byte> message) = 0;
   };
 
-  /// A subscriber's end. Messages stop soon after it is destroyed.
+  /// A subscription to a topic. After it is destroyed, a few more messages may arrive.
   class Subscription {
    public:
     Subscription() = default;
@@ -43,7 +44,8 @@ class Broadcast {
     virtual ~Subscription() = default;
   };
 
-  /// Called in a thread of the middleware, one call at a time, in order. The bytes are untrusted.
+  /// Receives the messages in order, in a thread of the middleware, one call at a time. The bytes
+  /// are untrusted.
   using MessageHandler = std::function<void(std::span<const std::byte> message)>;
 
   static constexpr std::size_t kMaxMessage = std::size_t{256} << 10U;
@@ -53,12 +55,13 @@ class Broadcast {
   Broadcast& operator=(const Broadcast&) = delete;
   virtual ~Broadcast() = default;
 
-  /// Publishes a topic. Returns at once; the broker creates the topic soon after. `name` must be
-  /// unique.
+  /// Creates a topic for publishing. Returns at once; the broker has the topic only a little later.
+  /// `name` must be unique.
   virtual std::unique_ptr<Topic> OpenTopic(const std::string& broker, const std::string& name) = 0;
 
-  /// Subscribes to a topic; blocks until the broker has confirmed. If the topic does not exist yet,
-  /// waits for it. Errors: kUnreachable, kDenied if the broker belongs to another user, kTimeout.
+  /// Subscribes to a topic. Blocks until the broker has confirmed the subscription, which includes
+  /// waiting for a topic that does not exist yet. Fails with kUnreachable, with kTimeout, or with
+  /// kDenied if the broker belongs to another user.
   virtual Result<std::unique_ptr<Subscription>> Subscribe(const std::string& broker,
                                                           const std::string& name,
                                                           MessageHandler handler,

@@ -15,8 +15,8 @@
 namespace tendon {
 namespace {
 
-/// The depth of calls from a middleware in this thread. Above 0, the thread must not wait for an
-/// answer.
+/// How many nested calls from a middleware this thread is executing. If this is not 0, the thread
+/// must not wait for an answer.
 thread_local int calls_from_middleware = 0;
 
 struct MiddlewareCallScope {
@@ -26,9 +26,9 @@ struct MiddlewareCallScope {
   ~MiddlewareCallScope() { --calls_from_middleware; }
 };
 
-/// Calls `give` every 250 ms in a thread of its own, for at most LargeMessageInProgress::kAtMost,
-/// as a sign of life for the peer while the middleware's thread handles a large message. If no
-/// thread can be started, only logs that.
+/// Calls `give` every 250 ms in a separate thread, for at most LargeMessageInProgress::kAtMost.
+/// `give` sends a sign of life to the peer while the middleware's thread handles a large message.
+/// If the thread cannot be started, only logs the failure.
 class ProgressSender {
  public:
   ProgressSender(const std::string& peer, std::function<void()> give) {
@@ -51,20 +51,21 @@ class ProgressSender {
   std::jthread thread_;
 };
 
-/// An invalid address counts as on this machine, which is the stricter case.
+/// Returns true if the peer is on this machine. An invalid address counts as on this machine,
+/// because this case has the stricter checks.
 bool IsOnThisMachine(const Link& link) {
   const auto address = ParseAddress(link.peer(), 0);
   return !address || CheckExposure(address->host, Exposure::kLoopbackOnly).ok();
 }
 
-/// The Hello that is sent to the peer of `link`. Only for peers on this machine does it contain the
-/// cookie, and never under TLS, which does not need it.
+/// Returns the Hello for the handshake on `link`. It keeps the cookie only if the peer is on this
+/// machine and the link has no TLS, because TLS does not need a cookie.
 Hello For(const Link& link, Hello mine) {
   if (link.certificate() != nullptr || !IsOnThisMachine(link)) mine.cookie = 0;
   return mine;
 }
 
-/// Without memory, only this answer is lost.
+/// Copies an answer. If there is not enough memory, only this answer is lost.
 Result<Answer> CopyOf(std::span<const std::byte> answer) {
   try {
     return Answer(Bytes(answer.begin(), answer.end()));
@@ -121,7 +122,7 @@ AcceptLink Channel::Acceptor(Hello mine, std::function<std::shared_ptr<ChannelHa
 
 std::shared_ptr<LinkHandler> Channel::AsLinkHandler() { return {shared_from_this(), this}; }
 
-/// The opener's side of the handshake.
+/// Does the handshake at the opener's end, and waits until it is done.
 Result<void> Channel::Greet(const std::shared_ptr<Link>& link, SteadyTime deadline) {
   const CancellableConnect wait([this] {
     const std::scoped_lock lock(mutex_);
@@ -136,7 +137,7 @@ Result<void> Channel::Greet(const std::shared_ptr<Link>& link, SteadyTime deadli
                      UnauthenticatedPeers::kRefused, link->certificate());
   const Bytes greeting = handshake_->Greet();
   lock.unlock();
-  (void)Send(MessageType::kHello, 1, 0, greeting);  // if refused, OnClosed() follows
+  (void)Send(MessageType::kHello, 1, 0, greeting);  // if it fails, OnClosed() is called
   lock.lock();
   if (!changed_.wait_until(lock, deadline, [&] { return greeted_ || reason_; })) {
     is_open_.Set(false);
@@ -153,7 +154,7 @@ Result<void> Channel::Greet(const std::shared_ptr<Link>& link, SteadyTime deadli
 
 void Channel::OnFrame(std::span<const std::byte> frame) { OnLentFrame(frame, nullptr); }
 
-/// `owner` keeps a lent frame alive; null if the frame is not lent.
+/// `owner` keeps the memory of the frame valid; null if the bytes are valid only during this call.
 void Channel::OnLentFrame(std::span<const std::byte> frame, std::shared_ptr<const void> owner) {
   const MiddlewareCallScope mark;
   const auto header = ReadWholeFrame(frame);
@@ -168,7 +169,8 @@ void Channel::OnLentFrame(std::span<const std::byte> frame, std::shared_ptr<cons
   }
 }
 
-/// Ends the link because there is no memory for one of its messages; all other links continue.
+/// Closes the channel because there is not enough memory for one of its messages. All other
+/// channels continue.
 void Channel::OnNoRoom(const char* limit, std::size_t size) {
   static RateLimitedWarning complaints("channel");
   CallGuarded("channel", [&] {
@@ -179,7 +181,7 @@ void Channel::OnNoRoom(const char* limit, std::size_t size) {
   });
 }
 
-/// Handles frames that arrive before the end of the handshake, or after the channel was closed.
+/// Handles a frame of the handshake. Ignores frames that arrive after the channel was closed.
 void Channel::OnFirst(const FrameHeader& header, std::span<const std::byte> body) {
   std::unique_lock lock(mutex_);
   if (reason_ || !link_) return;
@@ -264,7 +266,7 @@ void Channel::OnMessage(const FrameHeader& header, std::span<const std::byte> bo
   });
 }
 
-/// Checks the whole batch first: if it is malformed, no reply in it is used.
+/// Checks the whole batch first. If the batch is malformed, none of its replies is used.
 void Channel::OnReplies(std::span<const std::byte> body) {
   if (!IsReplyBatch(body)) {
     return Fail({ErrorCode::kInvalid, peer_.name + " sent malformed answers"});
@@ -295,16 +297,16 @@ void Channel::OnPart(const FrameHeader& header, std::span<const std::byte> part)
   HandleLarge(std::move(frame));
 }
 
-/// Refuses a request. A notice has no answer, so the link ends; otherwise the notice would be lost
-/// silently.
+/// Called if the budget for unfinished messages is used up. Refuses a request. A notice cannot be
+/// refused, so the channel is closed; otherwise the notice would be lost silently.
 void Channel::OnTooMuch(const FrameHeader& header) {
   constexpr const char* kWhy = "512 MiB of unfinished messages are already kept";
   if (header.request == 0) return OnNoRoom(kWhy, FrameHeader::kSize + header.size);
   CallGuarded(peer_.name, [&] { SendRefusal(header.request, {ErrorCode::kFailed, kWhy}); });
 }
 
-/// Called before any part of a large frame is stored, so that a peer need not send 64 MiB to be
-/// refused.
+/// Decides whether a large frame is stored. Called with its first part, so that a message of 64 MiB
+/// is refused before all of it is sent.
 bool Channel::IsWanted(const FrameHeader& header) {
   if (header.type == MessageType::kReply || header.type == MessageType::kRefusal) {
     return requests_.IsAwaited(header.request);
@@ -315,8 +317,9 @@ bool Channel::IsWanted(const FrameHeader& header) {
   return !refusal;
 }
 
-/// Handling may take long, and this thread does not read meanwhile. So a ProgressSender repeatedly
-/// sends the number of received bytes to the peer. A reply is moved to its requester, not copied.
+/// Handles a complete large message. This may take long, and this thread does not read from its
+/// peers meanwhile. Therefore a ProgressSender repeatedly sends the number of received bytes to the
+/// peer. A reply is moved to its requester, not copied.
 void Channel::HandleLarge(PartAssembly::Frame frame) {
   std::optional<LargeMessageInProgress> mark;
   std::optional<ProgressSender> sign;
@@ -347,7 +350,8 @@ void Channel::SendTakenParts() {
   });
 }
 
-/// Called after each send and arrival, and regularly, because the link may have room again.
+/// Continues to send parts. Called after each sent or received frame, and regularly by Expire(),
+/// because the link does not report when it has room again.
 void Channel::Resume() {
   ReportTakenParts();
   outgoing_parts_.Resume(*link_);
@@ -382,7 +386,7 @@ Status Channel::Send(MessageType type, std::uint64_t request, std::uint32_t hand
   return SendBy(header, body, lane, [&] { return SendPiece(header, body, delivery); });
 }
 
-/// Sends the message in parts, or with `send_whole`.
+/// Sends the message in parts if necessary, otherwise calls `send_whole`.
 template <typename SendWhole>
 Status Channel::SendBy(const FrameHeader& header, std::span<const std::byte> body, Lane lane,
                        SendWhole send_whole) {
@@ -461,8 +465,8 @@ Result<Answer> Channel::Call(MessageType type, std::uint32_t handle,
   return NoAnswer(PeerName(), timeout);
 }
 
-/// True if a reply of this size may be the response to a direct request. Such a reply is not sent
-/// in parts, so it must be small, or the link fast.
+/// Returns true if a reply of this size may be sent as the response to a direct request. Such a
+/// reply is not sent in parts, so it must be small or the link must be fast.
 bool Channel::FitsInSlot(std::size_t size) {
   if (!outgoing_parts_.MustSendInParts(kOwnLane, size)) return true;
   return size <= kMaxReturned && outgoing_parts_.is_quick();
@@ -479,7 +483,7 @@ bool Channel::SendReply(std::uint64_t request, std::span<const std::byte> body, 
 }
 
 void Channel::SendRefusal(std::uint64_t request, const Error& error) {
-  // If this does not fit either, the peer's request times out.
+  // If the link has no room for the refusal either, the request of the peer times out.
   (void)Send(MessageType::kRefusal, request, 0, EncodeBody(error));
 }
 

@@ -27,62 +27,65 @@
 
 namespace tendon {
 
-/// A two-way connection with one peer process, over one link. After the handshake it carries
-/// notices (one way) and requests, each of which gets exactly one reply.
+/// A two-way connection with one peer process, over one link. After the handshake, both ends can
+/// send notices, which have no reply, and requests, which have exactly one reply.
 ///
-/// A body has at most kMaxBodySize bytes. A message that is too large for one piece is sent in
-/// parts. Messages of other lanes pass between the parts; those of the same lane wait.
+/// A body has at most kMaxBodySize bytes. A message that is too large for one frame is sent in
+/// parts. Messages on other lanes are sent between these parts; messages on the same lane wait
+/// until the last part is sent.
 ///
 /// A channel lives until either end closes it or its middleware is destroyed. Thread-safe.
 ///
-/// Its helpers:
-/// - Handshake authenticates the peer; the handler gets no message before that.
+/// The channel uses these classes:
+/// - Handshake authenticates the peer. The handler gets no message before that.
 /// - PendingRequests holds the requests of this end until a reply, a refusal or the timeout.
-/// - PartSender sends a large message of this end in parts, as fast as the peer acknowledges them;
+/// - PartSender sends a large message of this end in parts, as fast as the peer acknowledges them.
 ///   PartReceiver joins the parts that the peer sends.
-/// - ChannelHandler, written by the owner, gets the notices and requests of the peer. It answers a
-///   request with a Responder, now or later; a ReplyBatcher sends many replies in one message.
+/// - ChannelHandler, written by the owner, receives the notices and requests of the peer. It
+/// answers
+///   a request with a Responder, now or later. A ReplyBatcher sends many replies in one message.
 class Channel final : public std::enable_shared_from_this<Channel>, private LinkHandler {
   struct Key {};
 
  public:
-  /// Opens a link and does the handshake; blocks for at most `timeout`. Errors are those of
-  /// Middleware::Open() and the peer's refusals: kIncompatible (protocol versions), kDenied
-  /// (cookie). Must not be called in a thread of the middleware.
+  /// Opens a link and does the handshake; blocks for at most `timeout`. Fails like
+  /// Middleware::Open(), or if the peer refuses: with kIncompatible for another protocol version,
+  /// and with kDenied for a wrong cookie. Must not be called in a thread of the middleware.
   static Result<std::shared_ptr<Channel>> Open(Middleware& middleware, const std::string& address,
                                                const Hello& mine,
                                                std::shared_ptr<ChannelHandler> handler,
                                                std::chrono::milliseconds timeout);
 
-  /// For Middleware::Listen(): makes a channel from every link. `choose` returns its handler, or
-  /// null to refuse the link. Peers on this machine must know the cookie in `mine`, unless
-  /// `unauthenticated` admits them without it.
+  /// Returns a function for Middleware::Listen() that makes a channel from every new link. `choose`
+  /// returns the handler of the channel, or null to refuse the link. Peers on this machine must
+  /// know the cookie in `mine`, unless `unauthenticated` admits peers without it.
   static AcceptLink Acceptor(Hello mine, std::function<std::shared_ptr<ChannelHandler>()> choose,
                              UnauthenticatedPeers unauthenticated = UnauthenticatedPeers::kRefused);
 
-  /// Sends a notice; never blocks. Fails as Link::Send() does.
+  /// Sends a notice; never blocks. Fails like Link::Send().
   Status Notify(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                 Lane lane = kCommonLane);
   template <Message T>
   Status Notify(MessageType type, std::uint32_t handle, const T& value, Lane lane = kCommonLane);
-  /// Notify() without a copy of the body, which follows FrameHeader::kSize bytes of room in
-  /// `frame`: the header is written there.
+  /// Sends a notice like Notify(), but without copying the body. The caller has written the body
+  /// into `frame` from position FrameHeader::kSize on; the header is written in front of it.
   Status NotifyInPlace(MessageType type, std::uint32_t handle, std::span<std::byte> frame,
                        Lane lane = kCommonLane);
 
-  /// Returns a new lane for messages from this end, unique at this end.
+  /// Returns a new lane for messages from this end. No other lane of this end has the same number.
   [[nodiscard]] Lane NewLane();
 
   using ReplyHandler = PendingRequests::Handler;
 
-  /// Sends a request; never blocks. Calls the handler exactly once, in a thread of the middleware,
-  /// in Expire(), or in this call if nothing could be sent. The handler gets the reply, the peer's
-  /// refusal, kTimeout (outcome unknown) or kUnreachable (closed before an answer).
+  /// Sends a request; never blocks. Calls the handler exactly once: in a thread of the middleware,
+  /// in Expire(), or before this function returns if the request could not be sent. The handler
+  /// receives the reply, the refusal of the peer, kTimeout (outcome unknown), or kUnreachable if
+  /// the channel was closed before the reply arrived.
   void Request(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane = kCommonLane,
                Delivery delivery = Delivery::kQueued);
-  /// Like Request(), but does not call the handler if the request cannot be sent now. Fails as
-  /// Link::Send() does.
+  /// Like Request(), but does not call the handler if the request cannot be sent now. Then fails
+  /// like Link::Send().
   Status TryRequest(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                     std::chrono::milliseconds timeout, ReplyHandler handler,
                     Lane lane = kCommonLane, Delivery delivery = Delivery::kQueued);
@@ -91,10 +94,11 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
                std::chrono::milliseconds timeout, std::function<void(Result<Reply>)> handler,
                Lane lane = kCommonLane);
 
-  /// Returns true inside a call from a middleware, where a thread must not wait for an answer.
+  /// Returns true if a middleware is calling a handler in this thread. Such a thread must not wait
+  /// for an answer.
   [[nodiscard]] static bool IsThreadOfMiddleware() noexcept;
 
-  /// Sends a request and waits for the reply. Refused in a thread of the middleware. A large answer
+  /// Sends a request and waits for the reply. Fails in a thread of the middleware. A large answer
   /// is not copied.
   Result<Answer> Call(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                       std::chrono::milliseconds timeout, Lane lane = kCommonLane,
@@ -104,14 +108,15 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
                      std::chrono::milliseconds timeout);
 
   /// Ends requests that have timed out. Closes the channel if the peer has stopped in the middle of
-  /// a large message. The owner must call this regularly, as WatchOver() and KeepExpiring() do.
-  /// Call() works without it.
+  /// a large message. Must be called regularly by the owner of the channel; WatchOver() and
+  /// KeepExpiring() do this. The timeout of Call() does not depend on it.
   void Expire(SteadyTime now);
 
-  /// Idempotent; may be called from a handler. The handler's OnClosed() is called later.
+  /// Closes the channel. ChannelHandler::OnClosed() is called later. Idempotent; may be called from
+  /// a handler.
   void Close();
-  /// Close() for a peer that misbehaves or does not answer. `what` describes the misbehaviour, and
-  /// becomes part of the reason.
+  /// Closes the channel because the peer misbehaves or does not answer. `what` describes this and
+  /// becomes part of the reason: "has not answered for 2 s".
   void CutOff(const std::string& what);
 
   /// Wait-free.
@@ -119,13 +124,13 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   /// The peer's Hello; empty before OnOpen().
   [[nodiscard]] const Hello& peer() const { return peer_; }
   [[nodiscard]] std::string peer_address() const;
-  /// The last time at which a part of a large message arrived, or the peer acknowledged one. A
-  /// recent part shows that the peer is alive, although other messages wait behind the parts.
+  /// The last time at which a part of a large message arrived, or the peer acknowledged one. If
+  /// this was recent, the peer is alive, although its other messages may be delayed by the parts.
   [[nodiscard]] SteadyTime last_part() const { return last_part_.Get(); }
   /// Number of answers that arrived after their requests had ended.
   [[nodiscard]] std::uint64_t late_replies() const;
 
-  /// `link` is an accepted link; null at the opener's end.
+  /// `link` is the link if it was accepted; null if this end opens the link.
   Channel(Key key, Hello mine, std::shared_ptr<ChannelHandler> handler, std::shared_ptr<Link> link,
           UnauthenticatedPeers unauthenticated);
 
@@ -133,26 +138,26 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   friend class ReplyBatcher;
   friend class Responder;
 
-  // Frames from the link, in the order of a channel's life: handshake, messages, end.
+  // Called by the link.
   void OnFrame(std::span<const std::byte> frame) override;
   void OnLentFrame(std::span<const std::byte> frame, std::shared_ptr<const void> owner) override;
   void OnDirectFrame(std::span<const std::byte> frame, ReplySlot& answer) override;
   void OnClosed(const Error& reason) override;
   [[nodiscard]] std::shared_ptr<LinkHandler> AsLinkHandler();
 
-  // The handshake.
+  // Do the handshake.
   Result<void> Greet(const std::shared_ptr<Link>& link, SteadyTime deadline);
   void OnFirst(const FrameHeader& header, std::span<const std::byte> body);
   void OnGreeting(const FrameHeader& header, std::span<const std::byte> body);
   void Opened(Hello peer);
 
-  // Messages of the peer.
+  // Handle messages of the peer.
   void OnMessage(const FrameHeader& header, std::span<const std::byte> body,
                  std::shared_ptr<const void> owner = nullptr);
   [[nodiscard]] bool HasOurVersion(const FrameHeader& header);
   void OnReplies(std::span<const std::byte> body);
 
-  // Large messages of the peer, which arrive in parts.
+  // Handle large messages of the peer, which arrive in parts.
   void OnPart(const FrameHeader& header, std::span<const std::byte> part);
   [[nodiscard]] bool IsWanted(const FrameHeader& header);
   void HandleLarge(PartAssembly::Frame frame);
@@ -161,7 +166,7 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   void OnTooMuch(const FrameHeader& header);
   void OnNoRoom(const char* limit, std::size_t size);
 
-  // Messages to the peer, whole or in parts.
+  // Send messages to the peer, whole or in parts.
   Status Send(MessageType type, std::uint64_t request, std::uint32_t handle,
               std::span<const std::byte> body, Lane lane = kCommonLane,
               Delivery delivery = Delivery::kQueued);
@@ -175,7 +180,7 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   void OnPartsTaken(std::span<const std::byte> body);
   void Resume();
 
-  // Replies to the peer, for Responder and ReplyBatcher.
+  // Send replies to the peer. Used by Responder and ReplyBatcher.
   [[nodiscard]] bool FitsInSlot(std::size_t size);
   bool SendReply(std::uint64_t request, std::span<const std::byte> body, Lane lane);
   void SendRefusal(std::uint64_t request, const Error& error);
@@ -186,21 +191,22 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   const Hello mine_;
   const bool is_acceptor_;
   std::shared_ptr<ChannelHandler> handler_;  // used only in the middleware's thread
-  std::optional<Handshake> handshake_;       // likewise; set when the link exists
+  // Used only in the middleware's thread; set when the link exists.
+  std::optional<Handshake> handshake_;
   PendingRequests requests_;
   PartReceiver incoming_parts_;
   PartSender outgoing_parts_;
   Published<SteadyTime> last_part_;
 
-  Flag is_open_;  // set from the end of the handshake until there is a reason_
+  Flag is_open_;  // set from the end of the handshake until reason_ is set
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::shared_ptr<Link> link_;
   Hello peer_;            // constant once the channel is open
-  bool greeted_ = false;  // after OnOpen()
+  bool greeted_ = false;  // set after OnOpen()
   Lane last_lane_ = kCommonLane;
-  std::optional<Error> reason_;  // why the channel is closed, or about to be
+  std::optional<Error> reason_;  // why the channel is closed or is being closed
 };
 
 template <Message T>

@@ -22,23 +22,27 @@ class ChannelHandler {
   ChannelHandler& operator=(const ChannelHandler&) = delete;
   virtual ~ChannelHandler() = default;
 
-  /// The peer's Hello was accepted; requests may follow. Called before Channel::Open() returns.
+  /// Called when the peer is authenticated and before its first message. Channel::Open() returns
+  /// after this call.
   virtual void OnOpen(const std::shared_ptr<Channel>& channel, const Hello& peer);
 
-  /// By default, refuses. The body is valid only during the call.
+  /// Called for each request of the peer. By default, refuses it. The body is valid only during the
+  /// call.
   virtual void OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
                          std::span<const std::byte> body, Responder responder);
 
-  /// By default, does nothing. The body is valid only during the call.
+  /// Called for each notice of the peer. By default, does nothing. The body is valid only during
+  /// the call.
   virtual void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
                         std::span<const std::byte> body);
 
-  /// Called with the header when a large message begins. If it returns an error, the message is
-  /// discarded, and a request is refused with the error. By default, accepts all.
+  /// Called with the header when the first part of a large message has arrived. If this returns an
+  /// error, the message is discarded; if it is a request, it is refused with the error. By default,
+  /// accepts all messages.
   virtual std::optional<Error> WhyNotTaken(const Channel& channel, const FrameHeader& header);
 
-  /// The last call, made exactly once for every link that was opened, even if the handshake failed.
-  /// The channel then releases the handler.
+  /// Called exactly once for every link that was opened, as the last call, even if the handshake
+  /// failed. The channel then releases the handler.
   virtual void OnClosed(const std::shared_ptr<Channel>& channel, const Error& reason);
 };
 

@@ -14,7 +14,7 @@ struct PendingConnect {
 };
 
 struct Waits {
-  /// With the mutex held.
+  /// Returns true if attempts of the thread are cancelled. Called while the mutex is held.
   [[nodiscard]] bool AreOver(std::thread::id thread) const {
     return ended.contains(std::thread::id()) || ended.contains(thread);
   }
@@ -25,7 +25,7 @@ struct Waits {
   std::map<std::uint64_t, PendingConnect> all;
 };
 
-/// Never destroyed: threads may wait until the program ends.
+/// Never destroyed, because threads may use it until the program ends.
 Waits& TheWaits() {
   static auto* const waits = new Waits;
   return *waits;

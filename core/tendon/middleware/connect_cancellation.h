@@ -8,13 +8,13 @@
 
 namespace tendon {
 
-/// While this object exists, no thread of this program opens links: attempts in progress end at
-/// once, and new ones are refused. For a program that ends while threads may be connecting to a
-/// process that hangs. Thread-safe.
+/// While this object exists, no thread of this program opens links: attempts in progress are
+/// cancelled at once, and new ones fail. Used when a program ends, because its threads may be
+/// waiting for a link to a process that hangs. Thread-safe.
 class ConnectCancellation {
  public:
   ConnectCancellation() : ConnectCancellation(std::thread::id()) {}
-  /// The same for one thread only; the rest of the program continues.
+  /// Cancels the attempts of one thread only. Other threads are not affected.
   explicit ConnectCancellation(std::thread::id thread);
   ConnectCancellation(const ConnectCancellation&) = delete;
   ConnectCancellation& operator=(const ConnectCancellation&) = delete;
@@ -24,12 +24,12 @@ class ConnectCancellation {
   const std::thread::id thread_;  // default-constructed: all threads
 };
 
-/// While this object exists, this thread counts as waiting for a link.
+/// Registers that this thread waits for a link, so that a ConnectCancellation can end the wait.
 class CancellableConnect {
  public:
-  /// A ConnectCancellation calls `give_up`, which must end the wait and must not block. It is
-  /// called once or more, from any thread, perhaps before this constructor returns, never after the
-  /// destructor.
+  /// A ConnectCancellation calls `give_up`, which must end the wait and must not block. The call
+  /// may be made several times, in any thread, and before this constructor returns; it is never
+  /// made after the destructor.
   explicit CancellableConnect(std::function<void()> give_up);
   CancellableConnect(const CancellableConnect&) = delete;
   CancellableConnect& operator=(const CancellableConnect&) = delete;
@@ -41,7 +41,7 @@ class CancellableConnect {
 
 /// True if a ConnectCancellation applies to this thread.
 [[nodiscard]] bool AreConnectsCancelled();
-/// The error for a cancelled attempt, of code kUnreachable.
+/// The error for a cancelled attempt. Its code is kUnreachable.
 [[nodiscard]] Error ConnectCancelledError();
 
 }  // namespace tendon

@@ -16,8 +16,8 @@ using message::Digest;
 using message::Greeting;
 using message::Proof;
 
-/// The content of a proof. Each part is preceded by its size, so that no bytes can move from one
-/// part to the next.
+/// The data that a proof covers. Parts of variable length are encoded with their size, so that
+/// different data never have the same bytes.
 struct Covered {
   std::uint8_t role = 0;
   Greeting opener;
@@ -62,7 +62,7 @@ void FillWithRandom(std::array<std::uint8_t, 16>& nonce) {
   std::memcpy(nonce.data(), random.data(), sizeof random);
 }
 
-/// Phrased for the opener of the link.
+/// The error for different protocol versions, written for the user of the opener.
 Error VersionsDiffer(const std::string& acceptor, unsigned its, unsigned openers) {
   return {ErrorCode::kIncompatible, acceptor + " speaks protocol " + std::to_string(its) +
                                         ", this program " + std::to_string(openers) + ": update " +
@@ -93,7 +93,7 @@ Result<Handshake::Step> Handshake::Take(const FrameHeader& header,
   const bool is_opener = stage_ == Stage::kChallenge || stage_ == Stage::kWelcome;
   if (is_opener && header.type == MessageType::kRefusal) return ReadRefusal(body, address_);
   constexpr unsigned kOurs = FrameHeader::kProtocolVersion;
-  if (header.version != kOurs) {  // its body is unknown here
+  if (header.version != kOurs) {  // the format of its body is not known
     return is_opener ? VersionsDiffer(address_, header.version, kOurs)
                      : VersionsDiffer(mine_.name, kOurs, header.version);
   }
@@ -175,7 +175,7 @@ Hello Handshake::Peer(std::uint64_t session) const {
   return peer;
 }
 
-/// Zeroes if this end has no cookie.
+/// Computes a proof. All bytes are zero if this end has no cookie.
 Digest Handshake::ProofOf(Role role, std::uint64_t session) const {
   if (mine_.cookie == 0) return {};
   return Sign(mine_.cookie, {.role = static_cast<std::uint8_t>(role),
@@ -192,7 +192,8 @@ bool Handshake::IsWelcome(const Proof& proof) const {
   return mine_.cookie != 0 && AreEqual(proof.proof, ProofOf(Role::kOpener, proof.session));
 }
 
-/// Called before the opener sends anything confidential.
+/// Checks the certificate and the name of the acceptor. Called before the opener sends anything
+/// confidential.
 Result<void> Handshake::CheckAcceptor() const {
   const std::string& name = acceptor_.name;
   const bool is_proved = certificate_ == nullptr ||

@@ -13,14 +13,15 @@
 namespace tendon {
 namespace message {
 
-/// The first message of an end: its identity and a random number.
+/// The first message that each end sends: its identity and a random number.
 struct Greeting {
   std::uint64_t instance = 0;
   std::string name;
   std::array<std::uint8_t, 16> nonce{};
 };
 
-/// Proof that an end knows the cookie: HMAC-SHA256; zeroes if it has none.
+/// The proof that an end knows the cookie, an HMAC-SHA256. All bytes are zero if the end has no
+/// cookie.
 using Digest = std::array<std::uint8_t, 32>;
 
 /// The acceptor's answer to a greeting.
@@ -37,23 +38,25 @@ struct Proof {
 
 }  // namespace message
 
-/// The handshake of a link: each end learns the identity of the other, and proves that it knows the
-/// cookie without sending it:
+/// The handshake of a link. Each end sends its identity, and proves that it knows the cookie
+/// without sending the cookie:
 ///
 ///     opener     kHello      Greeting
 ///     acceptor   kChallenge  Challenge: its greeting and its proof
 ///     opener     kProof      Proof, and the session, which an impostor must not get
 ///     acceptor   kWelcome    None
 ///
-/// The header of each frame has the protocol version of its sender. An end refuses a frame of
-/// another version without reading its body, and says which program must be updated. A kRefusal is
-/// read in any version, so the body of an Error never changes.
+/// The header of each frame contains the protocol version of the sender. If the version of a frame
+/// is another one, the receiver does not read the body; it refuses the link and says which program
+/// must be updated. A kRefusal is read in any version, so the encoding of an Error must never
+/// change.
 ///
-/// A proof is computed from both greetings, so it is valid on this link only. The acceptor's
-/// address, as the opener knows it, is part of it, so a process at another address cannot relay it.
-/// Under TLS both cookies are 0: certificates prove the same, and give the peer's name and role.
+/// A proof is computed from both greetings, so it is valid only on this link. It also covers the
+/// acceptor's address as the opener knows it, so a process at another address cannot relay the
+/// proof. With TLS, both cookies are 0: the certificates prove the identity, and also contain the
+/// name and role of the peer.
 ///
-/// One end of one link; not thread-safe.
+/// An object handles one end of one link. Not thread-safe.
 class Handshake {
  public:
   enum class Role { kOpener, kAcceptor };
@@ -66,15 +69,15 @@ class Handshake {
   /// Returns the body of the opener's kHello.
   [[nodiscard]] Bytes Greet();
 
-  /// The reaction to a frame of the peer.
+  /// What to do after a frame of the peer was handled.
   struct Step {
     MessageType type = MessageType::kHello;
     Bytes body;
-    bool has_answer = false;    ///< `type` and `body` must be sent
-    std::optional<Hello> peer;  ///< set by the last step: the peer is authenticated
+    bool has_answer = false;    ///< true if `type` and `body` must be sent to the peer
+    std::optional<Hello> peer;  ///< set by the last step, when the peer is authenticated
   };
-  /// Handles the peer's next frame. If the peer is not accepted, returns an error with a text for
-  /// the opener.
+  /// Handles the next frame of the peer. If the peer is not accepted, returns an error; its text is
+  /// for the user of the opener.
   Result<Step> Take(const FrameHeader& header, std::span<const std::byte> body);
 
  private:

@@ -13,27 +13,29 @@ namespace tendon {
 /// The name of every GCM, also in its certificate.
 inline constexpr const char* kGcmName = "gcm";
 
-/// One end of a link: its identity and secrets. handshake.h describes the exchange.
+/// The identity and the secrets of one end of a link. handshake.h describes how they are exchanged.
 struct Hello {
-  std::uint64_t instance = 0;  ///< of the process; new at each start
-  /// Of the process or program, for people: "robot", "gcm ls". A peer's name under TLS comes from
-  /// its certificate: "robot" is then certain to be that process; other programs are named "anna
-  /// (gcm ls)".
+  std::uint64_t instance = 0;  ///< identifies the process; new at each start
+  /// The name of the process or program, for people: "robot", "gcm ls". With TLS, the name of a
+  /// peer comes from its certificate: a peer "robot" is then certainly this process, and other
+  /// programs are named "anna (gcm ls)", after the holder of the certificate.
   std::string name;
-  /// A peer's role: from its certificate; operator without one.
+  /// The role of a peer, from its certificate. A peer without a certificate is an operator.
   Role role = Role::kOperator;
-  std::string wanted;         ///< only for an opener: the peer that it accepts; empty for any
+  /// Set only by an opener: the name of the peer that it accepts; empty accepts any.
+  std::string wanted;
   std::uint64_t session = 0;  ///< the session token of a process that has joined, or 0
-  std::uint64_t cookie = 0;   ///< LoopbackCookie(), which is never sent; 0 for none
+  std::uint64_t cookie = 0;   ///< LoopbackCookie(), which is never sent; 0: none
 };
 
-/// The secret of this user on this machine: a file of mode 0600 in os::RuntimeFolder(), created by
-/// the first process that needs it. kDenied if it cannot be read or created.
+/// Returns the secret of this user on this machine. It is kept in a file of mode 0600 in
+/// os::RuntimeFolder(), which the first process that needs it creates. Fails with kDenied if the
+/// file cannot be read or created.
 Result<std::uint64_t> LoopbackCookie();
 
-/// The peers without a certificate that an acceptor admits: only peers that know the cookie; also
-/// peers that send no cookie (for tests); or all peers (on other machines, if Exposure allows
-/// these).
+/// Which peers without a certificate an acceptor admits. kRefused: only peers that know the cookie.
+/// kAllowed: also peers without a cookie (for tests). kFromElsewhere: all peers; used for peers on
+/// other machines, if Exposure allows these.
 enum class UnauthenticatedPeers { kRefused, kAllowed, kFromElsewhere };
 
 /// Decodes the body of a kRefusal; the message is printable.

@@ -8,12 +8,13 @@
 namespace tendon {
 namespace {
 
-/// The time since when one thread handles a large message; read by all threads.
+/// The time at which one thread began to handle a large message; read by all threads.
 using Since = Published<SteadyTime>;
 
 constexpr SteadyTime kNothing{};
 
-/// One object per process, because a thread of a middleware may serve many links.
+/// The threads that handle large messages. There is one object for the whole process, because a
+/// thread of a middleware may serve many links.
 struct BusyThreads {
   std::mutex mutex;
   std::vector<const Since*> all;
@@ -46,7 +47,8 @@ Since& SinceOfThisThread() {
   return thread.since;
 }
 
-/// The end of the time in which this work excuses silence; kNothing if the work is too short.
+/// Returns until when work that began at `since` excuses the silence of peers; kNothing if the work
+/// is too short.
 SteadyTime ExcusedBy(SteadyTime since, SteadyTime now) {
   const bool excuses = since != kNothing && now - since >= LargeMessageInProgress::kShort;
   return excuses ? std::min(now, since + LargeMessageInProgress::kAtMost) : kNothing;

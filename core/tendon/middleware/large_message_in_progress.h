@@ -7,11 +7,11 @@
 
 namespace tendon {
 
-/// Exists while a thread of the middleware encodes or handles a large message, which may take
-/// seconds. The thread does not read from its peers during this time, so their silence must not
-/// count as a failure. Destroy the object in the thread that created it; destroy nested objects
-/// first. Locks and allocates only for the first object of a thread, and for an object that lives
-/// longer than kShort.
+/// Marks the time in which a thread of the middleware encodes or handles a large message, which may
+/// take seconds. The thread does not read from its peers during this time, so it must not count
+/// their silence as a failure. An object must be destroyed in the thread that created it, and
+/// nested objects in reverse order. Locks a mutex and allocates memory only for the first object of
+/// a thread; also locks for an object that lives longer than kShort.
 class LargeMessageInProgress {
  public:
   LargeMessageInProgress();
@@ -21,20 +21,20 @@ class LargeMessageInProgress {
 
   /// The size in bytes from which a message counts as large. Smaller messages need no object.
   static constexpr std::size_t kLeast = std::size_t{4} << 20U;
-  /// Work that takes less time is not taken into account: a peer that is silent during it is still
-  /// counted as failed.
+  /// Shorter work is ignored: it does not excuse the silence of a peer.
   static constexpr std::chrono::milliseconds kShort{250};
-  /// The longest silence of a peer that large messages excuse. A thread that needs more time for a
-  /// message counts as hanging.
+  /// A large message excuses the silence of a peer for at most this time. A thread that needs more
+  /// time for a message counts as hanging.
   static constexpr std::chrono::seconds kAtMost{30};
 
-  /// The last time at which work longer than kShort was in progress: `now` if it still is, up to
-  /// kAtMost after its start. Any thread.
+  /// Returns the last time at which work longer than kShort was in progress in this process. If it
+  /// is still in progress, this is `now`, but at most kAtMost after the start of the work. May be
+  /// called in any thread.
   [[nodiscard]] static SteadyTime Last(SteadyTime now);
 
  private:
   const SteadyTime since_;
-  const SteadyTime outer_since_;  // start of the enclosing object, if any
+  const SteadyTime outer_since_;  // start of the enclosing object; kNothing if there is none
 };
 
 }  // namespace tendon

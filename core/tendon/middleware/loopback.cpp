@@ -20,7 +20,7 @@ namespace loopback {
 
 class End;
 
-/// The thread of a LoopbackMiddleware, and its ends of links.
+/// The thread of a LoopbackMiddleware. Also keeps the ends of its links.
 class DeliveryThread {
  public:
   using Job = std::function<void()>;
@@ -30,7 +30,7 @@ class DeliveryThread {
   DeliveryThread& operator=(const DeliveryThread&) = delete;
   ~DeliveryThread() { assert(!thread_.joinable()); }
 
-  /// Executes the job soon, in order. Returns false after Stop().
+  /// Executes the job in this thread, after the jobs posted before. Returns false after Stop().
   bool Post(Job job) {
     const std::scoped_lock lock(mutex_);
     if (stopped_) return false;
@@ -39,7 +39,7 @@ class DeliveryThread {
     return true;
   }
 
-  /// Executes the job at that time; not after Stop().
+  /// Executes the job at the time `due`. Does nothing after Stop().
   void PostAt(SteadyTime due, Job job) {
     const std::scoped_lock lock(mutex_);
     if (stopped_) return;
@@ -68,16 +68,17 @@ class DeliveryThread {
     return ends_;
   }
 
-  /// True if no more links are accepted.
+  /// Returns true if no more links are accepted.
   [[nodiscard]] bool is_closing() const { return is_closing_.Get(); }
 
-  /// Closes every end. After the return, all their handlers have got OnClosed().
+  /// Closes every end and ends the thread. Before it returns, OnClosed() was called for all their
+  /// handlers.
   void Stop();
-  /// See LoopbackMiddleware.
+  /// See LoopbackMiddleware::Crash().
   void Crash();
 
  private:
-  /// With the mutex held: moves delayed jobs that are due to the queue.
+  /// Moves delayed jobs that are due to the queue. Called while the mutex is held.
   void TakeDue() {
     const SteadyTime now = SteadyClock().Now();
     while (!later_.empty() && later_.begin()->first <= now) {
@@ -128,7 +129,7 @@ class DeliveryThread {
   std::thread thread_;  // last, because it uses the other members
 };
 
-/// The shared part of a listener.
+/// The part of a listener that it shares with its links.
 struct ListeningEndpoint {
   std::shared_ptr<DeliveryThread> thread;
   std::string address;
@@ -136,11 +137,12 @@ struct ListeningEndpoint {
   bool is_open = true;  // used only in the delivery thread
 
   void Enter(const std::shared_ptr<End>& end);
-  /// Closes the links that it accepted. After the return, all their handlers have got OnClosed().
+  /// Closes the links that the listener has accepted. Before it returns, OnClosed() was called for
+  /// all their handlers.
   void Close();
 };
 
-/// A reply frame that waits to be delivered to the peer of `end`.
+/// A slot for a reply frame that is delivered to the peer of `end`.
 class LoopbackReply final : public ReplySlot {
  public:
   enum class When { kAfterRequest, kAtOnce };
@@ -168,7 +170,7 @@ class LoopbackReply final : public ReplySlot {
   Bytes frame_;
 };
 
-/// One end of a link. Each end has a pointer to the other one.
+/// One end of a link. Each end has a pointer to the other end.
 class End final : public Link, public std::enable_shared_from_this<End> {
  public:
   End(std::shared_ptr<LoopbackNetwork> network, std::shared_ptr<DeliveryThread> thread,
@@ -211,7 +213,7 @@ class End final : public Link, public std::enable_shared_from_this<End> {
     Expect(SteadyClock().Now());
   }
 
-  /// Stops sending and delivering; the other end gets OnClosed().
+  /// Stops sending and delivering. OnClosed() is called at the other end.
   void Crash() {
     {
       const std::scoped_lock lock(mutex_);
@@ -221,11 +223,11 @@ class End final : public Link, public std::enable_shared_from_this<End> {
     NotifyPeer();
   }
 
-  /// In the delivery thread, before any other call there.
+  /// Must be called in the delivery thread, before any other function is called in this thread.
   void SetHandler(std::shared_ptr<LinkHandler> handler) { handler_ = std::move(handler); }
 
  private:
-  /// How a frame was sent. A reply to a direct request needs no room on the link.
+  /// How a frame was sent. A reply to a direct request is sent even if the link is full.
   enum class Kind { kQueued, kDirect, kReply };
 
   struct DelayedFrame {
@@ -280,7 +282,7 @@ class End final : public Link, public std::enable_shared_from_this<End> {
   void Expect(SteadyTime due) {
     thread_->PostAt(due, [self = shared_from_this()] { self->DeliverDue(); });
   }
-  /// Delivers in order: a delayed frame delays all frames behind it.
+  /// Delivers the frames that are due, in order: a delayed frame also delays all later frames.
   void DeliverDue() {
     while (true) {
       DelayedFrame delayed;
@@ -322,7 +324,7 @@ class End final : public Link, public std::enable_shared_from_this<End> {
     if (answer.is_there()) answer.Deliver();
   }
 
-  /// Calls OnClosed() after everything that was posted before.
+  /// Closes this end. OnClosed() is called after all frames that were posted before are delivered.
   void Finish(const Error& reason) {
     const std::scoped_lock lock(mutex_);
     if (std::exchange(has_ended_, true)) return;
@@ -336,18 +338,17 @@ class End final : public Link, public std::enable_shared_from_this<End> {
   const std::shared_ptr<DeliveryThread> thread_;
   const std::string local_name_;
   const std::string peer_name_;
-  const ListeningEndpoint* const
-      endpoint_;  // its listener, or null; only compared, never dereferenced
+  const ListeningEndpoint* const endpoint_;  // its listener or null; only compared
   std::weak_ptr<End> other_;
   std::shared_ptr<LinkHandler> handler_;
 
   std::mutex mutex_;
   bool is_admitted_ = false;
   std::size_t waiting_ = 0;           // bytes sent and not yet delivered
-  std::deque<DelayedFrame> delayed_;  // still in the network
-  bool delivers_nothing_ = false;     // closed at this end: delivers nothing more
-  bool sends_nothing_ = false;        // crashed: sends nothing more
-  bool has_ended_ = false;            // closed at either end: accepts nothing more
+  std::deque<DelayedFrame> delayed_;  // not delivered to the thread yet
+  bool delivers_nothing_ = false;     // closed at this end; delivers nothing more
+  bool sends_nothing_ = false;        // crashed; sends nothing more
+  bool has_ended_ = false;            // closed at one of the ends; accepts nothing more
 };
 
 void LoopbackReply::Deliver() const { end_->Reply(frame_); }
@@ -358,7 +359,7 @@ void DeliveryThread::Stop() {
     for (const auto& end : ends()) end->Close();
   });
   Flush();  // closes the ends
-  Flush();  // their handlers get OnClosed()
+  Flush();  // calls OnClosed() of their handlers
   {
     const std::scoped_lock lock(mutex_);
     stopped_ = true;
@@ -390,7 +391,7 @@ void ListeningEndpoint::Close() {
     }
   });
   thread->Flush();  // closes the ends
-  thread->Flush();  // their handlers get OnClosed()
+  thread->Flush();  // calls OnClosed() of their handlers
 }
 
 }  // namespace loopback
@@ -434,7 +435,7 @@ bool LoopbackNetwork::Add(HostPort& address,
   return true;
 }
 
-/// Does not remove an address that now belongs to another listener.
+/// Removes the address of the listener, unless the address now belongs to another listener.
 void LoopbackNetwork::Remove(const loopback::ListeningEndpoint& endpoint) {
   const std::scoped_lock lock(mutex_);
   const auto found = endpoints_.find(endpoint.address);

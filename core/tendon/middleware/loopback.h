@@ -21,8 +21,8 @@ class DeliveryThread;
 class End;
 struct ListeningEndpoint;
 
-/// A frame that is being sent. The address of an accepting end is that of its listener; an opener
-/// has an address of its own.
+/// A frame that is being sent, with the addresses of both ends. The accepting end has the address
+/// of its listener; the opening end has an address of its own.
 struct Frame {
   std::span<const std::byte> bytes;
   std::string_view from;
@@ -31,24 +31,25 @@ struct Frame {
 
 enum class FaultAction { kPass, kDrop, kHold };
 
-/// The fault injected into a frame. The sender notices nothing until the link is full.
+/// The fault that is injected into a frame. The sender does not notice it, unless the link becomes
+/// full.
 struct Fault {
   FaultAction action = FaultAction::kPass;
-  std::chrono::nanoseconds delay{0};  ///< only for a frame that is delivered
+  std::chrono::nanoseconds delay{0};  ///< used only with kPass
 };
 
 inline constexpr Fault kPass{};
 inline constexpr Fault kDrop{.action = FaultAction::kDrop};
-/// Holds the frame until ReleaseHeld(). As with every delay, later frames of the link wait behind
-/// it. Frames that wait when the link is closed are lost.
+/// Holds the frame until ReleaseHeld(). As after every delay, later frames of the link are
+/// delivered only after this one. Frames that are held or delayed when the link is closed are lost.
 inline constexpr Fault kHold{.action = FaultAction::kHold};
 }  // namespace loopback
 
-/// The network that the LoopbackMiddlewares of one process share: their addresses, and the faults
-/// that a test injects. Thread-safe.
+/// The simulated network that the LoopbackMiddlewares of one process share: their addresses, and
+/// the faults that a test injects. Thread-safe.
 class LoopbackNetwork {
  public:
-  /// Chooses the fault of each frame. Called in the sender's thread. Null lets everything pass.
+  /// Returns the fault for a frame. Called in the sender's thread. If it is null, all frames pass.
   using FaultInjector = std::function<loopback::Fault(const loopback::Frame& frame)>;
   void SetFaultInjector(FaultInjector fault_injector);
   void ReleaseHeld();
@@ -60,7 +61,8 @@ class LoopbackNetwork {
 
   loopback::Fault Decide(const loopback::Frame& frame);
   void Remember(std::weak_ptr<loopback::End> holder);
-  /// Fills in port 0. Returns false if the address is taken.
+  /// Registers a listener. If the port is 0, chooses a free one. Returns false if the address is in
+  /// use.
   bool Add(HostPort& address, const std::shared_ptr<loopback::ListeningEndpoint>& endpoint);
   void Remove(const loopback::ListeningEndpoint& endpoint);
   void RemoveAll(const loopback::DeliveryThread& thread);
@@ -74,8 +76,8 @@ class LoopbackNetwork {
   std::map<std::string, std::shared_ptr<loopback::ListeningEndpoint>> endpoints_;
 };
 
-/// The reference implementation of Middleware, within one process and without a socket. Each
-/// instance stands for a process. It has one thread, which makes all calls of its handlers.
+/// The reference implementation of Middleware, inside one process and without sockets. Each
+/// instance represents a process. It has one thread, which calls all its handlers.
 class LoopbackMiddleware final : public Middleware {
  public:
   explicit LoopbackMiddleware(std::shared_ptr<LoopbackNetwork> network);
@@ -87,8 +89,8 @@ class LoopbackMiddleware final : public Middleware {
                                      std::shared_ptr<LinkHandler> handler,
                                      std::chrono::milliseconds timeout) override;
 
-  /// Behaves as if the process were killed: the peers get OnClosed(), its addresses become free,
-  /// and it sends and receives nothing more.
+  /// Behaves as if the process were killed: OnClosed() is called at the peers, its addresses become
+  /// free, and it sends and receives nothing more.
   void Crash();
 
  private:

@@ -17,14 +17,16 @@ std::optional<unsigned> ParseNumber(std::string_view text, unsigned lowest, unsi
   return number;
 }
 
-/// True if the text has only characters of host names and addresses, which need no quoting.
+/// Returns true if the text has only characters of host names and addresses, so that it can be
+/// printed without quotes.
 bool IsHost(std::string_view host) {
   constexpr std::string_view kLetters =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.-_:%";
   return !host.empty() && host.front() != '-' && host.find_first_not_of(kLetters) == host.npos;
 }
 
-/// Four decimal numbers, the first 127. Parsed by hand: "127.0.0.1.example" is a host elsewhere.
+/// Returns true for four decimal numbers of which the first is 127. The whole text is parsed,
+/// because "127.0.0.1.example" is the name of another host.
 bool IsLoopbackNumber(std::string_view host) {
   for (int part = 0; part < 4; ++part) {
     const auto dot = host.find('.');

@@ -10,12 +10,13 @@
 
 namespace tendon {
 
-/// Passes a single value to a thread that waits for it. Thread-safe; both threads share this
-/// object.
+/// Passes a single value from one thread to another thread, which waits for it. Both threads share
+/// this object. Thread-safe.
 template <typename T>
 class OneShotValue {
  public:
-  /// Returns false if a value was given before, or the waiter has left.
+  /// Sets the value and wakes the waiting thread. Returns false if a value was set before, or if
+  /// the other thread does not wait any more.
   bool Give(T value) {
     {
       const std::scoped_lock lock(mutex_);
@@ -28,7 +29,8 @@ class OneShotValue {
     return true;
   }
 
-  /// Waits until `deadline`. Returns no value if none was given in time; later values are refused.
+  /// Waits for the value until `deadline`. Returns no value if none was set in time; a later Give()
+  /// then fails.
   std::optional<T> WaitUntil(SteadyTime deadline) {
     wakeup_.WaitUntil([this] { return given_.Get(); }, deadline);
     const std::scoped_lock lock(mutex_);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMaxWholeSize = kMaxBodySize + FrameHeader::kSize;
 
-/// Whether a message of that type may come in parts.
+/// Returns true if a message of this type may be sent in parts.
 bool MayBeLarge(MessageType type) {
   switch (type) {
     case MessageType::kHello:
@@ -27,13 +27,15 @@ bool MayBeLarge(MessageType type) {
   }
 }
 
-/// Replies do not count for the budget, because this end asked for them.
+/// Returns true for replies and refusals. They are not counted in the budget, because this end has
+/// requested them.
 bool IsAnswer(MessageType type) {
   return type == MessageType::kReply || type == MessageType::kRefusal;
 }
 
-/// Makes room for `more` bytes of a body of `size`. Copies seldom. Reserves at most 1 MiB, or eight
-/// times the bytes that have arrived, even if the peer claims more.
+/// Reserves memory for `more` bytes of a body that will have `size` bytes. Reserves more than
+/// needed, so that the body is seldom copied, but at most 1 MiB or eight times the bytes that have
+/// arrived, because `size` is only announced by the peer.
 void MakeRoom(Bytes& body, std::size_t more, std::size_t size) {
   constexpr std::size_t kAtFirst = std::size_t{1} << 20U;
   const std::size_t needed = body.size() + more;
@@ -104,13 +106,13 @@ void PartAssembly::ReleaseBudget(UnfinishedFrame& unfinished) {
   kept_ -= std::exchange(unfinished.kept, 0);
 }
 
-/// The counter for a frame of this size: a PartSender has at most one huge frame in progress, and
-/// kSendWindow bytes of others.
+/// Returns the counter for a frame of this size. There are two, because a PartSender has at most
+/// one huge frame in progress, and kSendWindow bytes of other frames.
 std::size_t& PartAssembly::ClaimsFor(std::size_t size) {
   return size > kSendWindow ? claimed_.of_huge : claimed_.of_others;
 }
 
-/// Begins the frame with this number at its first part; returns end() if the peer may not send it.
+/// Begins a frame with its first part. Returns end() if the peer may not send this frame.
 PartAssembly::Frames::iterator PartAssembly::Begin(std::uint32_t number,
                                                    std::span<const std::byte> part) {
   const auto header = ReadFrameHeader(part, kMaxWholeSize);

@@ -15,17 +15,18 @@
 
 namespace tendon {
 
-/// Assembles the frames that a peer sends in parts (parts/part_sender.h). Accepts as much at a time
-/// as a PartSender sends; a peer that claims more violates the protocol. Allocates memory for bytes
-/// that have arrived, not for bytes that are only claimed. Not thread-safe.
+/// Assembles the frames that a peer sends in parts (part_sender.h). The peer may have as many
+/// unfinished bytes at a time as a PartSender sends; a peer that begins more violates the protocol.
+/// Memory is allocated for bytes that have arrived, not for the size that the peer has announced.
+/// Not thread-safe.
 class PartAssembly {
  public:
   /// Called with the header of a frame that needs more than one part. If it returns false, the
   /// frame is discarded silently.
   using IsWanted = std::function<bool(const FrameHeader&)>;
 
-  /// Limits the total bytes of unfinished messages, except replies, on all links of the process:
-  /// 512 MiB.
+  /// The budget that all links of the process share: at most 512 MiB of unfinished messages, not
+  /// counting replies.
   [[nodiscard]] static Budget<>& BudgetOfProcess();
 
   /// `budget` and `clock` must outlive this object.
@@ -36,7 +37,7 @@ class PartAssembly {
   PartAssembly& operator=(const PartAssembly&) = delete;
   ~PartAssembly() { Clear(); }
 
-  /// The result of a part. On kNonsense and kOutOfMemory the caller closes the link.
+  /// The result of adding a part. After kNonsense and kOutOfMemory, the caller must close the link.
   enum class Progress {
     kMoreToCome,
     kWhole,        ///< a frame is complete
@@ -49,19 +50,20 @@ class PartAssembly {
     FrameHeader header;
     Bytes body;
   };
-  /// `number` identifies the frame among the unfinished ones. Sets `frame` if it is complete; on
-  /// kTooMuch, sets only its header.
+  /// Adds a part to the unfinished frame with this number. Sets `frame` if the frame is complete.
+  /// With kTooMuch, sets only its header.
   Progress Add(std::uint32_t number, std::span<const std::byte> part, Frame& frame);
 
-  /// How long to wait for a part. The sender may first handle a large message for
-  /// LargeMessageInProgress::kAtMost; then it sends its frames in turn, each part in
-  /// PartSender::kPartTime.
+  /// How long to wait for the next part of a frame. The sender may first handle a large message for
+  /// up to LargeMessageInProgress::kAtMost. Then it sends one part of each of its frames in turn,
+  /// each part within PartSender::kPartTime.
   static constexpr std::chrono::seconds kPatience =
       LargeMessageInProgress::kAtMost + std::chrono::seconds(10);
-  /// The time at which the next unfinished frame times out; max() if there is none.
+  /// The time at which the oldest unfinished frame times out; max() if there is no unfinished
+  /// frame.
   [[nodiscard]] SteadyTime given_up() const;
 
-  /// Bytes that have arrived since the link was opened.
+  /// Bytes of parts that have arrived since the link was opened.
   [[nodiscard]] std::uint64_t taken() const { return taken_; }
   /// Bytes of the unfinished frames, counted at their full size.
   [[nodiscard]] std::size_t claimed() const { return claimed_.of_huge + claimed_.of_others; }

@@ -13,11 +13,11 @@
 
 namespace tendon {
 
-/// The receiving counterpart of PartSender: joins the parts of the peer's large messages, and tells
-/// the peer how many bytes have arrived.
+/// The receiving counterpart of PartSender: joins the parts of the peer's large messages, and
+/// reports to the peer how many bytes have arrived.
 ///
-/// Thread safety: Add() and Clear() belong to the middleware's thread; any thread may call the
-/// rest.
+/// Thread safety: Add() and Clear() may be called only in the middleware's thread, all other
+/// functions in any thread.
 class PartReceiver {
  public:
   explicit PartReceiver(PartAssembly::IsWanted is_wanted) : assembly_(std::move(is_wanted)) {}
@@ -39,7 +39,7 @@ class PartReceiver {
   /// True if bytes have arrived since the last report that was sent.
   [[nodiscard]] bool has_news() const { return taken_.Get() != reported_taken_.Get(); }
   /// Calls `send(bytes) -> Status` with the number of bytes that have arrived since the link was
-  /// opened. One report at a time, which keeps the numbers in order.
+  /// opened. Only one report is sent at a time, so that the numbers arrive in order.
   template <typename Send>
   void Report(Send send) {
     const std::scoped_lock lock(reporting_);
@@ -47,8 +47,9 @@ class PartReceiver {
     if (send(taken)) reported_taken_.Set(taken);
   }
 
-  /// True if the peer has stopped in the middle of a message. It may pause between parts while it
-  /// handles a large message, and this end does not read parts while it handles one.
+  /// Returns true if the peer has stopped in the middle of a message. Allows for pauses: the peer
+  /// sends no parts while it handles a large message, and this end reads no parts while it handles
+  /// one.
   [[nodiscard]] bool IsUnfinishedTooLong(SteadyTime now) const {
     return now >=
            std::max(given_up_.Get(), LargeMessageInProgress::Last(now) + PartAssembly::kPatience);

@@ -21,13 +21,14 @@ Status PartSender::Add(Link& link, Lane lane, const FrameHeader& header,
                        std::span<const std::byte> body) {
   const std::size_t size = FrameHeader::kSize + body.size();
   Frame frame;
-  frame.bytes.reserve(FrameHeader::kSize + size);  // before it is counted: memory may be short
+  frame.bytes.reserve(FrameHeader::kSize + size);  // first, because it may throw
   if (const Status reserved = Reserve(size); !reserved) return reserved;
   frame.Write(header, body);  // without the lock, because it may be large
   const std::scoped_lock lock(mutex_);
   if (is_closed_) return Status::kNotConnected;
   frame.number = ++last_number_;
-  // NewLane() counts up from 1; lanes of single messages count down from the largest number.
+  // The numbers of NewLane() go up from 1, those of lanes for single messages go down from the
+  // largest number.
   if (lane == kOwnLane) lane = kOwnLane - frame.number;
   Enter(lane, std::move(frame));
   is_busy_.Set(true);
@@ -44,7 +45,8 @@ Status PartSender::Reserve(std::size_t size) {
   return Status::kQueued;
 }
 
-/// Without memory, undoes the reservation.
+/// Adds the frame to its lane. If there is not enough memory, releases the reserved bytes and
+/// throws.
 void PartSender::Enter(Lane lane, Frame frame) {
   const std::size_t size = frame.size();
   try {
@@ -70,7 +72,8 @@ bool PartSender::OnTaken(Link& link, std::uint64_t bytes) {
   return true;
 }
 
-/// Adapts the part size to the probe; an unfinished probe can only make parts smaller.
+/// Adapts the part size to the measured speed. A measurement that is not finished yet can only make
+/// the parts smaller.
 void PartSender::UpdatePartSize() {
   if (!probe_) return;
   using Seconds = std::chrono::duration<double>;

@@ -16,69 +16,71 @@
 
 namespace tendon {
 
-/// Messages of one lane of a channel arrive in the order in which they were sent. No message waits
-/// for a large message of another lane. The numbers come from Channel::NewLane(), are valid at one
-/// end of one channel, and are not sent.
+/// The number of a lane of a channel. Messages on one lane arrive in the order in which they were
+/// sent. A message never waits for a large message on another lane. The number comes from
+/// Channel::NewLane(); it is valid only at one end of one channel, and is not sent to the peer.
 using Lane = std::uint64_t;
 
 /// The default lane.
 inline constexpr Lane kCommonLane = 0;
-/// A separate lane for one message: it has no order relative to other messages.
+/// A separate lane for one message. The message has no fixed order relative to others.
 inline constexpr Lane kOwnLane = ~Lane{0};
 
-/// The largest size of a part, which is a frame of type kPart; and the smallest size of all parts
-/// of a frame except the last.
+/// The largest size of a part, which is the body of a frame of type kPart. The smallest size
+/// applies to all parts of a frame except the last.
 inline constexpr std::size_t kPartSize = kMaxPieceSize - FrameHeader::kSize;
 inline constexpr std::size_t kLeastPartSize = (std::size_t{16} << 10U) - FrameHeader::kSize;
 
-/// The largest reply that may be sent whole, as the response to its request. A reply that is larger
-/// than a part is sent whole only if the link is fast.
+/// The largest reply that may be sent whole, as the response to a direct request. A reply that is
+/// larger than a part is sent whole only if the link is fast.
 inline constexpr std::size_t kMaxReturned = kMaxFrameSize;
 
-/// Sends large frames in parts, one part of each lane in turn. At most four parts are sent that the
-/// peer has not acknowledged (kPartsTaken). So other messages wait behind at most four parts, and
-/// no caller waits for the link. Thread-safe.
+/// Sends large frames in parts, one part of each lane in turn. At most four parts may be sent and
+/// not yet acknowledged by the peer (kPartsTaken), so another message waits for at most four parts.
+/// No function blocks. Thread-safe.
 ///
-/// Parts are small at first, and then as large as the link can transmit in kPartTime. Each part is
-/// a sign of life for both ends, so it must not take longer than a peer may be silent.
+/// Parts are small at first, and then as large as the link can transmit in kPartTime. Both ends use
+/// each part as a sign of life, so a part must not take longer than a peer may be silent.
 class PartSender {
  public:
   static constexpr std::size_t kPartsAhead = 4;
   static constexpr std::chrono::milliseconds kPartTime{250};
-  /// How long a speed measured by a probe is valid.
+  /// How long the result of a measurement of the link's speed is valid.
   static constexpr std::chrono::milliseconds kQuickFor{1000};
 
   /// `clock` must outlive this object.
   explicit PartSender(const Clock& clock = SteadyClock()) : clock_(clock) {}
 
-  /// Returns true if a frame of `size` bytes must go to Add(): it is larger than a part, or another
-  /// frame of its lane is waiting here. All other frames go to the link directly.
+  /// Returns true if a frame of `size` bytes must be sent with Add(), because it is larger than a
+  /// part or another frame of its lane is waiting here. All other frames can be sent directly on
+  /// the link.
   [[nodiscard]] bool MustSendInParts(Lane lane, std::size_t size);
 
-  /// Copies the frame. Fails as Link::Send() does. Waiting frames share kSendWindow, except one
-  /// larger frame at a time. A large frame gets kQueueFull only because of other large frames.
+  /// Copies the frame and begins to send it. Fails like Link::Send(). All waiting frames together
+  /// may have kSendWindow bytes. In addition, one frame at a time may be larger than this. Only
+  /// other frames that wait here can cause kQueueFull.
   Status Add(Link& link, Lane lane, const FrameHeader& header, std::span<const std::byte> body);
 
-  /// The peer reports that it has received `bytes` in total since the link was opened. Returns
-  /// false if that is impossible.
+  /// Called when the peer reports that it has received `bytes` in total since the link was opened.
+  /// Returns false if this number is not possible.
   bool OnTaken(Link& link, std::uint64_t bytes);
-  /// Continues after the link was full. Call it after each send and arrival, and regularly, because
-  /// a link does not report that it has room again.
+  /// Continues if the link was full. Must be called after each sent or received frame, and
+  /// regularly, because a link does not report when it has room again.
   void Resume(Link& link);
 
-  /// Frees all frames and accepts no more: the link has ended.
+  /// Called when the link has ended. Frees all frames and accepts no more.
   void Close();
 
-  /// Bytes that wait here, or are sent and not yet acknowledged.
+  /// Bytes of frames that wait here, or that were sent but not acknowledged yet.
   [[nodiscard]] std::size_t waiting() const;
-  /// Bytes of the next part, unless it is the last of its frame.
+  /// The size of the next part in bytes. The last part of a frame may be smaller.
   [[nodiscard]] std::size_t part_size() const { return part_size_.Get(); }
   /// True if the link has recently transmitted kMaxReturned bytes within kPartTime.
   [[nodiscard]] bool is_quick() const { return clock_.Now() < quick_until_.Get(); }
 
  private:
-  /// A frame, with room for one more header in front. Each part is sent without a copy; its header
-  /// overwrites the end of the part before.
+  /// A frame, with memory for one more header in front of it. Each part is sent without copying it:
+  /// the header of a part overwrites the end of the previous part, which was sent already.
   struct Frame {
     std::uint32_t number = 0;
     Bytes bytes;
@@ -94,8 +96,8 @@ class PartSender {
     std::size_t size = 0;
   };
 
-  /// Measures the speed of the link with one part. `bytes` is the number of bytes that are not
-  /// acknowledged when the part is sent, including the part. The time until all of them are
+  /// A measurement of the link's speed with one part. `bytes` is the number of unacknowledged bytes
+  /// at the moment when the part is sent, including the part. The time until all of them are
   /// acknowledged gives the speed.
   struct Probe {
     std::uint64_t end = 0;

@@ -9,14 +9,14 @@
 
 namespace tendon {
 
-/// The most bytes of an encoded value: an argument, a result, an event. The sender refuses a larger
-/// value; the connection stays open.
+/// The largest size in bytes of an encoded value: an argument, a result or an event. The sender
+/// refuses a larger value, and the connection stays open.
 inline constexpr std::size_t kMaxPayload = std::size_t{64} << 20U;
-/// The most bytes of a body: a payload and the fields of its message.
+/// The largest size in bytes of a body: a value and the other fields of its message.
 inline constexpr std::size_t kMaxBodySize = kMaxPayload + (std::size_t{64} << 10U);
 
-/// "'cloud' of 80 000 000 B exceeds max_payload 67 108 864 B": an error of code kInvalid. `owner`,
-/// if any, is appended: " of robot/arm/Cloud".
+/// The error for a value that is too large, of code kInvalid: "'cloud' of 80 000 000 B exceeds
+/// max_payload 67 108 864 B". If `owner` is given, it is appended: " of robot/arm/Cloud".
 [[nodiscard]] Error ExceedsMaxPayload(std::string_view what, std::size_t size,
                                       std::string_view owner = {});
 

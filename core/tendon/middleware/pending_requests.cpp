@@ -7,8 +7,8 @@
 
 namespace tendon {
 
-/// Takes a slot and gives it a new number. At most half of the entries are used, so a number with
-/// a free entry is found soon.
+/// Returns a free slot with a new number. At most half of the entries are in use, so a number whose
+/// entry is free is found after few attempts.
 PendingRequests::Slot& PendingRequests::Take() {
   constexpr std::size_t kFirst = 16;
   if (free_.empty()) {
@@ -32,7 +32,7 @@ PendingRequests::Slot& PendingRequests::Take() {
   return slot;
 }
 
-/// Null if the request has ended.
+/// Removes a request from the table and returns its slot; null if the request has ended.
 PendingRequests::Slot* PendingRequests::Remove(std::uint64_t request) {
   if (by_number_.empty()) return nullptr;
   Slot*& entry = EntryOf(request);
@@ -57,7 +57,7 @@ std::uint64_t PendingRequests::Add(std::chrono::milliseconds timeout, Handler& h
   return slot.request;
 }
 
-/// Null after FinishAll().
+/// Adds a request without a handler; returns null after FinishAll().
 PendingRequests::Slot* PendingRequests::AddAwaited() {
   const std::scoped_lock lock(mutex_);
   if (finished_) return nullptr;
@@ -67,7 +67,8 @@ PendingRequests::Slot* PendingRequests::AddAwaited() {
   return &slot;
 }
 
-/// Ends the wait of a caller. Returns the outcome, if there is one.
+/// Called when a BlockingRequest does not wait any more. Frees its slot and returns the outcome, if
+/// there is one.
 std::optional<Result<Answer>> PendingRequests::Leave(Slot& slot) {
   const std::scoped_lock lock(mutex_);
   (void)Remove(slot.request);
@@ -78,7 +79,7 @@ std::optional<Result<Answer>> PendingRequests::Leave(Slot& slot) {
 }
 
 void PendingRequests::Withdraw(std::uint64_t request) {
-  Handler unused;  // destroyed without the lock
+  Handler unused;  // destroyed after the lock is released
   const std::scoped_lock lock(mutex_);
   Slot* const slot = Remove(request);
   if (slot == nullptr) return;
@@ -91,7 +92,8 @@ bool PendingRequests::Finish(std::uint64_t request, Result<Answer> outcome) {
   return FinishLocked(lock, request, std::move(outcome));
 }
 
-/// Releases the lock if it returns true.
+/// Ends a request, and releases the lock before it calls a handler or wakes a caller. If it returns
+/// false, the lock is still held.
 bool PendingRequests::FinishLocked(std::unique_lock<std::mutex>& lock, std::uint64_t request,
                                    Result<Answer> outcome) {
   Slot* const slot = Remove(request);

@@ -22,8 +22,8 @@
 
 namespace tendon {
 
-/// The body of an answer, in its own memory or in memory of another object, so that a large answer
-/// need not be copied.
+/// The body of an answer. It is stored here, or refers to memory of another object, so that a large
+/// answer need not be copied.
 class Answer {
  public:
   explicit Answer(Bytes own) : own_(std::move(own)) {}
@@ -48,34 +48,36 @@ class Answer {
   std::shared_ptr<const void> owner_;
 };
 
-/// The requests of one channel that wait for an answer. Calls each handler exactly once, without
-/// holding a lock, and logs its exceptions. Thread-safe. Apart from handlers, allocates only if
-/// more requests wait than ever before.
+/// The requests of one channel that wait for an answer. Calls each handler exactly once, while no
+/// lock is held, and logs its exceptions. Allocates memory only if more requests wait than ever
+/// before; handlers may allocate. Thread-safe.
 class PendingRequests {
  public:
   using Handler = std::function<void(Result<Bytes>)>;
 
-  /// Returns the number of the request. After FinishAll(), returns 0 and does not touch the
-  /// handler.
+  /// Adds a request and returns its number. After FinishAll(), returns 0 and leaves the handler
+  /// unchanged.
   std::uint64_t Add(std::chrono::milliseconds timeout, Handler& handler);
 
   /// Removes a request that was never sent; its handler is not called.
   void Withdraw(std::uint64_t request);
 
-  /// Calls the handler of `request` or wakes its caller. Returns false if the request had already
-  /// ended.
+  /// Ends a request: calls its handler or wakes its caller. Returns false if the request has
+  /// already ended.
   bool Finish(std::uint64_t request, Result<Answer> outcome);
 
-  /// Finish() for an answer of the peer. Counts an answer whose request has already ended as late.
+  /// Ends a request with an answer of the peer. If the request has already ended, counts the answer
+  /// as late.
   void OnAnswer(std::uint64_t request, Result<Answer> answer);
 
-  /// Returns true if the request still waits for its answer; otherwise counts a late answer.
+  /// Returns true if the request still waits for its answer. If not, counts the answer as late.
   bool IsAwaited(std::uint64_t request);
 
-  /// Finishes timed-out requests; the error names `peer`. A waiting caller times out by itself.
+  /// Ends the requests that have timed out, with an error that names `peer`. Does not end a
+  /// BlockingRequest, which has its own deadline.
   void Expire(SteadyTime now, const std::string& peer);
 
-  /// Finishes every request in order, and refuses all later ones.
+  /// Ends all requests in order with `reason`, and refuses all later ones.
   void FinishAll(const Error& reason);
 
   [[nodiscard]] std::uint64_t late_answers() const;
@@ -83,20 +85,20 @@ class PendingRequests {
  private:
   friend class BlockingRequest;
 
-  /// Holds one request at a time. Its address never changes, because a thread may still be about to
-  /// wake the caller of an earlier request.
+  /// Memory for one request at a time. It is reused and its address never changes, because a thread
+  /// may still be about to wake the caller of an earlier request.
   struct Slot {
     std::uint64_t request = 0;
     SteadyTime deadline{};
     std::chrono::milliseconds timeout{};
     Handler handler;
-    bool is_awaited = false;  // a caller waits for the outcome; there is no handler
+    bool is_awaited = false;  // a BlockingRequest waits for the outcome; there is no handler
     std::optional<Result<Answer>> outcome;
     Flag has_ended;
     Wakeup<> wakeup;
   };
 
-  // With the lock held.
+  // Called while the lock is held.
   Slot& Take();
   Slot*& EntryOf(std::uint64_t request) { return by_number_[request & (by_number_.size() - 1)]; }
   [[nodiscard]] Slot* Remove(std::uint64_t request);
@@ -112,17 +114,17 @@ class PendingRequests {
   std::uint64_t last_ = 0;
   std::uint64_t late_ = 0;
   std::deque<Slot> slots_;
-  std::vector<Slot*> free_;       // has capacity for all slots_
-  std::vector<Slot*> by_number_;  // size is a power of two; each request has an entry of its own
+  std::vector<Slot*> free_;       // its capacity is enough for all slots_
+  std::vector<Slot*> by_number_;  // by the low bits of the number; the size is a power of two
 };
 
-/// "no answer from robot within 500 ms; outcome unknown"
+/// The error "no answer from robot within 500 ms; outcome unknown".
 [[nodiscard]] Error NoAnswer(const std::string& peer, std::chrono::milliseconds timeout);
 
-/// Logs the exception that is being handled.
+/// Logs the current exception. Must be called in a catch block.
 void LogFailure(const std::string& peer);
 
-/// Calls foreign code in a thread of the middleware and logs its exceptions.
+/// Calls `function`, which may be code of the user, and logs its exceptions.
 template <typename Function>
 void CallGuarded(const std::string& peer, Function function) {
   try {
@@ -132,8 +134,8 @@ void CallGuarded(const std::string& peer, Function function) {
   }
 }
 
-/// A request whose caller waits for the answer. Needs no handler, and so no allocation for each
-/// request. Used by one thread; must not outlive the PendingRequests.
+/// A request whose caller waits for the answer. It needs no handler and therefore no memory
+/// allocation. Used by one thread. Must not outlive the PendingRequests.
 class BlockingRequest {
  public:
   explicit BlockingRequest(PendingRequests& requests)
@@ -147,8 +149,8 @@ class BlockingRequest {
   /// The number of the request; 0 if no more requests can be sent.
   [[nodiscard]] std::uint64_t number() const { return number_; }
 
-  /// Returns the outcome, or no value once `deadline` has passed. Call it once: a later answer
-  /// counts as late.
+  /// Waits for the outcome and returns it; returns no value if `deadline` has passed. Must be
+  /// called only once, because an answer that arrives afterwards counts as late.
   std::optional<Result<Answer>> WaitUntil(SteadyTime deadline) {
     if (slot_ == nullptr) return std::nullopt;
     slot_->wakeup.WaitUntil([this] { return slot_->has_ended.Get(); }, deadline);

@@ -11,7 +11,7 @@ namespace {
 
 thread_local ReplyBatcher* gathered_here = nullptr;
 
-/// Keeps its capacity.
+/// The batch of this thread. It is reused, so that its capacity is kept.
 ReplyBatch& BatchOfThisThread() {
   thread_local ReplyBatch batch;
   return batch;
@@ -83,7 +83,8 @@ bool ReplyBatcher::Keep(Channel& channel, std::uint64_t request,
   return true;
 }
 
-/// If the link has no room for all replies, sends them one by one, because some may fit.
+/// Sends the collected replies. If the link has no room for all of them, sends them one by one,
+/// because some may fit.
 void ReplyBatcher::Send() {
   const auto channel = std::exchange(channel_, nullptr);
   bool is_sent = false;

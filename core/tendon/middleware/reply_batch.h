@@ -10,21 +10,21 @@
 
 namespace tendon {
 
-/// Answers to several requests in the body of one frame (MessageType::kReplies), to save messages.
-/// For each answer: u64 request, u32 size, the bytes; little-endian, without padding. Limited in
-/// size, so that readers are limited as well. Not thread-safe.
+/// The body of a frame that answers several requests (MessageType::kReplies), to save messages.
+/// Each answer consists of u64 request, u32 size and the bytes; little-endian, without padding. The
+/// size is limited, so that the work of the reader is limited as well. Not thread-safe.
 class ReplyBatch {
  public:
   static constexpr std::size_t kMostReplies = 256;
-  /// The largest body; with its header it always fits into one piece.
+  /// The largest size of the body. With its header, it always fits into one frame.
   static constexpr std::size_t kMostBytes = (std::size_t{16} << 10U) - FrameHeader::kSize;
-  /// Bytes of an answer in addition to its body.
+  /// The bytes that each answer needs in addition to its own bytes.
   static constexpr std::size_t kOverhead = 12;
 
-  /// Appends an answer. Returns false without an effect if there is no room, which is always so
-  /// above kMostBytes - kOverhead.
+  /// Appends an answer. Returns false and changes nothing if there is no room. An answer of more
+  /// than kMostBytes - kOverhead bytes never fits.
   bool Add(std::uint64_t request, std::span<const std::byte> answer);
-  /// Keeps the capacity.
+  /// Removes all answers, but keeps the capacity.
   void Clear();
 
   [[nodiscard]] std::size_t replies() const { return replies_; }
@@ -41,21 +41,22 @@ struct BatchedReply {
   std::span<const std::byte> answer;
 };
 
-/// Removes the first answer from `body`, which is untrusted, and returns it. Returns no value if it
-/// is incomplete.
+/// Removes the first answer from `body`, which is untrusted, and returns the answer. Returns no
+/// value if the answer is incomplete.
 std::optional<BatchedReply> TakeReply(std::span<const std::byte>& body);
 
-/// True if untrusted bytes are the body of a batch: at least one answer, within the limits, and no
-/// bytes left over.
+/// Returns true if `body`, which is untrusted, is a valid batch: it has at least one answer, is
+/// within the limits, and has no further bytes at the end.
 [[nodiscard]] bool IsReplyBatch(std::span<const std::byte> body);
 
 class Channel;
 
-/// While this object exists, collects the replies that this thread gives in kOwnLane, and sends
-/// them in order, many in one message: when it is destroyed, when a message is full, or before a
-/// reply to another peer. A single reply is sent without a batch. For loops that find several ended
-/// calls; it must not outlive the loop, because no timer sends the replies. One object at a time in
-/// a thread.
+/// While this object exists, collects the replies that this thread sends on kOwnLane, and sends
+/// many of them in one message, in order. The message is sent when it is full, before a reply to
+/// another peer, or when this object is destroyed. A single reply is sent without a batch.
+///
+/// Used by loops that find several ended calls. It must not outlive the loop, because no timer
+/// sends the replies. A thread may have only one object at a time.
 class ReplyBatcher {
  public:
   ReplyBatcher();
@@ -64,7 +65,8 @@ class ReplyBatcher {
   /// Sends the remaining replies.
   ~ReplyBatcher();
 
-  /// Keeps an answer if this thread has a ReplyBatcher; returns false if it must be sent.
+  /// Keeps an answer if this thread has a ReplyBatcher. Returns false if the caller must send the
+  /// answer itself.
   static bool Keep(Channel& channel, std::uint64_t request, std::span<const std::byte> answer);
 
  private:

@@ -52,25 +52,25 @@ bool Responder::TryReply(std::span<const std::byte> body, Lane lane) {
   const bool is_sent =
       (is_alone && (ReplyInSlot(*channel, body) || ReplyBatcher::Keep(*channel, request_, body))) ||
       channel->SendReply(request_, body, lane);
-  channel_.reset();  // not if TryReply() throws: then the destructor refuses
+  channel_.reset();  // not reached if sending throws: then the destructor refuses
   return is_sent;
 }
 
-/// The slot in which this thread may write the reply; null if the reply must be sent as a message.
+/// Returns the slot to which this thread may write the reply; null if the reply must be sent as a
+/// message.
 ReplySlot* Responder::EmptySlot(const Channel& channel) const {
   ReplySlot* const slot = CurrentRequest::SlotOf(channel, request_);
   return slot != nullptr && !slot->has_begun() ? slot : nullptr;
 }
 
-/// The slot for a reply of `size` bytes as the response to its request: that of the deferred reply,
-/// or the slot of the request that this thread handles. Null if the reply must be sent as a
-/// message.
+/// Returns the slot for a reply of `size` bytes: the slot of a deferred reply, or the slot of the
+/// request that this thread handles. Returns null if the reply must be sent as a message.
 ReplySlot* Responder::SlotFor(Channel& channel, std::size_t size) const {
   ReplySlot* const slot = later_ != nullptr ? later_.get() : EmptySlot(channel);
   return slot != nullptr && channel.FitsInSlot(FrameHeader::kSize + size) ? slot : nullptr;
 }
 
-/// Returns false if the reply must be sent as a message.
+/// Writes the reply to a slot. Returns false if the reply must be sent as a message.
 bool Responder::ReplyInSlot(Channel& channel, std::span<const std::byte> body) {
   ReplySlot* const slot = SlotFor(channel, body.size());
   if (slot == nullptr) return false;

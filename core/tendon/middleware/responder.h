@@ -13,8 +13,8 @@ namespace tendon {
 
 class Channel;
 
-/// Answers one request, once, from any thread, now or later. If it is destroyed without an answer,
-/// the request is refused. A second answer is ignored.
+/// Answers one request. The answer can be sent at once or later, from any thread. If this object is
+/// destroyed before it has answered, the request is refused. A second answer is ignored.
 class Responder {
  public:
   Responder(std::weak_ptr<Channel> channel, std::uint64_t request);
@@ -24,25 +24,27 @@ class Responder {
   Responder& operator=(const Responder&) = delete;
   ~Responder();
 
-  /// Throws std::bad_alloc if memory is short; then the request is not answered yet.
+  /// Sends the answer. Throws std::bad_alloc if there is not enough memory; then the request is not
+  /// answered yet.
   void Reply(std::span<const std::byte> body, Lane lane = kCommonLane) {
     (void)TryReply(body, lane);
   }
-  /// Returns false if the answer cannot be sent; a peer that is still there then gets a refusal.
+  /// Like Reply(), but returns false if the answer cannot be sent. In this case the request is
+  /// refused, if the peer is still connected.
   [[nodiscard]] bool TryReply(std::span<const std::byte> body, Lane lane = kCommonLane);
-  /// Returns memory of the link for a reply of `size` bytes (at least one), which is sent in
-  /// kOwnLane. Write all bytes in this thread, then call EndReply(). If the reply is not deferred,
-  /// do both before returning to the channel. Returns an empty span, without an effect, if the link
-  /// has no such memory. Throws as Reply() does.
+  /// Returns memory of the link for a reply of `size` bytes (at least one) on kOwnLane, so that the
+  /// reply need not be copied. The caller must write all bytes in this thread and then call
+  /// EndReply(); if the reply is not deferred, before it returns to the channel. If the link has no
+  /// such memory, returns an empty span and changes nothing. Throws like Reply().
   [[nodiscard]] std::span<std::byte> BeginReply(std::size_t size);
   void EndReply();
-  /// Lets a later Reply() in kOwnLane, from any thread, still take the direct path back of
-  /// Delivery::kDirect. Call it in the thread that handles the request, before it returns to the
-  /// channel. Returns false if the link has no such path.
+  /// Keeps the direct path back (Delivery::kDirect) for a later Reply() on kOwnLane, which may be
+  /// called in any thread. Must be called in the thread that handles the request, before it returns
+  /// to the channel. Returns false if the link has no such path.
   bool Defer();
   void Refuse(const Error& error);
 
-  /// Reply() or Refuse().
+  /// Calls Reply() or Refuse(), depending on the result.
   template <Message T>
   void Answer(const Result<T>& result) {
     if (result) {
@@ -60,12 +62,12 @@ class Responder {
 
   std::weak_ptr<Channel> channel_;  // empty once answered
   std::uint64_t request_ = 0;
-  std::unique_ptr<ReplySlot> later_;  // the slot for the reply, if it is deferred
+  std::unique_ptr<ReplySlot> later_;  // the slot for a deferred reply
 };
 
-/// While this object exists, this thread handles `request` of `channel`, and the Responder of the
-/// request may write the reply to `slot` (LinkHandler::OnDirectFrame()). One object at a time in a
-/// thread.
+/// Marks that this thread handles `request` of `channel`. While this object exists, the Responder
+/// of the request may write the reply to `slot` (see LinkHandler::OnDirectFrame()). A thread may
+/// have only one object at a time.
 class CurrentRequest {
  public:
   CurrentRequest(const Channel& channel, std::uint64_t request, ReplySlot& slot);
@@ -73,7 +75,7 @@ class CurrentRequest {
   CurrentRequest& operator=(const CurrentRequest&) = delete;
   ~CurrentRequest();
 
-  /// Null if this thread does not handle `request`.
+  /// Returns the slot for the reply to `request`; null if this thread does not handle this request.
   [[nodiscard]] static ReplySlot* SlotOf(const Channel& channel, std::uint64_t request);
 
  private:

@@ -21,7 +21,7 @@ using Watch = os::Poller::Watch;
 
 constexpr const char* kOutOfMemory = "out of memory (ulimit -v): ";
 
-/// An owner of a socket, called in the loop's thread.
+/// An object that owns a socket. Its functions are called in the loop's thread.
 class SocketOwner {
  public:
   virtual ~SocketOwner() = default;
@@ -30,18 +30,18 @@ class SocketOwner {
   /// Called after a function of this object has thrown std::bad_alloc.
   virtual void OnOutOfMemory() = 0;
   virtual void CloseNow() = 0;
-  /// The key of the listener that accepted it, or 0.
+  /// The key of the listener that accepted the link; 0 for other objects.
   [[nodiscard]] virtual std::uint64_t endpoint() const { return 0; }
 };
 
-/// The one thread of a TCP middleware.
+/// The thread of a TCP middleware, which serves all its sockets.
 class EventLoop {
  public:
   using Key = std::uint64_t;
   EventLoop() : thread_([this] { Run(); }) {}
   [[nodiscard]] os::Poller& poller() { return poller_; }
   [[nodiscard]] RateLimitedWarning& complaints() { return complaints_; }
-  /// Buffer for received bytes; only in the loop's thread.
+  /// A buffer for received bytes. May be used only in the loop's thread.
   [[nodiscard]] std::span<std::byte> scratch() { return scratch_; }
 
   Key NewKey() {
@@ -71,7 +71,7 @@ class EventLoop {
     return true;
   }
 
-  /// Executes `task` in the loop's thread and waits for it. Does nothing after Stop().
+  /// Executes `task` in the loop's thread and waits until it is done. Does nothing after Stop().
   void Execute(const std::function<void()>& task) {
     assert(std::this_thread::get_id() != thread_.get_id());
     const auto done = std::make_shared<std::promise<void>>();
@@ -123,7 +123,8 @@ class EventLoop {
     }
   }
 
-  /// Calls `function` of an object. Without memory, only this object is affected.
+  /// Calls `function`, which uses the object `one`. If there is not enough memory, only this object
+  /// is affected.
   template <typename Function>
   static void Serve(SocketOwner& one, const Function& function) {
     if (!Guarded(function)) Guarded([&one] { one.OnOutOfMemory(); });
@@ -241,7 +242,7 @@ class TcpLink final : public Link,
 
   void OnTick(SteadyTime now) override {
     if (os::IsPeerUnreachable(socket_)) {
-      return Finish({ErrorCode::kUnreachable, peer_ + " vanished"});
+      return Finish({ErrorCode::kUnreachable, peer_ + " cannot be reached any more"});
     }
     std::unique_lock lock(mutex_);
     if (now < deadline_) return;
@@ -253,7 +254,8 @@ class TcpLink final : public Link,
 
   void OnOutOfMemory() override {
     rest_ = {};
-    Reject({ErrorCode::kFailed, kOutOfMemory + peer_ + " needed more"});
+    Reject(
+        {ErrorCode::kFailed, kOutOfMemory + std::string("the link to ") + peer_ + " needed more"});
   }
 
   void CloseNow() override {
@@ -269,8 +271,8 @@ class TcpLink final : public Link,
   }
   [[nodiscard]] bool is_open() const { return state_ < State::kClosing; }  // with the lock held
 
-  /// With the lock held. With a frame sent in part, nothing may follow: the peer would take it for
-  /// the rest.
+  /// Closes the link because a frame was sent only in part. Nothing may be sent afterwards, because
+  /// the peer would read it as the rest of the frame. Called while the lock is held.
   void BreakOff() {
     state_ = State::kClosing;
     deadline_ = SteadyTime::min();
@@ -342,7 +344,7 @@ class TcpLink final : public Link,
     unsent_ = {};
     lock.unlock();
     const auto handler = std::exchange(handler_, nullptr);
-    // Guarded, because others must still be closed.
+    // Guarded, because other links must still be closed if this call throws.
     if (handler) EventLoop::Guarded([&] { handler->OnClosed(reason); });
   }
 
@@ -354,13 +356,13 @@ class TcpLink final : public Link,
 
   // Used only in the loop's thread:
   std::shared_ptr<LinkHandler> handler_;
-  Bytes rest_;  // received start of an incomplete frame
+  Bytes rest_;  // received bytes of an incomplete frame
 
   std::mutex mutex_;
   State state_ = State::kUnauthenticated;
-  SteadyTime deadline_;  // latest time for Admit(), or for the end of Close()
+  SteadyTime deadline_;  // time limit for Admit(), or for the end of Close()
   os::Socket socket_;
-  Bytes unsent_;  // not sent from index sent_ on
+  Bytes unsent_;  // the bytes from index sent_ on are not sent yet
   std::size_t sent_ = 0;
 };
 

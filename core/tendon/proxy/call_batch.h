@@ -12,17 +12,17 @@
 
 namespace tendon {
 
-/// Several calls or events in the body of one frame, so that a burst costs one frame. For each
-/// call: u32 handle, u32 size, the argument, and padding to 8; little-endian. In front of the body
-/// is room for the header of the frame.
+/// Several calls or events in the body of one frame, so that a burst of calls needs only one frame.
+/// Each call consists of u32 handle, u32 size, the argument, and padding to 8 bytes; little-endian.
+/// The memory in front of the body is reserved for the header of the frame.
 class CallBatch {
  public:
-  /// The most bytes of a call in addition to its argument.
+  /// The largest number of bytes of a call in addition to its argument.
   static constexpr std::size_t kOverhead = 24;
 
   void Add(std::uint32_t handle, std::span<const std::byte> argument);
-  /// Adds a call whose argument is followed by i64 `time`, in ns on our steady clock; `size`
-  /// includes the time.
+  /// Adds a call with a time. The argument is followed by i64 `time`, in ns on the steady clock of
+  /// this process. The size of the call includes the time.
   void AddTimed(std::uint32_t handle, std::span<const std::byte> argument, SteadyTime time);
   void Clear();
 
@@ -31,7 +31,7 @@ class CallBatch {
   [[nodiscard]] std::span<const std::byte> body() const {
     return std::span(frame_).subspan(empty() ? 0 : FrameHeader::kSize);
   }
-  /// The body and the room for the header; empty without calls.
+  /// The body, preceded by the memory for the header; empty if there are no calls.
   [[nodiscard]] std::span<std::byte> frame() { return frame_; }
 
  private:
@@ -60,8 +60,8 @@ void ForEachCall(std::span<const std::byte> body, Visitor visit) {
   }
 }
 
-/// The same for calls with times, which are on the sender's steady clock: `visit(handle, argument,
-/// time)`. Skips calls too short for a time.
+/// Calls `visit(handle, argument, time)` for each call in `body`, which has calls with times. A
+/// time is on the steady clock of the sender. Skips calls that are too short to contain a time.
 template <typename Visitor>
 void ForEachTimedCall(std::span<const std::byte> body, Visitor visit) {
   ForEachCall(body, [&visit](std::uint32_t handle, std::span<const std::byte> timed) {

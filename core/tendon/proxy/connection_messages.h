@@ -8,38 +8,45 @@
 #include <vector>
 
 /// The messages between the two ends of a connection. The opener is the process of the required
-/// interface. Each struct is the body of a frame; requests are answered, notices are not. Each end
-/// issues a number for the connection, which the other end puts into the header's handle. The
-/// handle of member i is this number + 1 + i.
+/// interface. Each struct is the body of a frame. Requests are answered, notices are not. Each end
+/// issues a number for the connection; the other end writes this number into the field `handle` of
+/// the header. The handle of member i is this number + 1 + i.
 namespace tendon::message {
 
-// From the opener.
+// Sent by the opener.
 inline constexpr auto kOpenInterface =
     static_cast<MessageType>(0x100);  // request: OpenInterface -> OpenInterfaceReply
 inline constexpr auto kCloseInterface = static_cast<MessageType>(0x101);  // notice: empty
-// notice: calls of functions, as a CallBatch
+// notice: a CallBatch with calls of functions
 inline constexpr auto kCommands = static_cast<MessageType>(0x102);
-// request to a function's handle: the argument -> the result, followed by one byte of Status::Code
+// request to the handle of a function: the argument -> the result, followed by one byte with a
+// Status::Code
 inline constexpr auto kRead = static_cast<MessageType>(0x103);
 inline constexpr auto kPing = static_cast<MessageType>(0x104);  // request: None -> Pong
-// request to a function's handle: the argument, followed by u64, the caller's timeout in ns -> the
-// same reply as to kRead, sent after the call was executed or refused
+// request to the handle of a function: the argument, followed by the caller's timeout (u64, ns) ->
+// a reply as for kRead, which is sent after the call was executed or refused
 inline constexpr auto kWait = static_cast<MessageType>(0x105);
-// From the peer.
-// notice: calls of event handlers, as a CallBatch
+
+// Sent by the other end.
+
+// notice: a CallBatch with calls of event handlers
 inline constexpr auto kEvents = static_cast<MessageType>(0x110);
 inline constexpr auto kCredit = static_cast<MessageType>(0x111);  // notice: Credit
-// The reply to an executed kWait also acts as a Credit: all calls sent before it were executed too.
-// notice: Error; the provided interface is gone
+// The reply to a kWait that was executed also acts as a Credit: all calls that were sent before it
+// were executed too.
+// notice: Error; the provided interface does not exist any more
 inline constexpr auto kInterfaceClosed = static_cast<MessageType>(0x112);
-// notice, to a listener without functions: as kEvents, each value with its time (AddTimed())
+// notice to a required interface without functions: like kEvents, but each value has the time of
+// its event (AddTimed())
 inline constexpr auto kTimedEvents = static_cast<MessageType>(0x113);
-// From either end.
+
+// Sent by both ends.
 inline constexpr auto kEventsLost = static_cast<MessageType>(0x120);  // notice: EventsLost
 
 /// The answer to kPing.
 struct Pong {
-  std::int64_t time = 0;  ///< when the reply was made, ns on the peer's steady clock
+  /// Time at which the reply was made; ns, on the steady clock of its sender.
+  std::int64_t time = 0;
 };
 
 /// Asks for a connection.
@@ -48,34 +55,34 @@ struct OpenInterface {
   InterfaceName provided;
   RequiredDescription description;  ///< the required interface: its functions and event handlers
   std::uint32_t handle = 0;         ///< the opener's number; its members are the event handlers
-  std::uint32_t capacity = 0;       ///< calls, and events, that may wait at a time
-  std::vector<std::string> latest_only{};  ///< event handlers that keep the latest event only
+  std::uint32_t capacity = 0;       ///< how many calls, and how many events, may be queued
+  std::vector<std::string> latest_only{};  ///< event handlers that keep only the latest event
 };
 
 /// Confirms the connection.
 struct OpenInterfaceReply {
-  std::uint32_t handle = 0;  ///< the peer's number; its members are the functions
-  std::uint32_t credit = 0;  ///< calls that may be sent before the first Credit
-  bool accepting = false;    ///< whether the component executes calls now
+  std::uint32_t handle = 0;  ///< number of the provided side; its members are the functions
+  std::uint32_t credit = 0;  ///< number of calls that may be sent before the first Credit
+  bool accepting = false;    ///< true if the component executes calls now
   ProvidedDescription description;
-  std::vector<std::string> latest_only{};  ///< commands that keep the latest call only
+  std::vector<std::string> latest_only{};  ///< commands that keep only the latest call
 };
 
-/// How many calls the component has executed, and its state. Sent within 5 ms of each change.
+/// How many calls the component has executed, and its state. Sent within 5 ms after each change.
 struct Credit {
-  std::uint64_t executed = 0;  ///< calls taken from its mailbox since the connection was opened
+  std::uint64_t executed = 0;  ///< number of calls executed since the connection was opened
   bool accepting = false;
   std::string fault;  ///< why the component is faulted; otherwise empty
 
   bool operator==(const Credit&) const = default;
 };
 
-/// Events lost since the connection was opened, by event handler. The end that raises events
-/// reports those that it could not send; the end that handles them, those that it lost after
-/// arrival.
+/// The number of events lost since the connection was opened, for each event handler. The end that
+/// raises the events reports those that it could not send. The end that handles the events reports
+/// those that arrived, but did not reach a handler.
 struct EventsLost {
-  /// The largest increase from one report to the next, because the receiver counts each event in a
-  /// loop.
+  /// A number may increase by at most this from one report to the next, because the receiver counts
+  /// the events one by one.
   static constexpr std::uint64_t kMostAtOnce = 65536;
 
   std::vector<std::uint64_t> lost;
@@ -83,31 +90,31 @@ struct EventsLost {
   bool operator==(const EventsLost&) const = default;
 };
 
-// Copies of values that another process reads.
+// Messages for mirrored values: copies of the newest values that another process reads.
 
-// From the process of a required interface, before it opens the provided one. The copies arrive as
-// rows of one column, the newest only, as after kSubscribe.
+// Sent by the process of a required interface before it opens the provided interface. The copies
+// arrive as rows with one column, as after kSubscribe, but only the newest row is sent.
 inline constexpr auto kMirror = static_cast<MessageType>(0x20b);  // request: Mirror -> MirrorReply
 
-// From the peer.
-// notice: bool, whether the read command is enabled; the handle is that of its copies
+// Sent by the other end. A notice with a bool, which is true if the read command is enabled. The
+// handle is that of its copies.
 inline constexpr auto kMirrorTurned = static_cast<MessageType>(0x20c);
 
-/// Asks for copies of read commands that return the newest value of a column.
+/// Asks for copies of the results of read commands that return the newest value of a column.
 struct Mirror {
   InterfaceName provided;
   std::vector<std::string> commands;
 };
 
-/// One mirrored command; all zero if there is no such command.
+/// One mirrored command. All fields are zero if there is no such command.
 struct MirroredColumn {
-  std::uint32_t handle = 0;      ///< handle of the frames with its copies
-  std::uint32_t capacity = 0;    ///< size of its largest value in bytes
-  std::int64_t time = 0;         ///< time of the newest row, ns on the source's steady clock
+  std::uint32_t handle = 0;      ///< handle of the frames with the copies
+  std::uint32_t capacity = 0;    ///< size of the largest value in bytes
+  std::int64_t time = 0;         ///< time of the newest row; ns, on the steady clock of its process
   std::vector<std::byte> value;  ///< value in that row; empty if there is none
 };
 
-/// The answer to kMirror, in the order asked for.
+/// The answer to kMirror, in the order of the request.
 struct MirrorReply {
   std::vector<MirroredColumn> columns;
 };

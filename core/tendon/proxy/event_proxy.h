@@ -13,10 +13,11 @@
 
 namespace tendon {
 
-/// An event of another process, raised here with encoded values.
+/// Represents an event of another process. It is raised here with encoded values.
 class EventProxy final : public EventBase {
  public:
-  /// One thread at a time. If a handler refuses the value, lost() counts it.
+  /// Calls the handlers. May be called by one thread at a time. If a handler refuses the value,
+  /// lost() counts it.
   void Raise(std::span<const std::byte> value) {
     CountLost();
     const std::uint64_t before = lost();
@@ -27,22 +28,24 @@ class EventProxy final : public EventBase {
     lost_here_.Add(lost() - before);
   }
 
-  /// Call it in the thread of Raise() or one other thread. `lost` is the total number of events
-  /// that the other process could not send; CountLost() adds them to the counts of the handlers.
+  /// Sets the total number of events that the other process could not send. CountLost() adds them
+  /// to the counts of the handlers. May be called in the thread of Raise() or in one other thread.
   void SetLostThere(std::uint64_t lost) {
     const std::uint64_t before = lost_there_.Get();
     const std::uint64_t most = counted_there_.value() + message::EventsLost::kMostAtOnce;
     lost_there_.Set(std::clamp(lost, before, std::max(before, most)));
   }
-  /// Counts an event that has arrived but is not raised. Called in the threads of SetLostThere().
+  /// Counts an event that has arrived but is not raised. May be called in the threads of
+  /// SetLostThere().
   void Miss() noexcept { missed_.Add(); }
-  /// Adds the lost events to the counts of the handlers, as soon as there are handlers. Called in
-  /// the thread of Raise().
+  /// Adds the lost events to the counts of the handlers. While there is no handler, does nothing.
+  /// Must be called in the thread of Raise().
   void CountLost() {
     CountUpTo(lost_there_.Get(), counted_there_);
     CountUpTo(missed_.value(), counted_missed_);
   }
-  /// Number of events that have arrived here and did not reach a handler. Any thread.
+  /// Number of events that have arrived here, but did not reach a handler. May be called in any
+  /// thread.
   [[nodiscard]] std::uint64_t lost_here() const noexcept {
     return lost_here_.value() + missed_.value();
   }
@@ -53,7 +56,8 @@ class EventProxy final : public EventBase {
   }
 
  private:
-  /// Without handlers, the events are counted later.
+  /// Counts lost events until `counted` is `lost_before`. If there are no handlers, the events are
+  /// counted later.
   void CountUpTo(std::uint64_t lost_before, Counter<>& counted) {
     for (; counted.value() < lost_before; counted.Add()) {
       const std::uint64_t before = lost();

@@ -21,7 +21,8 @@ void ExecutingCalls::Answer(SteadyTime now, SteadyTime& next) {
     ++kept;
   }
   executing_.erase(kept, executing_.end());
-  // During a steady stream of calls, no call has to wake the network thread for its first check.
+  // While new calls begin regularly, the network thread checks at this interval, so that a new call
+  // need not wake it for its first check.
   if (now - newest_ < kNextLook) next = std::min(next, now + kNextLook);
 }
 

@@ -15,31 +15,31 @@
 
 namespace tendon {
 
-/// Calls from other processes that a component here executes and whose callers wait. No thread
-/// waits here: the network thread checks them when it is notified that a call has ended. Not
-/// thread-safe.
+/// Calls from other processes that a component here executes, and whose callers wait for the
+/// answer. In this process, no thread waits for these calls: the network thread checks them when it
+/// is notified that a call has ended. Not thread-safe.
 class ExecutingCalls {
  public:
-  /// A call that `command` has begun. `command` lives until the call is answered.
+  /// A call that `command` has begun. `command` must exist until the call is answered.
   struct ExecutingCall {
     CommandBase* command = nullptr;
     std::size_t call = 0;
     SteadyTime since{};
     SteadyTime deadline{};
-    std::size_t function = 0;  ///< the owner's index
+    std::size_t function = 0;  ///< index for the owner
     Responder responder;
   };
-  /// Sends the answers.
+  /// The owner sends the answers.
   class Owner {
    public:
     virtual ~Owner() = default;
-    /// Called when the call has ended, or will not be executed. If the status is good, the owner
-    /// may move `result`.
+    /// Called when the call has ended or will not be executed. If the status is good, the owner may
+    /// move from `result`.
     virtual void OnEnd(ExecutingCall& executing, Status status, Bytes& result) = 0;
   };
 
-  /// Interval of checks without a notification: a call that is begun just as its server stops may
-  /// end without one.
+  /// The time between two checks if there is no notification. They are necessary because a call may
+  /// end without a notification if its server stops just when the call begins.
   static constexpr std::chrono::milliseconds kNextLook{100};
 
   explicit ExecutingCalls(Owner& owner) : owner_(owner) {}
@@ -47,15 +47,16 @@ class ExecutingCalls {
     newest_ = executing.since;
     executing_.push_back(std::move(executing));
   }
-  /// The time at which the network thread must first check a new call, if no notification comes
-  /// before.
+  /// Returns the time at which the network thread must check a new call for the first time, if it
+  /// is not notified before.
   [[nodiscard]] static SteadyTime FirstLook(const ExecutingCall& executing) {
     return std::min(executing.deadline, executing.since + 2 * kNextLook);
   }
-  /// Answers the calls that have ended or timed out, in the order in which they were begun, many in
-  /// one message. Lowers `next` to the time of the next check.
+  /// Answers the calls that have ended or timed out, in the order in which they were begun. Sends
+  /// many answers in one message. If the next check must be made before `next`, sets `next` to its
+  /// time.
   void Answer(SteadyTime now, SteadyTime& next);
-  /// Answers all calls, because their connection ends.
+  /// Answers all calls, because their connection is closed.
   void GiveUp();
 
  private:
@@ -67,7 +68,7 @@ class ExecutingCalls {
   Bytes result_;
 };
 
-/// Appends the timeout to the body of kWait.
+/// Appends the timeout to the body of a kWait request.
 void AppendTimeout(std::chrono::nanoseconds timeout, Bytes& argument);
 /// Removes the timeout and returns it; empty if it is missing.
 std::optional<std::chrono::nanoseconds> TakeTimeout(std::span<const std::byte>& argument);

@@ -9,12 +9,12 @@
 
 namespace tendon {
 
-/// A function that is created at run time from its description and is called with encoded values:
-/// on behalf of another process, a console or a script.
+/// A function of a required interface that is created at run time from its description and is
+/// called with encoded values. It makes calls for another process, a console or a script.
 class FunctionProxy final : public MemberCaller {
  public:
-  /// Adds itself to `interface`, which must live as long as this object is called. Throws
-  /// ConfigurationError like any other member.
+  /// Adds this function to `interface`, which must exist as long as the function is called. Throws
+  /// ConfigurationError under the same conditions as other members.
   FunctionProxy(RequiredInterface& interface, MemberDescription description)
       : kind_(description.signature.kind),
         index_(interface.AddCaller(*this, std::move(description))),
@@ -22,19 +22,20 @@ class FunctionProxy final : public MemberCaller {
 
   [[nodiscard]] CommandKind kind() const { return kind_; }
 
-  /// Calls the function, in a thread that the interface allows. Replaces the content of `out`.
+  /// Calls the function; must be called in a thread that the interface allows. Replaces the content
+  /// of `out`.
   Status operator()(std::span<const std::byte> in, std::vector<std::byte>& out) {
     BytesSink sink(out);
     return Replacing(out, (*this)(in, sink));
   }
-  /// The same; writes nothing to `out` if there was no call.
+  /// The same with an AnswerSink. If the call was not made, nothing is written to `out`.
   Status operator()(std::span<const std::byte> in, AnswerSink& out) {
     return CallMember(binding_, index_,
                       [&](CommandBase& command) { return command.ExecuteEncoded(in, out); });
   }
 
-  /// See CommandBase::BeginEncoded(). `command`, valid until the interface is disconnected,
-  /// executes the call.
+  /// Begins a call; see CommandBase::BeginEncoded(). Sets `command` to the command that executes
+  /// the call, which is valid until the interface is disconnected.
   Status Begin(std::span<const std::byte> in, std::vector<std::byte>& out, Wakeup<>& ended,
                CommandBase*& command, std::size_t& call) {
     return Replacing(out, CallMember(binding_, index_, [&](CommandBase& bound) {
@@ -43,14 +44,15 @@ class FunctionProxy final : public MemberCaller {
                      }));
   }
 
-  /// Commands are called with encoded values.
+  /// Returns null, because commands are called with encoded values.
   [[nodiscard]] std::unique_ptr<CommandBase> Adapt(CommandBase& /*command*/) const override {
     return nullptr;
   }
 
  private:
-  /// A successful call has replaced `out`. Clearing it before the call would be slow, because a
-  /// vector that grows again writes zeroes.
+  /// Clears `out` after a failed call. A successful call has replaced `out`, so it need not be
+  /// cleared before the call; that would be slow, because a vector that grows again is filled with
+  /// zeroes.
   static Status Replacing(std::vector<std::byte>& out, Status status) {
     if (!status) out.clear();
     return status;
@@ -61,12 +63,12 @@ class FunctionProxy final : public MemberCaller {
   BindingGate& binding_;
 };
 
-/// True if a call waits in a mailbox while its caller continues.
+/// Returns true if calls of this kind are queued in a mailbox while the caller continues.
 [[nodiscard]] constexpr bool IsQueued(CommandKind kind) {
   return kind == CommandKind::kVoid || kind == CommandKind::kWrite;
 }
 
-/// True if a caller can, or must, wait until the call was executed.
+/// Returns true if the caller can or must wait until the call was executed.
 [[nodiscard]] constexpr bool CanBeAwaited(CommandKind kind) {
   return IsQueued(kind) || WaitsForServer(kind);
 }

@@ -10,12 +10,13 @@
 
 namespace tendon {
 
-/// The handles that one end of a channel issues: one number for each object, followed by one for
-/// each of its members. Checked on arrival, never reused. Thread-safe.
+/// The handles that one end of a channel issues: one number for each object, followed by one number
+/// for each member of the object. A handle in a received message is checked here. Numbers are never
+/// reused. Thread-safe.
 template <typename T>
 class HandleTable {
  public:
-  /// Issues the numbers for an object that does not exist yet.
+  /// Issues the numbers for an object that does not exist yet, and returns the first one.
   std::uint32_t Reserve(std::size_t members) {
     const std::scoped_lock lock(mutex_);
     const std::uint32_t handle = next_;
@@ -32,7 +33,7 @@ class HandleTable {
   }
 
   void Remove(std::uint32_t handle) {
-    std::shared_ptr<T> removed;  // destroyed without the lock
+    std::shared_ptr<T> removed;  // destroyed after the lock is released
     const std::scoped_lock lock(mutex_);
     const auto found = entries_.find(handle);
     if (found == entries_.end()) return;
@@ -40,10 +41,10 @@ class HandleTable {
     entries_.erase(found);
   }
 
-  /// The object, and its part, that a number refers to.
+  /// The object or member to which a number refers.
   struct Found {
-    std::shared_ptr<T> object;  ///< null if the number is not issued
-    std::size_t offset = 0;     ///< 0 is the object's own number, i + 1 that of its member i
+    std::shared_ptr<T> object;  ///< null if the number was not issued
+    std::size_t offset = 0;     ///< 0 for the object itself, i + 1 for its member i
   };
   [[nodiscard]] Found Find(std::uint32_t handle) const {
     const std::scoped_lock lock(mutex_);

@@ -14,7 +14,7 @@ namespace tendon {
 namespace {
 
 constexpr std::size_t kWord = sizeof(std::uint64_t);
-constexpr std::size_t kCopies = 3;  // older ones stay readable while the next is written
+constexpr std::size_t kCopies = 3;  // readers can use older copies while the next one is written
 
 std::size_t WordsFor(std::size_t bytes) { return 1 + (bytes + kWord - 1) / kWord; }
 
@@ -37,7 +37,7 @@ class MirroredReadCommand final : public CommandBase {
   [[nodiscard]] std::chrono::nanoseconds age() const override {
     const std::chrono::nanoseconds written = written_.Get();
     if (written == kNever || value_->has_ended()) return kNever;
-    // The clock of another host may seem to be ahead.
+    // The time of another host may be slightly in the future.
     const auto now = SteadyClock().Now().time_since_epoch();
     return std::max(now - written, std::chrono::nanoseconds(0));
   }
@@ -74,7 +74,8 @@ Status MirroredValue::Read(std::vector<std::byte>& body, SteadyTime& time) const
   const RowResult result = copies_.ReadNewest(tick, [&](const RowRing<>::Word* words) {
     std::array<std::byte, kWord> word{};
     LoadWord(words[0], word.data());
-    const auto size = std::bit_cast<std::uint64_t>(word);  // any number if the copy is torn
+    // May be any number, because the copy may be overwritten during the read.
+    const auto size = std::bit_cast<std::uint64_t>(word);
     body.resize(std::min<std::uint64_t>(size, capacity_));
     for (std::size_t at = 0; at < body.size(); at += kWord) {
       LoadWord(words[1 + at / kWord], word.data());

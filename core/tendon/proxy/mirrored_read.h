@@ -15,38 +15,41 @@
 
 namespace tendon {
 
-/// The newest copy of a value of another process.
+/// Holds the newest copy of a value of another process.
 ///
-/// Thread safety: one thread at a time calls Put(); any thread may call all other functions.
-/// Readers do not wait; a reader tries again if several newer copies are written during its read.
+/// Thread safety: Put() may be called by one thread at a time, all other functions in any thread.
+/// Readers do not block; if several newer copies are written during a read, the read is repeated.
 class MirroredValue {
  public:
-  /// Allocates everything, for values of at most `capacity` bytes on the wire.
+  /// Allocates all memory, for values of at most `capacity` encoded bytes.
   explicit MirroredValue(std::size_t capacity);
 
-  /// `time` is when the value was written, on our clock. An empty body means that the row had no
-  /// value. Returns false and keeps the old value if the body is too large.
+  /// Sets the value. `time` is the time at which the value was written, on the clock of this
+  /// process. An empty body means that the row had no value. If the body is too large, returns
+  /// false and keeps the old value.
   bool Put(SteadyTime time, std::span<const std::byte> body);
   /// While disabled, readers get kDisabled instead of the value.
   void SetEnabled(bool enabled) noexcept { is_enabled_.Set(enabled); }
-  /// Ends the copies: from now on, readers get kNotConnected.
+  /// Called when no more copies will arrive. From now on, readers get kNotConnected.
   void End() noexcept { has_ended_.Set(true); }
   [[nodiscard]] bool has_ended() const noexcept { return has_ended_.Get(); }
 
-  /// kNoSample before the first value, or if the newest row had none; kDisabled while disabled;
-  /// kNotConnected after End(). Allocates only if `body` must grow.
+  /// Reads the value. Fails with kNoSample before the first value or if the newest row had none,
+  /// with kDisabled while disabled, and with kNotConnected after End(). Allocates memory only if
+  /// `body` must grow.
   Status Read(std::vector<std::byte>& body, SteadyTime& time) const;
 
  private:
   const std::size_t capacity_;
-  std::vector<std::uint64_t> words_;  // buffer of Put(): size and body
+  std::vector<std::uint64_t> words_;  // buffer for Put(); contains size and body
   RowRing<> copies_;
   Flag is_enabled_{true};
   Flag has_ended_{false};
 };
 
-/// Answers a read from the local copy of a value, without asking the peer. kNoSample before the
-/// first copy, kDisabled while the command is disabled there, kNotConnected when the peer is gone.
+/// A read command of another process that returns the local copy of the value and sends no request.
+/// Fails with kNoSample before the first copy, with kDisabled while the command is disabled in the
+/// other process, and with kNotConnected when the connection has ended.
 class MirroredReadProxy final : public Offer {
  public:
   MirroredReadProxy(MemberDescription description, std::shared_ptr<const MirroredValue> value)

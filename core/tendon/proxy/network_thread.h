@@ -19,42 +19,45 @@ class NetworkJob {
   NetworkJob& operator=(const NetworkJob&) = delete;
   virtual ~NetworkJob() = default;
 
-  /// Called in the network thread after each Notify(), and at other times; must not block. Returns
-  /// true if there may be more work at once. Lowers `next` to the time of the next necessary call.
+  /// Called in the network thread after each Notify() and at other times; must not block. Returns
+  /// true if there may be more work at once. If the next call must be made before `next`, sets
+  /// `next` to its time.
   virtual bool Work(SteadyTime now, SteadyTime& next) = 0;
 };
 
 /// The thread between the components of a process and its middleware. It sends the calls that
-/// proxies have queued, and collects rows for viewers. So a component's thread calls the middleware
-/// only when it waits for an answer. Sleeps when idle. Thread-safe.
+/// proxies have queued, and collects rows for viewers. Because of this thread, the thread of a
+/// component calls the middleware only when it waits for an answer. Sleeps when idle. Thread-safe.
 class NetworkThread {
  public:
   explicit NetworkThread(std::string name = "network");
   NetworkThread(const NetworkThread&) = delete;
   NetworkThread& operator=(const NetworkThread&) = delete;
-  /// Waits until the current round has ended.
+  /// Ends the thread; waits until the current round of jobs is done.
   ~NetworkThread();
 
   void Add(NetworkJob& job);
-  /// After it returns, the job is neither running nor called again. Must not be called by a job.
+  /// Removes a job. After the return, the job is not running and is not called again. Must not be
+  /// called by a job.
   void Remove(NetworkJob& job);
 
   /// Notifies the thread of new work. Costs as much as Wakeup::Notify().
   void Notify() noexcept { wakeup_.Notify(); }
-  /// The same for work that may wait until `when`.
+  /// Notifies the thread of work that may be done later, but not later than `when`.
   void NotifyBy(SteadyTime when) noexcept { wakeup_.NotifyBy(when); }
-  /// For inboxes that this thread empties.
+  /// The wakeup of this thread, for inboxes that it empties.
   [[nodiscard]] Wakeup<>& wakeup() { return wakeup_; }
 
  private:
   void Run();
-  /// Calls every job once.
+  /// Calls every job once. Returns true if one of them has more work.
   bool Round(SteadyTime& next);
 
   const std::string name_;
   Wakeup<> wakeup_;
   Flag stopping_;
-  std::mutex turn_;  // locked before mutex_, so that rounds do not starve others
+  // Locked before mutex_, so that Add() and Remove() get their turn between two rounds.
+  std::mutex turn_;
   std::mutex mutex_;
   std::vector<NetworkJob*> jobs_;
   std::thread thread_;  // last, because it uses the other members

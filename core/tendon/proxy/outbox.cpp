@@ -11,7 +11,7 @@
 namespace tendon {
 namespace {
 
-/// A batch with this many bytes is full.
+/// A batch with this many bytes is full; it gets no further calls.
 constexpr std::size_t kFullBatch = std::size_t{32} << 10U;
 static_assert(kMaxPayload + kFullBatch + CallBatch::kOverhead <= kMaxBodySize,
               "the largest argument fits behind a batch that is almost full");
@@ -90,8 +90,8 @@ std::uint64_t Outbox::SendNow([[maybe_unused]] const Turn& turn, BlockingCall ca
   return 0;
 }
 
-/// Sends the calls already taken, then those in the inbox, up to `limit`. Counts each call as it is
-/// sent.
+/// Sends the calls that were already taken, then calls from the inbox, up to `limit`. Counts each
+/// call when it is sent.
 std::size_t Outbox::SendTaken(std::size_t limit, Delivery delivery) {
   const Status no_room = Status::kQueueFull;
   const std::uint64_t before = sent_;
@@ -128,8 +128,8 @@ void Outbox::Collect(std::size_t limit) {
   }
 }
 
-/// The timeout at the other end starts now and is a little shorter, so that its report arrives
-/// before the caller's own timeout.
+/// Sends a call as a request. The timeout at the other end begins now and is a little shorter than
+/// the caller's, so that its report arrives before the caller's own timeout.
 Status Outbox::Request(BlockingCall& call, Delivery delivery) {
   constexpr std::chrono::milliseconds kWayBack(20);
   const SteadyTime now = SteadyClock().Now();

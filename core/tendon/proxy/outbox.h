@@ -21,88 +21,97 @@ namespace tendon {
 
 /// Limits of an Outbox.
 struct OutboxLimits {
-  std::uint64_t credit = std::numeric_limits<std::uint64_t>::max();  ///< sent, not yet executed
-  /// Bytes of arguments that may wait here; a single larger argument is allowed. Does not count
-  /// calls whose callers wait.
+  /// Largest number of calls that are sent and not executed yet.
+  std::uint64_t credit = std::numeric_limits<std::uint64_t>::max();
+  /// The largest number of argument bytes in the queue; a single larger argument is allowed. Calls
+  /// whose callers wait are not counted.
   std::uint64_t waiting_bytes = Budget<>::kNoLimit;
 };
 
-/// The calls that wait to be sent on a channel. Component threads post them; the network thread
-/// sends them in order, many in one frame. A call with a waiting caller is sent as a request, in
-/// the same order; if nothing is queued, its caller sends it directly. No call is lost if the link
-/// is full: calls wait here, and when the mailbox is full, callers get kQueueFull.
+/// The queue of calls that will be sent on a channel. Component threads post the calls, and the
+/// network thread sends them in order, many in one frame. A call whose caller waits is sent as a
+/// request, in the same order; if no other call is queued, the caller sends it directly. No call is
+/// lost if the link is full: the calls stay in the queue, and when the mailbox is full, callers get
+/// kQueueFull.
 class Outbox {
  public:
   static constexpr std::uint64_t kAnyNumber = std::numeric_limits<std::uint64_t>::max();
 
-  /// `interface` names the members' interface in the log.
+  /// `interface` is the name of the interface in log messages.
   Outbox(std::shared_ptr<Channel> channel, MessageType type, Wakeup<>& wakeup,
          std::string interface, const OutboxLimits& limits = {});
 
-  /// Sends each call with the time of the event of `source`. Must be called before the first call.
+  /// From now on, each call is sent with the time of the event that `source` handles. Must be
+  /// called before the first call.
   void SendTimesOf(const RequiredInterface& source) { times_of_ = &source; }
 
   /// The queue of calls; it has one mailbox.
   [[nodiscard]] Inbox& inbox() { return inbox_; }
 
-  /// Any thread: refuses later posts with kNotConnected and ends all waits.
+  /// Any thread: refuses later calls with kNotConnected, and ends the waiting of all callers.
   void Close();
   [[nodiscard]] bool is_open() const noexcept { return is_open_.Get(); }
 
-  /// The lane on which calls are sent. Messages that must stay in order with them use it too.
+  /// The lane on which calls are sent. A message that must stay in order with the calls must use
+  /// this lane too.
   [[nodiscard]] Lane lane() const { return lane_; }
 
-  /// Any thread, even a caller's: leaves a note that a value of a member is too large to be sent.
+  /// Called in any thread when a value of a member is too large to be sent; the network thread logs
+  /// this later.
   void RefusePayload(std::uint32_t handle, std::size_t size) noexcept;
   [[nodiscard]] RefusedPayloads& refused_payloads() { return refused_payloads_; }
 
-  /// The budget for the bytes that wait here. Any thread.
+  /// The budget for the argument bytes in the queue. May be used in any thread.
   [[nodiscard]] Budget<>& waiting_bytes() { return waiting_bytes_; }
 
-  /// Any thread: at least `calls` of the sent calls were executed. If `calls` is greater than the
-  /// number sent, the next Send() closes the channel.
+  /// Any thread: called when at least the first `calls` sent calls were executed. If `calls` is
+  /// greater than the number of sent calls, the next Send() closes the channel.
   void SetExecuted(std::uint64_t calls);
 
-  /// Any thread: true if calls wait to be sent, or are sent and not known to be executed.
+  /// Any thread: returns true if a call was taken from the inbox but not sent, or was sent and may
+  /// not be executed yet.
   [[nodiscard]] bool HasCallsUnderWay() const;
 
-  /// A caller's right to send: while it is held, no other thread sends from here.
+  /// The right of a thread to send. While a thread holds it, no other thread sends calls of this
+  /// outbox.
   using Turn = std::unique_lock<std::mutex>;
 
-  /// Network thread: sends waiting calls, up to `limit` and the credit, and returns their number.
+  /// Network thread: sends queued calls, as many as `limit` and the credit allow, and returns their
+  /// number.
   std::size_t Send(std::size_t limit = kAnyNumber);
-  /// Call it after the network thread has stopped working here: sends the calls that it took and
-  /// could not send, for at most `patience`.
+  /// Sends the calls that the network thread took from the inbox but could not send; tries for at
+  /// most `patience`. Must be called when the network thread does not use this object any more.
   void SendRest(std::chrono::milliseconds patience);
-  /// Network thread: true if the link was full or a caller is sending. Then Send() must be tried
-  /// again soon.
+  /// Network thread: returns true if the link was full or a caller is sending. Then Send() must be
+  /// called again soon.
   [[nodiscard]] bool is_held_up() const {
     if (has_waited_) return true;
     const Turn turn(sending_, std::try_to_lock);
     return !turn || has_taken();
   }
 
-  /// A call whose caller waits.
+  /// A call whose caller waits for the answer.
   struct BlockingCall {
     std::uint32_t handle = 0;
     Bytes argument;
     std::shared_ptr<OutstandingCalls<>> callers;
-    std::uint64_t number = 0;  ///< in `callers`
+    std::uint64_t number = 0;  ///< number of the call in `callers`
   };
 
-  /// Returns a turn without the right to send if other calls are already taken, the credit is used
-  /// up, or another thread is sending.
+  /// Gives the calling thread the right to send. If other calls are already taken from the inbox,
+  /// the credit is used up, or another thread is sending, the returned turn does not hold the lock,
+  /// so the thread may not send.
   [[nodiscard]] Turn TakeTurn();
-  /// Sends a call without the mailbox, which must be empty. If the link is full, leaves the call to
-  /// the network thread. Returns the total number of sent calls, including this one, or 0 if it was
-  /// not sent yet.
+  /// Sends a call directly, without the mailbox, which must be empty. If the link is full, the
+  /// network thread will send the call; then this returns 0. Otherwise returns the total number of
+  /// sent calls, including this one.
   std::uint64_t SendNow(const Turn& turn, BlockingCall call);
-  /// Called in a caller's thread: the first `calls` sent calls were executed. It is enough to know
-  /// that the last of them was, because one mailbox keeps their order. Notifies the network thread
-  /// if calls wait in the mailbox `callers`.
+  /// Called in the thread of a caller when the answer to its call, number `calls` of the sent
+  /// calls, has arrived. Then all earlier calls were executed too, because one mailbox keeps their
+  /// order. Notifies the network thread if calls wait in the mailbox `callers`.
   void OnExecuted(std::uint64_t calls, const Mailbox& callers);
 
-  // Network thread, called by Send(): takes the next call.
+  // Network thread: called by Send() with the next call from the inbox.
 
   void Take(std::uint32_t handle, std::span<const std::byte> argument) {
     if (times_of_ == nullptr) return batch_.Add(handle, argument);
@@ -127,14 +136,15 @@ class Outbox {
   Budget<> waiting_bytes_;
   Inbox inbox_;
   const std::uint64_t credit_;
-  std::mutex raising_;  // guards executed_: reports may arrive out of order
+  std::mutex raising_;  // guards executed_, because reports may arrive out of order
   Published<std::uint64_t> executed_{0};
 
-  bool has_waited_ = false;  // network thread: another thread held sending_ in its last Send()
+  // Network thread only: another thread held sending_ during the last Send().
+  bool has_waited_ = false;
 
   mutable std::mutex sending_;  // guards the members below
   std::uint64_t sent_ = 0;
-  // Calls taken from the inbox, but not sent.
+  // Calls that were taken from the inbox, but not sent yet.
   CallBatch batch_;
   std::optional<BlockingCall> blocking_call_;  // to be sent after the batch
 };

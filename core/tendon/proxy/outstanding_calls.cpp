@@ -6,7 +6,7 @@
 namespace tendon {
 
 Status TakeOutcome(Result<Bytes> answer, Bytes& result) {
-  // The call was sent, so it may have been executed, except if the peer refused it.
+  // If the peer has not refused the call, the call may have been executed, because it was sent.
   if (!answer) return StatusOfRefusal(answer.error()).value_or(Status::kOutcomeUnknown);
   result = *std::move(answer);
   return TakeStatus(result);

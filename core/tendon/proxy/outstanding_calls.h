@@ -16,22 +16,23 @@
 
 namespace tendon {
 
-/// Puts the result of a kWait into `result`, and returns the status.
+/// Reads the answer to a kWait request: sets `result` and returns the status.
 [[nodiscard]] Status TakeOutcome(Result<Bytes> answer, Bytes& result);
 
-/// The calls of one remote command whose callers wait here. A number in the reply identifies the
-/// caller's completion record. The number becomes invalid when the caller stops waiting, so that a
-/// late reply is ignored. May outlive the command while a reply is still expected. Thread-safe.
+/// The calls of one remote command whose callers wait in this process. Each call has a number, with
+/// which the reply finds the completion record of the caller. The number becomes invalid when the
+/// caller stops waiting, so a late reply is ignored. This object may exist longer than the command
+/// while a reply is still expected. Thread-safe.
 template <typename Pool = CompletionPool, typename Mutex = std::mutex>
 class OutstandingCalls {
  public:
-  /// `completions` must live as long as a caller waits.
+  /// `completions` must exist as long as a caller waits.
   explicit OutstandingCalls(Pool& completions)
       : completions_(completions), of_record_(completions.size()), answers_(completions.size()) {}
 
-  // For the caller.
+  // Functions for the caller.
 
-  /// Adds a call and returns its number. The caller owns the record.
+  /// Adds a call and returns its number. The caller owns the completion record.
   std::uint64_t Enter(std::size_t record, SteadyTime deadline) {
     const std::scoped_lock lock(mutex_);
     const OutstandingCall outstanding{.record = record, .deadline = deadline};
@@ -45,41 +46,43 @@ class OutstandingCalls {
     of_record_[record] = ++last_;
     return last_;
   }
-  /// Removes the call; every caller must call it, with the result of Await(). Returns true if the
-  /// call was sent, so that it may have been executed; if not, it never will be.
+  /// Removes the call. Must be called by every caller, with the result of Await(). Returns true if
+  /// the call was sent, so it may have been executed. Returns false if the call was not sent; it
+  /// will then never be executed.
   template <typename Ending>
   bool Leave(std::uint64_t call, Ending ending) {
     const std::scoped_lock lock(mutex_);
     spare_ = calls_.extract(call);
     assert(!spare_.empty());
     const OutstandingCall& outstanding = spare_.mapped();
-    // The thread that would free the record can no longer find the call, except if it found it
-    // before.
+    // If the call has not ended, the thread that would free the record cannot find the call any
+    // more, so the record is freed here.
     if (ending == Ending::kStarted && !outstanding.has_ended) {
       completions_[outstanding.record].Free();
     }
     return outstanding.is_sent;
   }
-  /// The answer of the call with this record, once it is done.
+  /// The answer to the call with this record. Valid when the call is done.
   [[nodiscard]] const Bytes& answer(std::size_t record) const { return answers_[record]; }
 
-  // For the network thread.
+  // Functions for the network thread.
 
-  /// Starts the posted call with this record and returns its number; empty if its caller has left.
-  /// The lock prevents the caller from reusing the record meanwhile.
+  /// Starts the posted call with this record and returns its number; empty if its caller does not
+  /// wait any more. The lock prevents the caller from reusing the record meanwhile.
   [[nodiscard]] std::optional<std::uint64_t> Start(std::size_t record) {
     const std::scoped_lock lock(mutex_);
     if (!completions_[record].Start()) return std::nullopt;
     return of_record_[record];
   }
-  /// Called instead of Start() if the posted call will not be sent.
+  /// Called instead of Start() if the posted call will not be sent. Ends the call with
+  /// kNotConnected.
   void Drop(std::size_t record) noexcept {
     const std::scoped_lock lock(mutex_);
     if (!completions_[record].Start()) return;
     Finish(calls_.at(of_record_[record]), Status::kNotConnected);
   }
-  /// Marks the call as sent and returns its caller's deadline. Empty if the caller has left or the
-  /// deadline has passed; then the call must not be sent.
+  /// Marks the call as sent and returns the deadline of its caller. Empty if the caller does not
+  /// wait any more or the deadline has passed; then the call must not be sent.
   [[nodiscard]] std::optional<SteadyTime> Send(std::uint64_t call, SteadyTime now) {
     const std::scoped_lock lock(mutex_);
     const auto found = calls_.find(call);
@@ -87,13 +90,13 @@ class OutstandingCalls {
     found->second.is_sent = true;
     return found->second.deadline;
   }
-  /// Undoes Send(): the call may be sent later.
+  /// Undoes Send(), because the call could not be sent now. It may be sent later.
   void NotSent(std::uint64_t call) {
     const std::scoped_lock lock(mutex_);
     const auto found = calls_.find(call);
     if (found != calls_.end()) found->second.is_sent = false;
   }
-  /// Ends a call that will not be sent, with this reason.
+  /// Ends a call that will not be sent. Its caller gets the status `why`.
   void Refuse(std::uint64_t call, Status why) {
     const std::scoped_lock lock(mutex_);
     const auto found = calls_.find(call);
@@ -102,7 +105,8 @@ class OutstandingCalls {
     Finish(found->second, why);
   }
 
-  /// Any thread: ends a call with the reply to kWait, or with the reason why there is none.
+  /// Any thread: ends a call with the reply to its kWait request, or with the reason why there is
+  /// none.
   void End(std::uint64_t call, Result<Bytes> answer) {
     const std::scoped_lock lock(mutex_);
     const auto found = calls_.find(call);
@@ -116,7 +120,7 @@ class OutstandingCalls {
     std::size_t record = 0;
     SteadyTime deadline{};
     bool is_sent = false;
-    bool has_ended = false;  // the record was finished, which frees it if no caller waits
+    bool has_ended = false;  // the record was finished; this frees it if no caller waits
   };
 
   void Finish(OutstandingCall& outstanding, Status status) noexcept {
@@ -128,7 +132,7 @@ class OutstandingCalls {
   Mutex mutex_;
   std::uint64_t last_ = 0;
   std::map<std::uint64_t, OutstandingCall> calls_;  // from Enter() to Leave()
-  // Memory reused for the next call.
+  // A map node that is reused for the next call.
   typename std::map<std::uint64_t, OutstandingCall>::node_type spare_;
   std::vector<std::uint64_t> of_record_;
   std::vector<Bytes> answers_;  // indexed by record

@@ -71,7 +71,8 @@ void ProvidedInterfaceProxy::AddEvents(const ProvidedDescription& provided,
     if (event == nullptr) continue;
     events_.back() = std::make_unique<EventProxy>();
     interface_.AddEvent(*events_.back(), *event);
-    // The middleware's thread reports faults of the source, so two threads raise events.
+    // Faults of the source may be reported by the middleware's thread, so events are raised by two
+    // threads.
     if (line_) events_.back()->SetRaisers(CallerThreads::kManyThreads, nullptr);
   }
 }
@@ -102,7 +103,7 @@ void ProvidedInterfaceProxy::OnEventsLost(const message::EventsLost& events) {
     if (events_[i]) events_[i]->SetLostThere(events.lost[i]);
   }
   if (!line_) return CountLostEvents();
-  // If the line is full, the calls already in it count the events.
+  // If the queue of the executor is full, the queued calls count these events.
   (void)line_->Post([self = shared_from_this()] { self->CountLostEvents(); });
 }
 
@@ -129,7 +130,7 @@ bool ProvidedInterfaceProxy::OnCredit(const message::Credit& credit) {
   }
   if (is_faulted != remote_component_.is_faulted()) {
     remote_component_.SetFaulted(is_faulted);
-    // Posted to the line, so that handlers get earlier events first.
+    // Posted to the executor, so that handlers get earlier events first.
     const bool is_posted = line_ && line_->Post([self = shared_from_this()] {
       self->interface_.SetSourceFaulted(self->remote_component_.is_faulted());
     });

@@ -21,27 +21,29 @@ namespace tendon {
 
 class Connection;
 
-/// Represents a provided interface of another process, for one connection; a required interface of
-/// this process connects to it as usual. Void and write commands are queued until the network
-/// thread sends them, within the other end's credit. Reads send their request in the caller's
-/// thread, unless they are mirrored. Commands with a waiting caller do so too, unless queued ones
-/// must be sent first. Events are raised in the middleware's thread, or in a line of WorkerPool if
-/// a handler runs in the raising thread.
+/// Represents a provided interface of another process, for one connection. A required interface of
+/// this process is connected to it like to any provided interface.
+///
+/// Void and write commands are queued until the network thread sends them, within the credit of the
+/// other end. A read sends its request in the caller's thread, unless it is mirrored. A command
+/// whose caller waits is also sent in the caller's thread, unless queued commands must be sent
+/// first. Events are raised in the middleware's thread; if a handler runs in the raising thread,
+/// they are raised by a SerialExecutor of WorkerPool instead.
 class ProvidedInterfaceProxy final : public NetworkJob,
                                      public std::enable_shared_from_this<ProvidedInterfaceProxy> {
  public:
-  /// The interface at the other end, opened for this proxy.
+  /// The interface in the other process, which was opened for this proxy.
   struct Remote {
     std::shared_ptr<Channel> channel;
     message::OpenInterfaceReply opened;
-    InterfaceName name{};  ///< its name, for the log
-    /// Values of mirrored commands, by the command's name.
+    InterfaceName name{};  ///< its name, for log messages
+    /// The values of mirrored commands, by name of the command.
     std::map<std::string, std::shared_ptr<MirroredValue>> mirrored{};
-    std::shared_ptr<SerialExecutor> line{};  ///< of its events; null unless one of their handlers
-                                             ///< runs in the raising thread
+    /// Raises the events; null unless one of their handlers runs in the raising thread.
+    std::shared_ptr<SerialExecutor> line{};
   };
-  /// Offers the part of the remote interface that `required` uses. Throws ConfigurationError if its
-  /// description is invalid.
+  /// Offers those members of the remote interface that `required` uses. Throws ConfigurationError
+  /// if the description of the remote interface is invalid.
   ProvidedInterfaceProxy(std::shared_ptr<NetworkThread> thread, const Remote& remote,
                          const RequiredDescription& required,
                          std::chrono::milliseconds read_deadline);
@@ -52,26 +54,27 @@ class ProvidedInterfaceProxy final : public NetworkJob,
   /// The lane on which calls are sent.
   [[nodiscard]] Lane lane() const { return outbox_.lane(); }
 
-  // In threads of the middleware, one at a time.
+  // Called in threads of the middleware, one call at a time.
 
   /// `handler` is the index of the event handler in the required interface.
   void OnEvent(std::size_t handler, std::span<const std::byte> value);
   /// Adds the events that were lost at the other end to this end's counts of lost events.
   void OnEventsLost(const message::EventsLost& events);
-  /// Returns true if the remote component has become faulted, or is not faulted any more.
+  /// Handles a report of the other end. Returns true if fault() has changed.
   bool OnCredit(const message::Credit& credit);
 
   /// Any thread: waits until all events that have arrived are raised, at most until `deadline`.
   void DrainEvents(SteadyTime deadline) const;
-  /// Any thread: why the remote component is faulted; otherwise empty.
+  /// Any thread: returns why the remote component is faulted; empty if it is not faulted.
   [[nodiscard]] std::string fault() const;
-  /// Any thread: true if calls of `connection`, which leads to this proxy, are queued here or not
-  /// known to be executed. False while the remote component is stopped.
+  /// Any thread: returns true if calls of `connection`, which leads to this proxy, are queued here
+  /// or may not be executed yet. Returns false while the remote component is stopped.
   [[nodiscard]] bool HasCallsUnderWay(const Connection& connection);
-  /// Call it after the network thread has stopped working for this proxy: sends the calls that it
-  /// took and could not send, for at most `patience`.
+  /// Sends the calls that the network thread took from the queue but could not send; tries for at
+  /// most `patience`. Must be called when the network thread does not use this proxy any more.
   void SendRest(std::chrono::milliseconds patience) { outbox_.SendRest(patience); }
-  /// Any thread: called when the peer is gone; later calls are refused with kNotConnected.
+  /// Any thread: called when the connection to the other process has ended. Later calls are refused
+  /// with kNotConnected.
   void Sever();
 
   bool Work(SteadyTime now, SteadyTime& next) override;
@@ -90,8 +93,9 @@ class ProvidedInterfaceProxy final : public NetworkJob,
   const std::map<std::string, std::shared_ptr<MirroredValue>> mirrored_;
   Outbox outbox_;
   LossReport loss_report_;
-  std::vector<std::unique_ptr<EventProxy>> events_;  // by handler; null without an event
-  ComponentAccess remote_component_{[](const auto& /*reason*/) {}};  // executes nothing here
+  // By event handler; null if the remote interface has no such event.
+  std::vector<std::unique_ptr<EventProxy>> events_;
+  ComponentAccess remote_component_{[](const auto& /*reason*/) {}};  // not used to execute calls
   ProvidedInterface interface_;
 
   mutable std::mutex mutex_;

@@ -16,16 +16,17 @@
 namespace tendon {
 
 /// Reports to the other end of a connection how many events this end has lost, soon after each
-/// change. Network thread only.
+/// change. Used only in the network thread.
 class LossReport {
  public:
-  /// `handle` is the number of the connection at the other end.
+  /// `handle` is the number that the other end has issued for the connection.
   LossReport(std::shared_ptr<Channel> channel, std::uint32_t handle)
       : channel_(std::move(channel)), handle_(handle) {}
 
   /// Sets the total number of lost events of one event handler.
   void Set(std::size_t handler, std::uint64_t lost);
-  /// Sends a report if a total has changed. Lowers `next` to the time of the next report.
+  /// Sends a report if a total has changed. If the next report must be sent before `next`, sets
+  /// `next` to its time.
   void Report(SteadyTime now, SteadyTime& next);
 
  private:
@@ -36,31 +37,33 @@ class LossReport {
   message::EventsLost reported_;
 };
 
-/// Logs values above kMaxPayload that a proxy refused to send. The thread that calls a function
-/// must not log; it leaves a note, which the network thread logs.
+/// Logs that a proxy refused to send values larger than kMaxPayload. The thread that calls a
+/// function must not log. Therefore it stores a note, and the network thread logs the note.
 class RefusedPayloads {
  public:
   /// `interface` is the interface of the members: "robot/arm/Cloud".
   explicit RefusedPayloads(std::string interface) : interface_(std::move(interface)) {}
 
-  /// Adds a member. Call it before the first note of the member.
+  /// Adds a member. Must be called before the first note about the member.
   void Add(std::uint32_t handle, std::string member);
-  /// Any thread; wait-free. A newer note replaces an older one.
+  /// Any thread: stores a note about a value of `size` bytes. A newer note replaces an older one.
+  /// Wait-free.
   void Note(std::uint32_t handle, std::size_t size) noexcept;
-  /// Network thread: logs the note.
+  /// Network thread: logs the note if there is a new one.
   void Report();
   /// Any thread: logs "'cloud' of 80 000 000 B exceeds max_payload 67 108 864 B of
-  /// robot/arm/Cloud", at most once in ten seconds, with the count.
+  /// robot/arm/Cloud". Such messages are logged at most once in ten seconds, with their number.
   void Log(const std::string& member, std::size_t size);
 
   [[nodiscard]] std::uint64_t logged() const { return complaints_.count(); }
 
  private:
   const std::string interface_;
-  std::map<std::uint32_t, std::string> members_;  // by the part of the handle that fits into a note
+  std::map<std::uint32_t, std::string> members_;  // by the low bits of the handle, as in a note
   Published<std::uint64_t> note_{0};
   SharedCounter<> notes_;
-  std::uint64_t reported_ = 0;  // number of logged notes; network thread
+  // Value of notes_ at the last Report(); used only in the network thread.
+  std::uint64_t reported_ = 0;
   RateLimitedWarning complaints_{"network"};
 };
 

@@ -19,7 +19,7 @@
 namespace tendon {
 namespace {
 
-/// kQueued, or why an argument of `size` bytes cannot be sent.
+/// Returns kQueued if an argument of `size` bytes can be sent, otherwise the reason why not.
 Status CheckPayload(Outbox& outbox, std::uint32_t handle, std::size_t size) {
   if (!outbox.is_open()) return Status::kNotConnected;
   if (size <= kMaxPayload) return Status::kQueued;
@@ -27,7 +27,7 @@ Status CheckPayload(Outbox& outbox, std::uint32_t handle, std::size_t size) {
   return Status::kInvalid;
 }
 
-/// An argument that was encoded elsewhere.
+/// An argument that is already encoded.
 class EncodedArgument final : public ArgumentWriter {
  public:
   explicit EncodedArgument(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -85,7 +85,7 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     }
     std::uint64_t call = 0;
     const Status entered =
-        ComponentAccess::CatchExceptions(nullptr, [&]() -> Status {  // memory may be short
+        ComponentAccess::CatchExceptions(nullptr, [&]() -> Status {  // may throw bad_alloc
           call = callers_->Enter(*record, deadline);
           return Status::kQueued;
         });
@@ -120,8 +120,8 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     QueuedCommandProxy& command_;
   };
 
-  /// If nothing must be sent before, sends the call in the caller's thread, which wakes no other
-  /// thread. Else returns nothing, without an effect.
+  /// If no other call must be sent first, sends the call in the caller's thread, so that no other
+  /// thread must be woken, and waits for the answer. Otherwise returns nothing and changes nothing.
   std::optional<Status> WaitAtOnce(std::span<const std::byte> in, std::vector<std::byte>& out,
                                    SteadyTime deadline) {
     if (SteadyClock().Now() >= deadline) return {};
@@ -132,10 +132,9 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     std::uint64_t call = 0;
     std::uint64_t sent = 0;
     const Status entered =
-        ComponentAccess::CatchExceptions(nullptr, [&]() -> Status {  // memory may be short
+        ComponentAccess::CatchExceptions(nullptr, [&]() -> Status {  // may throw bad_alloc
           Outbox::BlockingCall blocking_call = BlockingCallOf(0, {});
-          blocking_call.argument.reserve(in.size() +
-                                         sizeof(std::uint64_t));  // the timeout is appended
+          blocking_call.argument.reserve(in.size() + sizeof(std::uint64_t));  // for the timeout
           blocking_call.argument.assign(in.begin(), in.end());
           call = blocking_call.number = callers_->Enter(*record, deadline);
           (void)callers_->Start(*record);  // succeeds: the caller is this thread
@@ -169,14 +168,14 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     return claimed;
   }
 
-  /// Sets `room` and has the argument written there. kQueued, or why not; kFailed if the codec
-  /// threw.
+  /// Claims a slot of the mailbox, sets `room` to it, and writes the argument into its buffer.
+  /// Returns kQueued, or the reason why this failed; kFailed if the codec threw an exception.
   Status Claim(const ArgumentWriter& in, std::size_t size, std::byte*& room) {
     room = mailbox_.Claim();
     if (room == nullptr) return outbox_.is_open() ? mailbox_.refusal() : Status::kNotConnected;
     const std::size_t slot = mailbox_.SlotOf(room);
     const Status written =
-        ComponentAccess::CatchExceptions(nullptr, [&]() -> Status {  // memory may be short
+        ComponentAccess::CatchExceptions(nullptr, [&]() -> Status {  // may throw bad_alloc
           return in.WriteTo(RoomIn(slot, size)) ? Status::kQueued : Status::kFailed;
         });
     if (!written) {
@@ -186,8 +185,8 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     return written;
   }
 
-  /// The buffer of a claimed slot. It grows to the size needed and not beyond, and copies nothing
-  /// of the argument before.
+  /// Returns the buffer of a claimed slot with `size` bytes. If the buffer must grow, it gets
+  /// exactly this size, and the previous argument is not copied.
   Bytes& RoomIn(std::size_t slot, std::size_t size) {
     Bytes& argument = pool_[slot];
     const std::size_t before = argument.capacity();
@@ -235,7 +234,8 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     outbox_.waiting_bytes().Give(pool_[slot].size());
   }
 
-  /// Buffers are kept up to a total: saving allocations is not worth unlimited memory.
+  /// Frees the buffer of a slot if the buffers together are larger than 64 MiB. Otherwise the
+  /// buffer is kept, to save allocations.
   void FreeIfMany(std::size_t slot) noexcept {
     constexpr std::uint64_t kMostKept = std::uint64_t{64} << 20U;
     if (grown_.value() - freed_.value() <= kMostKept) return;
@@ -251,12 +251,12 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
   const std::shared_ptr<OutstandingCalls<>> callers_;
   BlockingCallEntry blocking_entry_{*this};
   SharedCounter<> grown_;    // bytes by which the buffers of the pool have grown
-  SharedCounter<> freed_;    // of those, bytes freed again
-  std::vector<Bytes> pool_;  // arguments, by slot; see FreeIfMany()
+  SharedCounter<> freed_;    // bytes of these that were freed again
+  std::vector<Bytes> pool_;  // buffers for arguments, by slot; see FreeIfMany()
 };
 
-/// Behaves as LatestCommand: a newer call replaces an older one that waits, here or at the other
-/// end. Calls whose callers wait are queued as usual.
+/// Behaves like LatestCommand: a newer call replaces an older one that is still queued, here or in
+/// the other process. Calls whose callers wait are queued like those of a QueuedCommandProxy.
 class LatestCommandProxy final : public CommandBase, private Mailbox::Entry {
  public:
   LatestCommandProxy(Outbox& outbox, const MemberDescription& command, std::uint32_t handle,
@@ -285,7 +285,7 @@ class LatestCommandProxy final : public CommandBase, private Mailbox::Entry {
   Status Post(const ArgumentWriter& in) {
     const std::size_t size = in.size();
     if (const Status can = CheckPayload(outbox_, handle_, size); !can) return can;
-    return newest_.Post(*this, [&]() -> const Bytes& {  // memory may be short
+    return newest_.Post(*this, [&]() -> const Bytes& {  // may throw bad_alloc
       written_.resize(size);
       if (!in.WriteTo(written_)) throw std::length_error("the argument has changed");
       return written_;
@@ -301,7 +301,7 @@ class LatestCommandProxy final : public CommandBase, private Mailbox::Entry {
   const std::uint32_t handle_;
   SharedCounter<>& refused_;  // of the offer
   QueuedCommandProxy queued_;
-  Bytes written_;  // only of the posting thread
+  Bytes written_;  // used only by the posting thread
   LatestValue<Bytes> newest_;
 };
 
@@ -319,7 +319,7 @@ QueuedOfferProxy::QueuedOfferProxy(MemberDescription description, Outbox& outbox
 }
 
 Mailbox::SlotShape QueuedOfferProxy::shape() const {
-  constexpr std::size_t kTokens = 2;  // the most that a LatestCommand posts
+  constexpr std::size_t kTokens = 2;  // a LatestCommand has at most this many posted
   return {.reserve = keeps_latest_only() ? kTokens : 0};
 }
 

@@ -11,13 +11,15 @@
 
 namespace tendon {
 
-/// The overflow policy of `member`, given the members that keep the latest only.
+/// Returns the overflow policy of `member`. `latest_only` has the members that keep only the latest
+/// call.
 [[nodiscard]] Overflow OverflowOf(const std::vector<std::string>& latest_only,
                                   const std::string& member);
 
-/// A command of another process, or a handler of its events. Calls are sent to that process. Takes
-/// encoded values only, and copies them into buffers that keep their capacity. A member that keeps
-/// the latest only does so here as well.
+/// Represents a command of another process, or a handler of the other process for events of this
+/// one. Calls are queued and sent to the other process. Accepts only encoded values, and copies
+/// them into buffers that are reused. If the member keeps only the latest call, the queue here also
+/// keeps only the latest one.
 class QueuedOfferProxy final : public Offer {
  public:
   QueuedOfferProxy(MemberDescription description, Outbox& outbox, std::uint32_t handle);
@@ -25,7 +27,8 @@ class QueuedOfferProxy final : public Offer {
   [[nodiscard]] Mailbox::SlotShape shape() const override;
   [[nodiscard]] std::unique_ptr<CommandBase> Bind(Mailbox* mailbox) const override;
 
-  /// Calls refused: no room, too large, or not connected.
+  /// Number of calls that were refused because the queue was full, the value too large, or the
+  /// connection ended.
   [[nodiscard]] std::uint64_t refused() const noexcept { return refused_.value(); }
 
  private:

@@ -7,7 +7,8 @@
 namespace tendon {
 namespace {
 
-/// The status of a failed read, which has no side effects, so that its outcome is never unknown.
+/// Returns the status of a failed read. It is never kOutcomeUnknown, because a read has no side
+/// effects.
 Status StatusOf(const Error& error) {
   if (const auto refusal = StatusOfRefusal(error)) return *refusal;
   switch (error.code) {
@@ -54,7 +55,7 @@ std::unique_ptr<CommandBase> ReadOfferProxy::Bind(Mailbox* /*mailbox*/) const {
 
 std::optional<Status> StatusOfRefusal(const Error& error) {
   switch (error.code) {
-    case ErrorCode::kNotFound:  // the other end is closing the interface
+    case ErrorCode::kNotFound:  // the other process is closing the interface
       return Status::kNotConnected;
     case ErrorCode::kDenied:
       return Status::kDenied;
@@ -66,7 +67,7 @@ std::optional<Status> StatusOfRefusal(const Error& error) {
 }
 
 void AppendStatus(Status status, Bytes& answer) {
-  answer.reserve(answer.size() + 1);  // push_back() would double the capacity permanently
+  answer.reserve(answer.size() + 1);  // otherwise push_back() would double the capacity
   answer.push_back(CodeOf(status));
 }
 

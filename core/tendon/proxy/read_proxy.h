@@ -13,8 +13,9 @@
 
 namespace tendon {
 
-/// Reads the value from the peer in the caller's thread, which waits for at most `deadline`.
-/// Errors: kTimeout, or kNotConnected if the peer is gone.
+/// Represents a read command of another process. The request is sent in the caller's thread, which
+/// waits for the answer for at most `deadline`. Fails with kTimeout, or with kNotConnected if the
+/// connection has ended.
 class ReadOfferProxy final : public Offer {
  public:
   /// The remote command.
@@ -22,7 +23,7 @@ class ReadOfferProxy final : public Offer {
     std::shared_ptr<Channel> channel;
     std::uint32_t handle = 0;
     std::chrono::milliseconds deadline{0};
-    RefusedPayloads* refused_payloads = nullptr;  ///< the list of the interface
+    RefusedPayloads* refused_payloads = nullptr;  ///< logs arguments that are too large
   };
   ReadOfferProxy(MemberDescription description, Remote remote)
       : Offer(std::move(description)), remote_(std::move(remote)) {}
@@ -33,15 +34,17 @@ class ReadOfferProxy final : public Offer {
   Remote remote_;
 };
 
-/// The caller's status for a refused kRead or kWait; empty if `error` is not a refusal by the peer.
+/// Returns the status that the caller gets for a refused kRead or kWait request; empty if `error`
+/// is not a refusal by the peer.
 [[nodiscard]] std::optional<Status> StatusOfRefusal(const Error& error);
 
-/// The status follows the value in the reply to kRead and kWait.
+/// Returns the byte for a status, which follows the value in the reply to a kRead or kWait request.
 [[nodiscard]] inline std::byte CodeOf(Status status) {
   return static_cast<std::byte>(status.code());
 }
 void AppendStatus(Status status, Bytes& answer);
-/// Removes the status and returns it; kInvalid if it is missing or kQueued.
+/// Removes the status from the end of `answer` and returns it. Returns kInvalid if the status is
+/// missing, invalid or kQueued.
 Status TakeStatus(std::span<const std::byte>& answer);
 Status TakeStatus(Bytes& answer);
 

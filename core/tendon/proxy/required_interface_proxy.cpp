@@ -12,23 +12,24 @@
 namespace tendon {
 namespace {
 
-/// How long a read may wait in a line. The caller's own deadline, 100 ms by default, is not known
-/// here.
+/// How long a read may be queued. The deadline of the caller, by default 100 ms, is not known here.
 constexpr std::chrono::seconds kMostReadWait(2);
 constexpr std::size_t kMostReads = 64;
 constexpr std::size_t kMostReadBytes = std::size_t{64} << 20U;
 
-/// Bytes of events that may wait for a peer with a connection; more are lost, and counted.
+/// The largest number of event bytes that may be queued for a connected peer. Further events are
+/// lost and counted.
 constexpr std::size_t kMostEventBytes = std::size_t{64} << 20U;
-/// The same for a peer that only receives events; there may be many of them.
+/// The same for a peer that only receives events. It is smaller, because there may be many such
+/// peers.
 constexpr std::size_t kMostHeardBytes = std::size_t{8} << 20U;
 
-/// The reply to a read, followed by the status. Written directly into the memory that the link
-/// sends, if the link has such memory.
+/// Writes the result of a read and the status as the reply. If the link has memory for it, writes
+/// directly into the memory that the link sends.
 class ReadReply final : public AnswerSink {
  public:
-  /// `may_be` returns true if a value of that size may be sent; `spare` is used if the link has no
-  /// memory.
+  /// `may_be` returns true if a value of this size may be sent. `spare` is the buffer that is used
+  /// if the link has no memory for the reply.
   ReadReply(Responder responder, std::function<bool(std::size_t)> may_be, Bytes& spare)
       : responder_(std::move(responder)), may_be_(std::move(may_be)), spare_(spare) {}
 
@@ -37,7 +38,7 @@ class ReadReply final : public AnswerSink {
     return is_refused_ ? std::span<std::byte>() : Begin(size).first(size);
   }
 
-  /// Sends the reply; call it once. Without a value, sends only the status.
+  /// Sends the reply. If there is no value, sends only the status. Must be called once.
   void Finish(Status status) {
     if (reply_.empty()) Begin(0);
     if (is_refused_) status = Status::kFailed;
@@ -113,8 +114,8 @@ void RequiredInterfaceProxy::MakeLines(const ProvidedInterface& server, CallExec
     if (!runs_component_[i]) continue;
     (CanBeAwaited(functions_[i]->kind()) ? has_commands : has_reads) = true;
   }
-  // Room for the peer's whole credit, with arguments of any size, and for one call that has just
-  // ended.
+  // The queue has room for the whole credit of the peer, with arguments of any size, and for one
+  // call that has just ended.
   if (has_commands) commands_ = threads.commands.MakeLine(capacity_ + std::size_t{1});
   if (has_reads) reads_ = threads.reads.MakeLine(kMostReads, kMostReadBytes);
   if (has_commands || has_reads) interface_.SetCallers(CallerThreads::kManyThreads);
@@ -128,15 +129,16 @@ bool RequiredInterfaceProxy::BeginCredit(const Connection& connection, Server se
   return reported_.accepting;
 }
 
-/// Asks the side that executes calls: the task, or the component if it has no thread.
+/// Returns true if calls are executed now: by the task, or by the component if the component has no
+/// thread.
 bool RequiredInterfaceProxy::IsAccepting() const {
   if (const Inbox* inbox = server_.interface->inbox()) return inbox->accepting();
   const ComponentAccess* component = server_.interface->component();
   return component == nullptr || component->accepting();
 }
 
-/// The text of an exception can be arbitrary; Printable() shortens it to a length that catalogues
-/// accept.
+/// Returns why the component is faulted. The text may come from any exception, so Printable()
+/// shortens it to a length that catalogues accept.
 std::string RequiredInterfaceProxy::Fault() const {
   const ComponentAccess* component = server_.interface->component();
   return component != nullptr && component->is_faulted() ? Printable(server_.fault())
@@ -166,11 +168,11 @@ bool RequiredInterfaceProxy::PostTo(SerialExecutor& line, std::span<const std::b
 
 class RequiredInterfaceProxy::QueuedCommandCount {
  public:
-  /// Counts the command. Must be created before the command is counted as received.
+  /// Must be created before the command is counted as received.
   explicit QueuedCommandCount(RequiredInterfaceProxy& proxy) : proxy_(proxy) {}
   QueuedCommandCount(const QueuedCommandCount&) = delete;
   QueuedCommandCount& operator=(const QueuedCommandCount&) = delete;
-  /// Called when the command was executed, moved to the mailbox, or dropped.
+  /// Destroyed when the command was executed, moved to the mailbox, or dropped.
   ~QueuedCommandCount() {
     const std::scoped_lock lock(proxy_.mutex_);
     --proxy_.waiting_in_line_;
@@ -186,10 +188,11 @@ void RequiredInterfaceProxy::LogDropped(std::size_t function, const std::string&
 }
 
 void RequiredInterfaceProxy::LogRefused(std::size_t function) {
-  LogDropped(function, std::to_string(capacity_) + " are already queued, or memory is short");
+  LogDropped(function,
+             std::to_string(capacity_) + " are already queued, or there is not enough memory");
 }
 
-/// True if a call of this command must wait in the line.
+/// Returns true if a call of this command must be queued in the serial executor.
 bool RequiredInterfaceProxy::MustWaitInLine(std::size_t function) const {
   if (!commands_ || runs_component_[function]) return commands_ != nullptr;
   const std::scoped_lock lock(mutex_);
@@ -210,14 +213,15 @@ void RequiredInterfaceProxy::WaitForRoom(std::size_t function, SteadyTime deadli
 
 void RequiredInterfaceProxy::OnCommand(std::size_t function, std::span<const std::byte> argument) {
   if (function >= functions_.size() || !IsQueued(functions_[function]->kind())) return;
-  // A refused command counts as executed.
+  // A command that is refused here is counted as executed.
   if (!MustWaitInLine(function)) {
     const Status status = (*functions_[function])(argument, answer_);
     if (status == Status(Status::kInvalid) || status == Status(Status::kFailed)) {
       LogDropped(function, "its argument cannot be decoded");
     }
     if (status != Status(Status::kQueueFull)) return CountReceived(CreditReporting::kPrompt);
-    // This may not be the peer's fault: a reply confirms all calls before it, even queued ones.
+    // The peer may not have exceeded its credit: a reply confirms all earlier calls, also those
+    // that are still queued.
     if (!commands_) {
       LogRefused(function);
       return CountReceived(CreditReporting::kPrompt);
@@ -267,7 +271,7 @@ void RequiredInterfaceProxy::OnRead(std::size_t function, std::span<const std::b
   if (!is_posted) ReplyWith(Status::kQueueFull, *shared);
 }
 
-/// True if the caller of a read that has waited since then has probably timed out.
+/// Returns true if the caller of a read that was queued at `since` has probably timed out.
 bool RequiredInterfaceProxy::IsStale(SteadyTime since) const {
   const bool is_late = SteadyClock().Now() - since > kMostReadWait;
   return is_late || are_reads_dropped_.Get() || !channel_->is_open();
@@ -333,9 +337,9 @@ void RequiredInterfaceProxy::OnStarted(ExecutingCalls::ExecutingCall executing, 
   SteadyTime look = ExecutingCalls::FirstLook(executing);
   {
     const std::scoped_lock lock(mutex_);
-    // The connection was closed meanwhile, so the call was executed or dropped.
+    // The connection was closed meanwhile. The call was either executed or dropped.
     if (connection_ == nullptr) return OnEnd(executing, Status::kOutcomeUnknown, result);
-    // The call ended before Add(), so no further notification comes.
+    // If the call ended before Add(), there is no further notification.
     if (executing.command->HasEnded(executing.call)) look = executing.since;
     executing_.Add(std::move(executing));
   }
@@ -378,16 +382,17 @@ bool RequiredInterfaceProxy::Work(SteadyTime now, SteadyTime& next) {
   return sent > 0;
 }
 
-/// True if a report must be sent now. A report of executed calls can wait, unless they reach half
-/// the peer's credit and no replies have reported them.
+/// Returns true if a report must be sent now: if the state has changed, or if the unreported calls
+/// reach half the credit of the peer and no replies have reported them. Otherwise a report can
+/// wait.
 bool RequiredInterfaceProxy::IsUrgent(const message::Credit& credit) const {
   if (credit.accepting != reported_.accepting || credit.fault != reported_.fault) return true;
   return reporting_ != CreditReporting::kRelaxed &&
          2 * (credit.executed - reported_.executed) >= capacity_;
 }
 
-/// Sends a report now and then even if replies have reported the calls, because a peer ignores a
-/// reply whose caller has timed out.
+/// Sends a Credit if it is due. Sends one from time to time even if replies have reported all
+/// calls, because a peer ignores a reply whose caller has timed out.
 void RequiredInterfaceProxy::SendCredit(SteadyTime now, SteadyTime& next) {
   constexpr std::chrono::milliseconds kLatest(4);
   constexpr std::chrono::milliseconds kLatestBehindAnswers(100);
@@ -396,7 +401,8 @@ void RequiredInterfaceProxy::SendCredit(SteadyTime now, SteadyTime& next) {
   if (connection_ == nullptr) return;
   executing_.Answer(now, next);
   if (!channel_->is_open()) return;
-  // In this order, so that a call posted meanwhile makes the result too small, never too large.
+  // Reads the values in this order, so that a call that is posted meanwhile makes the result too
+  // small, never too large.
   const std::uint64_t received = received_;
   const std::uint64_t waiting = waiting_in_line_ + connection_->waiting();
   const std::uint64_t executed = received - std::min(waiting, received);

@@ -21,24 +21,26 @@
 
 namespace tendon {
 
-/// Represents a required interface of another process, for one connection; it connects to a
-/// provided interface of this process as usual. Calls are made in the middleware's thread, or in a
-/// line of WorkerPool if they run code of the component in the caller's thread. Events are queued
-/// until the network thread sends them.
+/// Represents a required interface of another process, for one connection. It is connected to a
+/// provided interface of this process like any required interface. Calls are made in the
+/// middleware's thread; if a call runs code of the component in the thread of its caller, it is
+/// made by a SerialExecutor of WorkerPool instead. Events are queued until the network thread sends
+/// them.
 class RequiredInterfaceProxy final : public NetworkJob,
                                      public std::enable_shared_from_this<RequiredInterfaceProxy>,
                                      private ExecutingCalls::Owner {
  public:
-  /// Whether events are sent as kEvents, or as kTimedEvents with the time when they were raised.
+  /// How events are sent: as kEvents, or as kTimedEvents, with the time at which they were raised.
   enum class Events { kPlain, kTimed };
 
   /// Throws ConfigurationError if the description is invalid.
   RequiredInterfaceProxy(std::shared_ptr<NetworkThread> thread, std::shared_ptr<Channel> channel,
                          const message::OpenInterface& open, Events events = Events::kPlain);
 
-  /// Call it before the proxy is connected to `server`. Makes lines for calls that run code of the
-  /// component in their caller's thread. A queued command waits in a line only behind such a call,
-  /// so that commands keep their order.
+  /// Makes a serial executor for commands and one for reads, if there are calls that run code of
+  /// the component in the thread of their caller. Other commands use the executor only while such a
+  /// command is queued or running there, so that commands keep their order. Must be called before
+  /// the proxy is connected to `server`.
   void MakeLines(const ProvidedInterface& server, CallExecutors& threads);
 
   [[nodiscard]] RequiredInterface& interface() { return interface_; }
@@ -47,60 +49,67 @@ class RequiredInterfaceProxy final : public NetworkJob,
   [[nodiscard]] std::uint32_t capacity() const { return capacity_; }
   /// The lane on which events are sent.
   [[nodiscard]] Lane lane() const { return outbox_.lane(); }
-  /// Any thread: number of events that have not reached the remote handlers. Counts the losses of
-  /// both ends, as far as the other end has reported its own.
+  /// Any thread: number of events that have not reached the remote handlers. It includes the events
+  /// that the other end has lost and reported.
   [[nodiscard]] std::uint64_t lost_events() const;
-  /// Any thread: number of commands that have arrived, executed or not. Does not count reads.
+  /// Any thread: number of commands that have arrived, whether they were executed or not. Reads are
+  /// not counted.
   [[nodiscard]] std::uint64_t received() const;
 
   /// The connected component.
   struct Server {
     const ProvidedInterface* interface = nullptr;
-    std::function<std::string()> fault;  ///< why it is faulted; any thread
+    std::function<std::string()> fault;  ///< why the component is faulted; called in any thread
   };
-  /// Starts the reports about the executed calls of `connection` and the state of the server.
-  /// Returns true if the server executes calls now. The arguments must live until EndCredit().
+  /// From now on, reports to the peer which calls of `connection` were executed, and the state of
+  /// the server. Returns true if the server executes calls now. The arguments must exist until
+  /// EndCredit().
   bool BeginCredit(const Connection& connection, Server server);
-  /// Waits until the commands in the line were executed, at most until `deadline`. Returns false if
-  /// a command or a read is left; then component code may still run, and must not be freed.
+  /// Waits until the serial executor has executed all commands, at most until `deadline`. Returns
+  /// false if a command or a read is left; then code of the component may still run, so the
+  /// component must not be destroyed.
   [[nodiscard]] bool Drain(SteadyTime deadline) const;
   void EndCredit();
-  /// Any thread: called when the peer is gone; later events are not sent.
+  /// Any thread: called when the connection to the other process has ended. Later events are not
+  /// sent.
   void Sever() { outbox_.Close(); }
-  /// Any thread: drops the reads in the line, whose callers have stopped waiting.
+  /// Any thread: drops the queued reads, because their callers do not wait any more.
   void DropReads() { are_reads_dropped_.Set(true); }
-  /// The same for commands; a running command continues.
+  /// Any thread: drops the queued commands. A running command continues.
   void DropCommands() { are_commands_dropped_.Set(true); }
 
-  // In threads of the middleware, one at a time. `function` is the index in the interface.
+  // Called in threads of the middleware, one call at a time. `function` is the index in the
+  // interface.
 
   void OnCommand(std::size_t function, std::span<const std::byte> argument);
   void OnRead(std::size_t function, std::span<const std::byte> argument, Responder responder);
-  /// Replies after the call was executed or refused.
+  /// Begins a call. The reply is sent after the call was executed or refused.
   void OnWait(std::size_t function, std::span<const std::byte> argument, Responder responder);
   void OnEventsLost(const message::EventsLost& events);
 
   bool Work(SteadyTime now, SteadyTime& next) override;
 
  private:
-  /// Returns false for a value that is too large, and logs it, because then the caller of an
-  /// executed call gets no result.
+  /// Returns true if a result of this size can be sent. If it is too large, also logs this, because
+  /// the caller then gets no result of a call that was executed.
   bool CanBeSent(std::size_t function, std::size_t size);
-  /// How often the network thread checks whether it must report to the peer: never; seldom, if
-  /// replies have probably reported everything; or often.
+  /// How often the network thread checks if it must send a Credit to the peer. kIdle: never.
+  /// kRelaxed: seldom, because replies have probably reported all calls. kPrompt: often.
   enum class CreditReporting { kIdle, kRelaxed, kPrompt };
 
-  /// While this object exists, a command counts as waiting in the line.
+  /// While this object exists, a command counts as queued in the serial executor.
   class QueuedCommandCount;
 
-  /// Logs a refused call: the peer has exceeded its credit, or there is no memory.
+  /// Logs that a call was dropped. LogRefused() is for a full queue: the peer has exceeded its
+  /// credit, or there is not enough memory.
   void LogDropped(std::size_t function, const std::string& reason);
   void LogRefused(std::size_t function);
   [[nodiscard]] bool MustWaitInLine(std::size_t function) const;
   [[nodiscard]] bool IsStale(SteadyTime since) const;
-  /// Called in the line: waits for room if `function` is queued and the mailbox is full.
+  /// Called by the serial executor: if calls of `function` are queued in the mailbox and the
+  /// mailbox is full, waits until it has a free slot.
   void WaitForRoom(std::size_t function, SteadyTime deadline) const;
-  /// Posts `call(*this, argument)` with a copied argument. Returns false if the line is full.
+  /// Posts `call(*this, argument)` with a copy of the argument. Returns false if the queue is full.
   template <typename Call>
   bool PostTo(SerialExecutor& line, std::span<const std::byte> argument, Call call);
   void Read(std::size_t function, std::span<const std::byte> argument, Responder responder,
@@ -127,10 +136,11 @@ class RequiredInterfaceProxy final : public NetworkJob,
   std::vector<std::string> function_names_;
   std::vector<const QueuedOfferProxy*> handlers_;  // indexed by event handler
   RateLimitedWarning complaints_{"network"};
-  std::vector<bool> runs_component_;  // by function: runs in its caller's thread
+  // By function: runs code of the component in the caller's thread.
+  std::vector<bool> runs_component_;
   std::shared_ptr<SerialExecutor>
-      commands_;                           // line for such commands and those behind them; or null
-  std::shared_ptr<SerialExecutor> reads_;  // line for such reads; or null
+      commands_;  // for such commands and those that must stay behind them; may be null
+  std::shared_ptr<SerialExecutor> reads_;  // for such reads; may be null
   Flag are_reads_dropped_;
   Flag are_commands_dropped_;
   Bytes answer_;  // used only in the middleware's thread
@@ -139,10 +149,10 @@ class RequiredInterfaceProxy final : public NetworkJob,
   const Connection* connection_ = nullptr;
   Server server_;
   std::uint64_t received_ = 0;
-  std::uint64_t waiting_in_line_ = 0;  // number of received commands
+  std::uint64_t waiting_in_line_ = 0;  // commands in commands_
   CreditReporting reporting_ = CreditReporting::kIdle;
   message::Credit reported_;
-  SteadyTime owed_since_{};  // begin of the wait for the next report
+  SteadyTime owed_since_{};  // since when the next report is due
   ExecutingCalls executing_{*this};
 };
 

@@ -13,7 +13,7 @@
 
 namespace tendon {
 
-/// Used with the pool's lock held.
+/// Used only while the lock of the pool is held.
 struct SerialExecutor::Queue {
   struct Waiting {
     Call call;
@@ -74,13 +74,14 @@ class WorkerPool::Pool {
 
  private:
   using Self = std::list<std::thread>::iterator;
-  /// The thread that takes a ready call: this one, which has just finished another call, or another
-  /// thread.
+  /// Which thread can take the next call: this thread, which has just finished another call, or
+  /// only another thread.
   enum class Taker { kThis, kOther };
 
-  // With the lock held.
+  // Called while the lock is held.
 
-  /// Returns false if there is no thread or no memory for the queue.
+  /// Lets a thread execute the first call of the queue. Returns false if there is no thread or not
+  /// enough memory.
   bool Serve(const Queue& queue, Taker taker) {
     try {
       ready_.push_back(queue);
@@ -107,7 +108,8 @@ class WorkerPool::Pool {
     }
   }
 
-  /// Destroys the dropped calls without the lock, because their destructors may do anything.
+  /// Drops all calls of a queue. They are destroyed while the lock is not held, because their
+  /// destructors may run any code.
   static void Drop(SerialExecutor::Queue& queue, std::unique_lock<std::mutex>& lock) {
     auto dropped = std::exchange(queue.calls, {});
     queue.bytes = 0;
@@ -150,7 +152,7 @@ class WorkerPool::Pool {
   std::mutex mutex_;
   std::condition_variable work_;
   std::condition_variable progress_;
-  std::deque<Queue> ready_;  // lines with a call to execute
+  std::deque<Queue> ready_;  // queues with a call to execute
   std::list<std::thread> threads_;
   std::list<std::thread> ended_;  // threads to be joined
   std::size_t idle_ = 0;

@@ -12,9 +12,9 @@ namespace tendon {
 
 class SerialExecutor;
 
-/// A thread pool for calls from other processes that run component code in their caller's thread.
-/// Such code may take long, and threads of the middleware must not wait for it. At most kMost
-/// threads; threads start on demand and end after a long idle time. Thread-safe.
+/// A thread pool for calls from other processes that run code of a component in the calling thread.
+/// Such code may take long, so it must not run in a thread of the middleware. The pool has at most
+/// kMost threads. They are started when needed and end when they were idle for 10 s. Thread-safe.
 class WorkerPool {
  public:
   static constexpr std::size_t kMost = 4;
@@ -22,11 +22,12 @@ class WorkerPool {
   explicit WorkerPool(std::string name);
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
-  /// Waits for running calls; drops queued ones. Must not run inside a call of this pool.
+  /// Drops queued calls and waits until running calls have ended. Must not be called by a call of
+  /// this pool.
   ~WorkerPool();
 
-  /// Makes a line, which holds at most `most_calls`, and at most `most_bytes` in total; a single
-  /// call may exceed the bytes. The line may outlive this object.
+  /// Makes a serial executor. Its queue may have at most `most_calls` calls, which together may own
+  /// `most_bytes`; a single call may own more. The executor may be destroyed after this object.
   [[nodiscard]] std::shared_ptr<SerialExecutor> MakeLine(
       std::size_t most_calls, std::size_t most_bytes = std::numeric_limits<std::size_t>::max());
 
@@ -37,8 +38,8 @@ class WorkerPool {
   const std::shared_ptr<Pool> pool_;
 };
 
-/// A line of calls, which a WorkerPool executes one at a time, in order. Different lines run in
-/// parallel. Thread-safe.
+/// A queue of calls that a WorkerPool executes one at a time, in order. The queues of different
+/// executors are executed in parallel. Thread-safe.
 class SerialExecutor {
  public:
   using Call = std::function<void()>;
@@ -47,10 +48,10 @@ class SerialExecutor {
   SerialExecutor& operator=(const SerialExecutor&) = delete;
   ~SerialExecutor();
 
-  /// Adds a call; its exceptions are logged. Returns false without an effect if the line is full or
-  /// the pool has ended. `bytes` is the memory that the call owns.
+  /// Adds a call to the queue; `bytes` is the memory that the call owns. Exceptions of the call are
+  /// logged. Returns false and changes nothing if the queue is full or the pool has ended.
   bool Post(Call call, std::size_t bytes = 0);
-  /// Waits until no call runs or waits; returns false if `deadline` passes first.
+  /// Waits until no call is queued or running. Returns false if `deadline` passes first.
   bool Drain(SteadyTime deadline);
 
  private:
@@ -64,8 +65,8 @@ class SerialExecutor {
   const std::shared_ptr<Queue> queue_;
 };
 
-/// The thread pools of one process, one for each kind of call, so that hanging calls delay only
-/// calls of the same kind.
+/// The thread pools of one process. There is one for each kind of call, so that calls that hang
+/// delay only calls of the same kind.
 struct CallExecutors {
   WorkerPool reads{"reads"};
   WorkerPool commands{"commands"};

@@ -69,7 +69,7 @@ Result<void> MakePrivateFolder(const fs::path& folder) {
   if (folder.has_parent_path()) fs::create_directories(folder.parent_path(), reason);
   fs::create_directory(folder, reason);
   if (!reason) fs::permissions(folder, fs::perms::owner_all, reason);
-  if (reason) return Failure("make the folder", folder, reason);
+  if (reason) return Failure("create the folder", folder, reason);
   return {};
 }
 

@@ -20,22 +20,23 @@ struct AuthorityFolder {
   [[nodiscard]] std::filesystem::path lock() const { return path / "lock"; }
 };
 
-/// The content of a regular file of at most 1 MiB.
+/// Returns the content of a regular file of at most 1 MiB.
 Result<std::string> ReadSmallFile(const std::filesystem::path& file);
 
-/// kDenied, with the remedy, if other users can read or write the file.
+/// Fails with kDenied if other users can read or write the file. The error gives the remedy.
 Result<void> RequirePrivate(const std::filesystem::path& file);
 
-/// Creates a folder of mode 0700; leaves an existing one as it is.
+/// Creates a folder of mode 0700. Does not change an existing folder.
 Result<void> MakePrivateFolder(const std::filesystem::path& folder);
 
 /// Writes a file of mode 0600 atomically, and waits until it is on the disk.
 Result<void> WritePrivateFile(const std::filesystem::path& file, std::string_view text);
 
-/// The same for a private key, to a new file that other users can never read.
+/// Writes a private key to a new file of mode 0600, which other users cannot read at any time.
+/// Fails with kExists if the file exists.
 Result<void> WriteKey(const std::filesystem::path& file, const EVP_PKEY& key);
 
-// The files of a CA.
+// These functions read the files of a CA.
 Result<openssl::CertificateHandle> ReadAuthority(const AuthorityFolder& folder);
 Result<openssl::RevocationList> ReadRevoked(const AuthorityFolder& folder);
 /// Reads a private key; fails if other users can read the file.

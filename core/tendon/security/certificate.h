@@ -11,18 +11,18 @@
 
 namespace tendon {
 
-/// The kind of holder of a certificate. Only a process (an LCM or a GCM) may also accept links.
+/// The kind of holder of a certificate. Only a process (an LCM or a GCM) may accept links.
 enum class Holder : std::uint8_t { kPerson, kProcess };
 
 /// "person", "process".
 [[nodiscard]] std::string_view ToString(Holder holder) noexcept;
 
-/// The holder of a certificate, and its rights. Does not say whether the certificate is valid: see
+/// The holder of a certificate, and the role. This does not mean that the certificate is valid: see
 /// CheckCertificate().
 struct Certificate {
-  std::string name;           ///< the subject's CN; for a process, the name under which it joins
-  Role role = Role::kViewer;  ///< the subject's OU
-  Holder holder{};            ///< a process if its extended key usage includes serverAuth
+  std::string name;           ///< CN of the subject; for a process, the name with which it joins
+  Role role = Role::kViewer;  ///< OU of the subject
+  Holder holder{};            ///< a process if the extended key usage includes serverAuth
   std::string serial;         ///< hexadecimal, as openssl(1) prints it
   std::chrono::sys_seconds not_before{};
   std::chrono::sys_seconds not_after{};
@@ -30,14 +30,14 @@ struct Certificate {
   bool operator==(const Certificate&) const = default;
 };
 
-/// The most bytes of a certificate or a key; a longer text is refused without parsing.
+/// The largest size of a certificate in bytes. A longer text is refused without parsing.
 inline constexpr std::size_t kMaxCertificateSize = std::size_t{64} << 10U;
 
-/// Reads the first certificate in a PEM text. kInvalid if there is none, if it belongs to a CA, or
-/// if it does not have exactly one name and one known role.
+/// Reads the first certificate in a PEM text. Fails with kInvalid if there is none, if it belongs
+/// to a CA, or if it does not have exactly one name and one known role.
 Result<Certificate> ParseCertificate(std::string_view pem);
 
-/// "2027-11-22 04:40:00Z".
+/// Returns a time as text: "2027-11-22 04:40:00Z".
 [[nodiscard]] std::string DateText(std::chrono::sys_seconds time);
 
 }  // namespace tendon

@@ -111,7 +111,7 @@ Result<void> RequireFree(const fs::path& file) {
                                        "folder with --out, or remove it"};
 }
 
-/// The issued certificates of one name, and the names of all.
+/// The issued certificates with one name, and the names of all issued certificates.
 struct Found {
   std::vector<openssl::CertificateHandle> certificates;
   std::vector<std::string> names;
@@ -143,8 +143,8 @@ Result<Found> Find(const AuthorityFolder& folder, const std::string& name) {
   return found;
 }
 
-/// The certificates of a name that are not revoked: at least one; otherwise an error that says why
-/// there is none.
+/// Returns the certificates with this name that are not revoked. If there is none, fails; the error
+/// says why.
 Result<std::vector<openssl::CertificateHandle>> FindValid(const AuthorityFolder& folder,
                                                           X509_CRL& revoked,
                                                           const std::string& name) {
@@ -251,7 +251,7 @@ Result<CertificateAuthority::IssuedCertificate> CertificateAuthority::Issue(
       openssl::MakeCertificate(request, *key, Now() + request.validity, authority->signer());
   const std::string text = openssl::PemOf(*certificate);
   const fs::path copy = files.issued() / (openssl::SerialOf(*certificate) + ".crt");
-  // Writes the copy first, so that every issued certificate can be revoked.
+  // Writes the copy first, because a certificate can be revoked only if there is a copy.
   if (auto done = WritePrivateFile(copy, text); !done) return done.error();
   const PersonalFiles issued(request.name, out);
   if (auto done = WriteKey(issued.key, *key); !done) return done.error();

@@ -11,29 +11,33 @@
 
 namespace tendon {
 
-/// A small certificate authority in a private folder of its user (0700, files 0600):
+/// A small certificate authority (CA). Its files are in a private folder of its user (mode 0700,
+/// files 0600):
 ///
 ///     ca.crt       its certificate              \ a host needs these to check certificates
 ///     crl.pem      its revoked certificates     /
 ///     ca.key       its private key, which can make operators; never leaves the folder
 ///     issued/      a copy of each certificate, named by its serial number
 ///
-/// All keys are of the curve P-256. An object of this class holds no secret. Functions read and
-/// write files and wait for the disk. If two programs change one folder at once, the second one
-/// fails. Functions throw only if OpenSSL cannot continue, for example without memory.
+/// All keys use the curve P-256. An object of this class contains no secret. The functions read and
+/// write files and block on the disk. If two programs change a folder at the same time, the second
+/// one fails. The functions throw only if OpenSSL cannot continue, for example if there is not
+/// enough memory.
 class CertificateAuthority {
  public:
-  /// Creates a CA that lasts ten years. kExists unless the folder is empty or missing.
+  /// Creates a CA that is valid for ten years. Fails with kExists if the folder exists and is not
+  /// empty.
   static Result<CertificateAuthority> Init(const std::filesystem::path& folder);
   /// Returns the error that Init() would return before it writes anything.
   static Result<void> CheckInit(const std::filesystem::path& folder);
 
-  /// Opens an existing CA. kNotFound if there is none, kDenied if other users can read its key.
+  /// Opens an existing CA. Fails with kNotFound if there is none, and with kDenied if other users
+  /// can read its key.
   static Result<CertificateAuthority> Open(const std::filesystem::path& folder);
 
   /// The content of a new certificate.
   struct Request {
-    std::string name;  ///< as a process name: letters, digits, '_' and '-'
+    std::string name;  ///< like a process name: letters, digits, '_' and '-'
     Role role = Role::kViewer;
     Holder holder = Holder::kPerson;
     std::vector<std::string> hosts;  ///< names and addresses at which a process listens
@@ -45,19 +49,19 @@ class CertificateAuthority {
     std::filesystem::path certificate_file;
     std::filesystem::path key_file;  ///< 0600
   };
-  /// Creates a key and a certificate, NAME.key and NAME.crt in the folder `out`, which is created
-  /// if missing. Never overwrites a file. A name may have several certificates, so that a new one
-  /// can be issued before the old one expires.
+  /// Creates a key and a certificate: NAME.key and NAME.crt in the folder `out`, which is created
+  /// if it does not exist. Never overwrites a file. There may be several certificates for one name,
+  /// so that a new one can be issued before the old one expires.
   Result<IssuedCertificate> Issue(const Request& request, const std::filesystem::path& out) const;
   /// Returns the error that Issue() would return before it writes anything.
   [[nodiscard]] Result<void> CheckIssue(const Request& request,
                                         const std::filesystem::path& out) const;
 
-  /// Revokes all certificates of that name; returns their serial numbers. kNotFound if none was
-  /// issued, kExists if all are revoked already, kInvalid if a copy in issued/ cannot be read,
-  /// because it could be one of them.
+  /// Revokes all certificates with this name, and returns their serial numbers. Fails with
+  /// kNotFound if none was issued, with kExists if all are already revoked, and with kInvalid if a
+  /// copy in issued/ cannot be read, because it could be one of these certificates.
   Result<std::vector<std::string>> Revoke(const std::string& name) const;
-  /// The serial numbers that Revoke() would revoke, or its error.
+  /// Returns the serial numbers that Revoke() would revoke, or the error that it would return.
   [[nodiscard]] Result<std::vector<std::string>> Revocable(const std::string& name) const;
 
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }

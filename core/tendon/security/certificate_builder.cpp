@@ -25,7 +25,7 @@ Time TimeAt(sys_seconds when) {
   return time;
 }
 
-/// A unique number that cannot be guessed.
+/// Returns a unique number that cannot be guessed.
 Number RandomSerial() {
   constexpr int kBits = 126;
   const Handle<BIGNUM, BN_free> random(BN_new());
@@ -49,7 +49,7 @@ Extension MakeExtension(X509V3_CTX& context, int kind, const std::string& value)
   return made;
 }
 
-/// A certificate with the fields that all certificates have; not signed yet.
+/// Returns a certificate with the fields that all certificates have. It is not signed yet.
 CertificateHandle Begin(EVP_PKEY& key, sys_seconds not_after) {
   CertificateHandle certificate(X509_new());
   Require(certificate != nullptr, "a certificate");
@@ -113,7 +113,7 @@ CertificateHandle MakeAuthority(EVP_PKEY& key, sys_seconds not_after) {
   CertificateHandle certificate = Begin(key, not_after);
   X509* made = certificate.get();
   constexpr std::size_t kDigits = 8;
-  // A unique name, so that CAs can be told apart.
+  // The name is unique, so that different CAs can be distinguished.
   SetEntry(X509_get_subject_name(made), "CN", "Tendon CA " + SerialOf(*made).substr(0, kDigits));
   Require(X509_set_issuer_name(made, X509_get_subject_name(made)) == 1, "an issuer");
   Extend(*made, *made,

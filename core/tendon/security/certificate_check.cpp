@@ -16,7 +16,7 @@ using std::chrono::sys_seconds;
 
 constexpr const char* kIssueAnother = ": issue another with gcm cert issue";
 
-/// Converts an error code of X509_verify_cert() to an Error.
+/// Converts an error code of X509_verify_cert() to an Error for users.
 Error NotGood(const std::string& what, int reason, X509& certificate, const fs::path& authority) {
   const auto denied = [&what](const std::string& why) {
     return Error{ErrorCode::kDenied, what + " " + why};
@@ -49,7 +49,7 @@ Error NotGood(const std::string& what, int reason, X509& certificate, const fs::
   }
 }
 
-/// Returns 0, or the code that says why the chain up to the CA is not valid.
+/// Checks the chain up to the CA. Returns 0 if it is valid, otherwise the error code of OpenSSL.
 int VerifyChain(X509& certificate, X509_STORE& authority, sys_seconds now) {
   const openssl::Handle<X509_STORE_CTX, X509_STORE_CTX_free> context(X509_STORE_CTX_new());
   openssl::Require(
@@ -67,7 +67,7 @@ int VerifyChain(X509& certificate, X509_STORE& authority, sys_seconds now) {
   return !holds && reason == X509_V_OK ? X509_V_ERR_UNSPECIFIED : reason;
 }
 
-/// `what` is the certificate's name in errors.
+/// Checks a certificate. `what` names it in error messages.
 Result<Certificate> Check(const std::string& what, X509& certificate,
                           openssl::TrustedAuthority& authority, sys_seconds now) {
   const auto store = authority.Now();
@@ -79,7 +79,8 @@ Result<Certificate> Check(const std::string& what, X509& certificate,
   return described;
 }
 
-/// The private key beside a certificate; empty if there is none.
+/// Returns the file of the private key beside a certificate, after checking the key; empty if there
+/// is no such file.
 Result<std::optional<fs::path>> FindKey(const fs::path& file, const X509& certificate) {
   fs::path key_file = file;
   key_file.replace_extension(".key");

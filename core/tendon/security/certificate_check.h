@@ -15,29 +15,30 @@ namespace openssl {
 class TrustedAuthority;
 }
 
-/// A certificate that was found valid.
+/// A certificate that has been checked and is valid.
 struct CheckedCertificate {
   Certificate certificate;
-  std::optional<std::filesystem::path> key;  ///< its private key, if the file exists
-  std::string warning;                       ///< a future problem, such as expiry; or empty
+  std::optional<std::filesystem::path> key;  ///< file of its private key, if it exists
+  std::string warning;  ///< a problem in the future, such as expiry; may be empty
 };
 
-/// The warning begins this many days before a certificate expires.
+/// A certificate that expires in less than this time causes a warning.
 inline constexpr std::chrono::days kExpiresSoon{30};
 
-/// Checks that the certificate in `file` (PEM) is valid at `now`: issued by the CA whose ca.crt and
-/// crl.pem are in the folder `authority`, neither expired nor revoked, with a known role. The key
-/// is `file` with the extension .key. It may be missing; if it exists, it must match and be
-/// readable by its user only. Does not need the private key of the CA.
+/// Checks that the certificate in `file` (PEM) is valid at `now`: it was issued by the CA whose
+/// ca.crt and crl.pem are in the folder `authority`, is neither expired nor revoked, and has a
+/// known role. Its key is in the file with the extension .key, which may be missing; if the key
+/// exists, it must match, and only its user may be able to read it. The private key of the CA is
+/// not needed.
 ///
-/// Errors: kDenied if the certificate is not valid, kNotFound for a missing file, kInvalid for a
-/// malformed one. Reads files, each of at most 1 MiB.
+/// Fails with kDenied if the certificate is not valid, with kNotFound for a missing file, and with
+/// kInvalid for a malformed file. Reads files of at most 1 MiB each.
 Result<CheckedCertificate> CheckCertificate(const std::filesystem::path& file,
                                             const std::filesystem::path& authority,
                                             std::chrono::sys_seconds now);
 
-/// The same for the certificate (PEM) of a peer that has proved that it owns the key. Errors begin
-/// with "the certificate of 'robot'".
+/// Checks the certificate (PEM) of a peer in the same way. The peer must have proved before that it
+/// owns the key. Errors begin with "the certificate of 'robot'".
 Result<Certificate> CheckPeerCertificate(std::string_view pem, openssl::TrustedAuthority& authority,
                                          std::chrono::sys_seconds now);
 

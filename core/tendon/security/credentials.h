@@ -4,10 +4,11 @@
 
 namespace tendon {
 
-/// The TLS files of a program: its own certificate, and the CA to check peers.
+/// The TLS files of a program: its own certificate, and the CA with which it checks peers.
 struct Credentials {
-  std::filesystem::path certificate;  ///< PEM; the private key is beside it, as .key
-  std::filesystem::path authority;    ///< the folder of the CA's ca.crt and crl.pem
+  /// PEM; the private key is in the same folder, with the extension .key.
+  std::filesystem::path certificate;
+  std::filesystem::path authority;  ///< the folder with ca.crt and crl.pem of the CA
 };
 
 }  // namespace tendon

@@ -29,18 +29,18 @@ class LocalCertificate {
   };
 
  public:
-  /// Errors: those of CheckCertificate(); kNotFound without a key. Logs a warning if the
-  /// certificate expires soon.
+  /// Reads the certificate and the key. Fails like CheckCertificate(), and with kNotFound if there
+  /// is no key. Logs a warning if the certificate expires soon.
   static Result<std::unique_ptr<LocalCertificate>> Read(const Credentials& credentials);
 
-  /// The current certificate and key. A renewed certificate replaces the old one if it is valid,
-  /// has its key, and has the same name, role and holder. Otherwise the old one stays, and the log
-  /// says why. Reads a file.
+  /// Returns the current certificate and key. If the file has changed, the new certificate replaces
+  /// the old one, provided that it is valid, has a key, and has the same name, role and holder.
+  /// Otherwise the old one stays, and the log says why. Reads a file at each call.
   [[nodiscard]] std::shared_ptr<const Pair> Now();
 
   [[nodiscard]] const std::filesystem::path& file() const { return credentials_.certificate; }
   [[nodiscard]] const std::filesystem::path& key_file() const { return key_file_; }
-  /// The certificate as first read; a renewed one has the same name, role and holder.
+  /// The certificate that was read first. A renewed one has the same name, role and holder.
   [[nodiscard]] const Certificate& certificate() const { return certificate_; }
 
   LocalCertificate(Passkey /*only from Read()*/, Credentials credentials, Loaded loaded);
@@ -53,7 +53,7 @@ class LocalCertificate {
   const Certificate certificate_;
   const std::filesystem::path key_file_;
   std::mutex mutex_;
-  std::string text_;  // content of the file when it was read
+  std::string text_;  // content of the certificate file when it was last loaded
   std::shared_ptr<const Pair> pair_;
   std::string complaint_;  // the last problem that was logged
 };

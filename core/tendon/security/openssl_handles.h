@@ -30,8 +30,8 @@ using RevocationList = Handle<X509_CRL, X509_CRL_free>;
 using Number = Handle<ASN1_INTEGER, ASN1_INTEGER_free>;
 using Time = Handle<ASN1_TIME, ASN1_TIME_free>;
 
-/// Throws std::runtime_error if a call has failed. For calls that fail only without memory or
-/// because of a bug here.
+/// Throws std::runtime_error if a call has failed. For calls that fail only if there is not enough
+/// memory or because of a bug in Tendon.
 inline void Require(bool succeeded, const char* what) {
   if (!succeeded) throw std::runtime_error(std::string("OpenSSL failed: ") + what);
 }

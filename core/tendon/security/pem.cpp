@@ -18,7 +18,7 @@ Memory Over(std::string_view text) {
   return memory;
 }
 
-/// Replaces OpenSSL's function, which would ask for a passphrase at the terminal.
+/// Used instead of OpenSSL's function, which would ask for a passphrase at the terminal.
 int NoPassphrase(char* /*buffer*/, int /*size*/, int /*writes*/, void* /*context*/) { return -1; }
 
 template <typename Write>
@@ -30,7 +30,7 @@ std::string Written(Write write) {
   return {text, static_cast<std::size_t>(size)};
 }
 
-/// The only entry of its kind in a subject; empty if there are none or several.
+/// Returns the entry of a kind in a subject; empty if there is none or more than one.
 std::string OnlyEntry(const X509_NAME* subject, int kind) {
   const int at = X509_NAME_get_index_by_NID(subject, kind, -1);
   if (at < 0 || X509_NAME_get_index_by_NID(subject, kind, at) >= 0) return {};

@@ -9,12 +9,12 @@
 
 namespace tendon {
 
-/// Which messages of one type are written to the audit log. The messages that a connection sends in
-/// every cycle are written only if refused: the audit log has the opening of the connection, and
-/// the number of its commands when it ends.
+/// Which messages of a type are written to the audit log. Messages that a connection may send in
+/// every cycle are written only if they are refused, because the audit log already has the opening
+/// of the connection, and the number of its commands when it ends.
 enum class Audit : std::uint8_t { kRefusals, kAll };
 
-/// What is required to send one type of message to a process that serves others.
+/// The role that a peer needs to send one type of message to a process that serves others.
 struct Right {
   std::uint16_t type;    ///< MessageType
   std::string_view act;  ///< description for people
@@ -22,12 +22,12 @@ struct Right {
   Audit audit;
 };
 
-/// All rights, sorted by type. Types that are not listed are denied to everybody. Messages that
-/// arrive on channels opened by this process need no right, because it chose its peer.
+/// All rights, sorted by type. A type that is not listed is refused from every peer. Messages on a
+/// channel that this process has opened need no right, because this process has chosen the peer.
 inline constexpr auto kRights = std::to_array<Right>({
     // proxy/connection_messages.h
     {0x100, "open an interface", Role::kOperator, Audit::kRefusals},  // logged separately
-    {0x101, "close an interface", Role::kViewer, Audit::kRefusals},   // one that it opened
+    {0x101, "close an interface", Role::kViewer, Audit::kRefusals},   // only its own
     {0x102, "queue commands", Role::kOperator, Audit::kRefusals},
     {0x103, "execute a read command", Role::kOperator, Audit::kRefusals},
     {0x104, "send a ping", Role::kViewer, Audit::kRefusals},
@@ -38,15 +38,15 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x201, "call a command", Role::kOperator, Audit::kAll},
     {0x202, "watch a state table", Role::kViewer, Audit::kRefusals},
     {0x203, "end a subscription", Role::kViewer, Audit::kRefusals},
-    {0x206, "take a row", Role::kViewer, Audit::kRefusals},
+    {0x206, "acknowledge a row", Role::kViewer, Audit::kRefusals},
     {0x207, "listen to events", Role::kViewer, Audit::kRefusals},
-    {0x208, "look at a connection", Role::kViewer, Audit::kRefusals},
-    {0x209, "look at mailboxes", Role::kViewer, Audit::kRefusals},
+    {0x208, "read the counts of a connection", Role::kViewer, Audit::kRefusals},
+    {0x209, "read the fill levels of mailboxes", Role::kViewer, Audit::kRefusals},
     {0x20a, "watch a state table via the broker", Role::kViewer, Audit::kRefusals},  // broadcast
-    {0x20b, "mirror a read command", Role::kOperator, Audit::kRefusals},  // of a connection
+    {0x20b, "mirror a read command", Role::kOperator, Audit::kRefusals},  // for a connection
     {0x20d, "ask for its version", Role::kViewer, Audit::kRefusals},  // process/version_messages.h
     // process/membership_messages.h
-    {0x300, "join", Role::kOperator, Audit::kRefusals},  // members are logged
+    {0x300, "join", Role::kOperator, Audit::kRefusals},  // logged separately
     {0x301, "report a change", Role::kOperator, Audit::kRefusals},
     {0x302, "send a ping", Role::kViewer, Audit::kRefusals},
     {0x303, "leave", Role::kOperator, Audit::kAll},
@@ -68,7 +68,7 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x31b, "give an order for a process", Role::kOperator, Audit::kAll},
     {0x31c, "find the broker", Role::kViewer, Audit::kRefusals},  // process/telemetry/
     {0x31d, "list its started processes", Role::kViewer, Audit::kRefusals},
-    {0x31e, "carry out a plan", Role::kOperator, Audit::kRefusals},
+    {0x31e, "execute a plan", Role::kOperator, Audit::kRefusals},
     {0x31f, "skip a step", Role::kOperator, Audit::kAll},
     // process/log/log_messages.h, gcm/gcm_messages.h
     {0x340, "log", Role::kOperator, Audit::kRefusals},
@@ -78,15 +78,15 @@ inline constexpr auto kRights = std::to_array<Right>({
 
 static_assert(std::ranges::is_sorted(kRights, std::ranges::less_equal{}, &Right::type) &&
                   std::ranges::adjacent_find(kRights, {}, &Right::type) == kRights.end(),
-              "each type has one right, and is found by halving");
+              "each type has one right, and is found by binary search");
 
-/// Returns null for a type that is not listed.
+/// Returns the right for a type; null if the type is not listed.
 [[nodiscard]] constexpr const Right* FindRight(std::uint16_t type) {
   const auto* const found = std::ranges::lower_bound(kRights, type, {}, &Right::type);
   return found != kRights.end() && found->type == type ? found : nullptr;
 }
 
-/// Whether `role` includes `needed`.
+/// Returns true if `role` includes the rights of `needed`.
 [[nodiscard]] constexpr bool Includes(Role role, Role needed) noexcept { return role >= needed; }
 
 }  // namespace tendon

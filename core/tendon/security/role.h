@@ -7,7 +7,7 @@
 
 namespace tendon {
 
-/// The rights of a certificate's holder; each role includes the rights of the roles before it.
+/// The role of the holder of a certificate. Each role includes the rights of the roles before it.
 enum class Role : std::uint8_t {
   kViewer,    ///< read the catalogue, values, rows and logs
   kOperator,  ///< make changes: connect, call commands, join as a process
@@ -16,7 +16,7 @@ enum class Role : std::uint8_t {
 /// "viewer", "operator".
 [[nodiscard]] std::string_view ToString(Role role) noexcept;
 
-/// Reads the text of ToString(); kInvalid lists the roles.
+/// Reads a role as ToString() writes it. Fails with kInvalid; the error lists the roles.
 Result<Role> ParseRole(std::string_view text);
 
 }  // namespace tendon

@@ -5,7 +5,7 @@
 namespace tendon::openssl {
 namespace {
 
-/// The text of both files; empty if one cannot be read.
+/// Returns the text of both files; empty if one of them cannot be read.
 std::string TextOf(const AuthorityFolder& files) {
   const auto certificate = ReadSmallFile(files.certificate());
   const auto revoked = ReadSmallFile(files.revoked());

@@ -11,21 +11,22 @@
 
 namespace tendon::openssl {
 
-/// A CA with its revoked certificates. Parses its files again only after a change. Thread-safe.
+/// A CA with its revoked certificates. Its files are parsed again only if they have changed.
+/// Thread-safe.
 class TrustedAuthority {
  public:
   using Store = std::shared_ptr<X509_STORE>;
 
   explicit TrustedAuthority(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// The store that verifies certificates now. Reads two files and may wait for the disk; other
-  /// threads do not wait meanwhile. Errors: kNotFound, kInvalid, kDenied.
+  /// Returns the store with which certificates are verified now. Reads two files and may block on
+  /// the disk; this does not block other threads. Fails with kNotFound, kInvalid or kDenied.
   [[nodiscard]] Result<Store> Now();
 
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
  private:
-  /// The last store if it was made from `text`, otherwise null.
+  /// Returns the last store if it was made from `text`, otherwise null.
   Store Find(const std::string& text);
 
   const std::filesystem::path folder_;

@@ -21,8 +21,8 @@ bool IsReserved(const std::string& name) { return name == "state" || name.starts
 
 std::string Quoted(const std::string& name) { return "'" + name + "'"; }
 
-/// Finds the transition for a request, or the error that says why it is refused. `mutex` guards
-/// state changes.
+/// Returns the transition for a request, or an error that says why the request is refused. `mutex`
+/// guards state changes.
 Result<const Transition*> Lookup(const Component& component, std::mutex& mutex,
                                  LifecycleRequest request) {
   const std::scoped_lock lock(mutex);  // the state and the flag change together
@@ -157,7 +157,7 @@ Result<void> Component::Stop(Patience patience) {
   const auto transition = Lookup(*this, mutex_, LifecycleRequest::kStop);
   if (!transition) return transition.error();
   {
-    const std::scoped_lock lock(mutex_);  // the component may have ended by itself meanwhile
+    const std::scoped_lock lock(mutex_);  // because the component may have ended meanwhile
     is_stopping_.Set(is_starting() || IsRunning(state()));
   }
   Halt();
@@ -236,8 +236,8 @@ ProvidedInterface& Component::AddProvidedInterface(LocatedName name) {
 
 ProvidedInterface& Component::AddReservedInterface(LocatedName name) {
   RequireNew("provided interface", name, *this, sealed_, added_at_);
-  // State tables get no access to the component: they stay readable after a fault, when their
-  // records matter most.
+  // The interface of a state table gets no access to the component, so the table can also be read
+  // while the component is faulted, when its rows are most important.
   const ComponentAccess* const access = IsReserved(name.text) ? nullptr : &access_;
   provided_.push_back(
       std::make_unique<ProvidedInterface>(std::move(name.text), inbox_.get(), access));
@@ -286,7 +286,7 @@ bool Component::ReportPeers(RequiredInterface& interface) {
       if (inbox_) interface.ForgetPeer();  // OnConnected() runs again at the next start
       return false;
     }
-    // If the component has no thread, the caller of this function admits the peer.
+    // If the component has no thread, the caller of this function calls AdmitPeer().
     if (is_notified_first && inbox_) interface.AdmitPeer();
   }
 }
@@ -302,7 +302,7 @@ bool Component::ReportGoneClient(const DisconnectedClient& client) {
 
 bool Component::ReportConnections() {
   for (const auto& one : required_) {
-    // A component without a thread is notified by the threads that change its connections.
+    // If the component has no thread, the threads that change its connections call ReportPeers().
     if (inbox_ && !ReportPeers(*one)) return false;
   }
   bool is_good = true;
@@ -349,7 +349,8 @@ void Component::QueueGoneClient(DisconnectedClient client) {
   const auto is_same = [&client](const DisconnectedClient& one) {
     return one.provided == client.provided && one.name == client.name;
   };
-  // A suspended component is notified once per client, however often the client has come and gone.
+  // While the component is suspended, a client may connect and disconnect several times; this is
+  // reported only once.
   if (state() == ComponentState::kSuspended && gone_clients_.HasUnread(is_same)) return;
   gone_clients_.Send(std::move(client));
 }

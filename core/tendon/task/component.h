@@ -26,23 +26,25 @@
 
 namespace tendon {
 
-/// How long a request waits for its target state.
+/// How long a request waits until the component is in the requested state.
 using Patience = std::chrono::nanoseconds;
 inline constexpr Patience kPatience = std::chrono::seconds(10);
-/// Do not wait: the state changes when the component's thread handles the request.
+/// The request does not wait: the state changes later, when the component's thread handles the
+/// request.
 inline constexpr Patience kNoWait{0};
 
-/// A named object with interfaces and a lifecycle, but without a thread of its own: while it is
-/// active, its commands and event handlers run in the threads that call them. A Task adds a thread.
+/// A named object with interfaces and a lifecycle. It has no thread of its own: while it is active,
+/// its commands and event handlers run in the threads that call them. A Task also has a thread.
 ///
-/// An exception in one of the author's functions faults the component and nothing else. From then
-/// on, calls of its peers, even reads, return kNotActive. Waiting calls end, and waits for its
-/// events return kNotActive. Its connections stay and work again after a restart; queued calls are
-/// dropped. Its tables stay readable through its `state` interfaces.
+/// If one of the functions that the author has written throws an exception, only this component
+/// becomes faulted. Then calls from its peers, also reads, return kNotActive. Peers that wait for a
+/// call or an event of the component stop waiting; a wait for an event returns kNotActive. Queued
+/// calls are dropped. Its connections stay, and work again after a restart. Its tables can still be
+/// read through its `state` interfaces.
 ///
-/// The constructor of a derived class adds the interfaces, and the class overrides Configure() and
-/// the functions after it as needed. A manager owns the component and drives its lifecycle. Only
-/// one thread at a time may call the functions below "For managers".
+/// The constructor of a derived class adds the interfaces. The class overrides Configure() and the
+/// functions after it as needed. A manager owns the component and controls its lifecycle. The
+/// functions below "For managers" may be called by only one thread at a time.
 class Component {
  public:
   explicit Component(std::string name);
@@ -51,34 +53,35 @@ class Component {
   virtual ~Component();
 
   [[nodiscard]] const std::string& name() const { return name_; }
-  /// Any thread.
+  /// The present state. Any thread.
   [[nodiscard]] ComponentState state() const noexcept { return state_.Get(); }
-  /// The reason of the fault: the exception's message and the function that threw. Any thread;
-  /// allocates.
+  /// The reason of the fault: the function that threw the exception, and the message of the
+  /// exception. Any thread; allocates memory.
   [[nodiscard]] std::string fault() const;
-  /// Wall-clock time of the fault; 1970 if there is none. Any thread.
+  /// The wall-clock time of the fault; the epoch (1970) if there was no fault. Any thread.
   [[nodiscard]] std::chrono::system_clock::time_point fault_time() const;
-  /// Seconds between two cycles; 0 without a period.
+  /// The time between two cycles in seconds; 0 if there is no period.
   [[nodiscard]] virtual double period() const { return 0.0; }
   /// Empty if the component is not a task.
   [[nodiscard]] virtual std::vector<const StateTable*> tables() const { return {}; }
 
-  /// Null if there is none.
+  /// The Find functions return null if there is no such interface.
   [[nodiscard]] ProvidedInterface* FindProvided(const std::string& name) const;
   [[nodiscard]] RequiredInterface* FindRequired(const std::string& name) const;
   [[nodiscard]] std::vector<ProvidedDescription> provided() const;
   [[nodiscard]] std::vector<RequiredDescription> required() const;
 
-  /// Waits until the component is in that state. kTimeout: not within `patience`; kFailed: the
-  /// component is faulted. Any thread except the component's own.
+  /// Waits until the component is in this state. Fails with kTimeout if this takes longer than
+  /// `patience`, and with kFailed if the component is faulted. Any thread except the component's
+  /// own.
   Result<void> WaitFor(ComponentState state, Patience patience);
 
  protected:
-  /// For components whose calls wait in an inbox until a thread executes them.
+  /// For components whose calls are queued in an inbox until a thread executes them.
   Component(std::string name, std::unique_ptr<Inbox> inbox);
 
-  /// Throws ConfigurationError for a duplicate or invalid name, or after Seal(). The names `state`
-  /// and `state-...` are reserved for state tables.
+  /// Adds an interface. Throws ConfigurationError for a duplicate or invalid name, and after
+  /// Seal(). The names `state` and `state-...` are reserved for state tables.
   ProvidedInterface& AddProvidedInterface(LocatedName name);
   RequiredInterface& AddRequiredInterface(LocatedName name, Need need = Need::kRequired);
 
@@ -87,29 +90,32 @@ class Component {
   /// Called before the first cycle, in the component's thread if it has one. May throw.
   virtual void Startup() {}
   /// Called after the last cycle, in the component's thread if it has one. The connections still
-  /// work, so commands that it sends reach their servers. May throw.
+  /// work, so commands that this function sends reach their servers. May throw.
   virtual void Cleanup() {}
 
-  // Notifications of changes, in the component's thread before its next Run(). They may throw, and
-  // must return within the cycle's time. They cost nothing in a cycle without a change. Changes
-  // while the component does not run are notified before Startup(); changes while it is suspended,
+  // The next four functions are notifications of changes. They are called in the component's
+  // thread, before the next Run(). They may throw, and must return within the time of a cycle. A
+  // cycle without a change has no additional cost. If something changes while the component does
+  // not run, the functions are called before Startup(); while it is suspended, they are called
   // before OnResume().
 
-  /// `interface` has a new peer. Everything may differ from the last peer, such as the position of
-  /// the robot. Calls reach the new peer from this call on; if other threads may call too, from its
-  /// return on. For a component without a thread, this runs in the thread that connects, in any
+  /// Called when `interface` has a new peer. Everything may differ from the last peer, for example
+  /// the position of the robot. During this function, calls already reach the new peer. If other
+  /// threads may call the interface too, calls reach the new peer only after this function has
+  /// returned. For a component without a thread, this runs in the thread that connects, in any
   /// state.
   virtual void OnConnected(RequiredInterface& /*interface*/) {}
-  /// The peer and its events are gone: calls return kNotConnected until the next OnConnected(). For
-  /// a component without a thread, this runs in the thread that disconnects; there, its calls still
-  /// reach the peer, if the peer exists.
+  /// Called when `interface` has lost its peer. Calls return kNotConnected, and there are no
+  /// events, until the next OnConnected(). For a component without a thread, this runs in the
+  /// thread that disconnects; during this function, calls still reach the peer, if the peer exists.
   virtual void OnDisconnected(RequiredInterface& /*interface*/) {}
-  /// The component continues after a suspension. Its environment may have changed meanwhile.
+  /// Called when the component continues after a suspension. Its environment may have changed
+  /// meanwhile.
   virtual void OnResume() {}
-  /// A client that could call `interface` is disconnected or lost; none of its calls will be
-  /// executed any more. Called while the component runs, or after it has resumed. `client` is the
-  /// name that the manager uses: "teleoperation/Robot" in this process, "desk/teleoperation/Robot"
-  /// in another one. For a component without a thread, this runs at once, in the thread that
+  /// Called when a client of `interface` was disconnected or lost. No more calls of this client
+  /// will be executed. Called while the component runs, or when it resumes. `client` is the name
+  /// that the manager uses: "teleoperation/Robot" in this process, "desk/teleoperation/Robot" in
+  /// another process. For a component without a thread, this runs at once, in the thread that
   /// disconnects. Consoles and windows that call commands by name are not clients.
   virtual void OnClientGone(ProvidedInterface& /*interface*/, const std::string& /*client*/) {}
 
@@ -118,69 +124,75 @@ class Component {
 
   /// Ends the construction: no interface and no member can be added from now on.
   virtual void Seal();
-  /// The requests follow the table of transitions and wait for the target state like WaitFor(). An
-  /// illegal request fails with kFailed. Start() first calls Configure(), in the calling thread, if
-  /// needed. Stop() is also legal during a start: the component ends before it runs, or as soon as
-  /// its Startup() has returned. `proceed` is called before and after Configure(); if it returns
-  /// false, the component is not started, and Start() fails with kFailed.
+  /// These functions request a change of the state, and wait for the new state like WaitFor(). A
+  /// request fails with kFailed if the table of transitions (component_state.h) does not allow it.
+  /// Start() first calls Configure() in the calling thread, if needed. `proceed` is called before
+  /// and after Configure(); if it returns false, the component is not started, and Start() fails
+  /// with kFailed. Stop() is also allowed during a start: the component then ends before it runs,
+  /// or as soon as its Startup() has returned.
   Result<void> Start(Patience patience = kPatience, const std::function<bool()>& proceed = {});
   Result<void> Suspend(Patience patience = kPatience);
   Result<void> Stop(Patience patience = kPatience);
-  /// Like WaitFor(), for a state that was requested before; kFailed if the component is stopped
-  /// instead.
+  /// Like WaitFor(), but also fails with kFailed if the component is stopped before it reaches this
+  /// state.
   Result<void> WaitForEffect(ComponentState state, Patience patience);
-  /// True from the request to start until the component is active, faulted or stopped.
+  /// Returns true from the request to start until the component is active, faulted or stopped.
   [[nodiscard]] bool is_starting() const noexcept { return is_starting_.Get(); }
-  /// True if a stop was requested and the component has not ended yet. Until then it refuses other
-  /// requests.
+  /// Returns true if a stop was requested and the component has not ended yet. During this time it
+  /// refuses other requests.
   [[nodiscard]] bool is_stopping() const noexcept { return is_stopping_.Get(); }
-  /// True if the component is not active, suspended or starting, so that none of its functions
-  /// runs.
+  /// Returns true if the component is not active, suspended or starting. Then none of its functions
+  /// is running.
   [[nodiscard]] bool is_at_rest() const;
-  /// Stops the component if it runs, and waits for the end without a limit. Afterwards it can be
-  /// destroyed.
+  /// Stops the component if it runs, and waits without a time limit until it has ended. Afterwards
+  /// it can be destroyed.
   void End();
-  /// The fill level of its fullest mailbox; zeros if it has none. Any thread; locks.
+  /// The fill level of the component's fullest mailbox; zeros if it has no mailbox. Any thread;
+  /// locks a mutex.
   [[nodiscard]] Inbox::Fill mailbox_fill() const;
-  /// `observer` runs after each state change, in the thread that made it. It must not call this
-  /// component.
+  /// `observer` is called after each state change, in the thread that made the change. It must not
+  /// call this component.
   void SetStateObserver(std::function<void()> observer);
 
  protected:
-  // Implementations of the requests, called if the request is legal. They need not wait for the
-  // effect.
+  // These functions implement the requests. They are called if the request is allowed, and need not
+  // wait for its effect.
 
-  /// Lets the component run until Halt(). A task starts its thread.
+  /// Starts the component, which then runs until Halt(). A task starts its thread.
   virtual Result<void> Launch();
   virtual void Pause();
   virtual Result<void> Resume();
   virtual void Halt();
-  /// Called repeatedly in a thread that waits for a state: does the work of a component without a
-  /// thread.
+  /// Called repeatedly by a thread that waits for a state. If no other thread does the work of the
+  /// component, this function does it.
   virtual void ServeWaiting() {}
 
-  // For derived kinds of components, in the thread that runs the author's functions. They return
-  // false if one of these functions has thrown; then the component is faulted.
+  // These functions are for derived kinds of components, such as Task. They must be called in the
+  // thread that runs the author's functions. They return false if one of the author's functions has
+  // thrown; then the component is faulted.
 
   /// Calls OnConnected(), OnDisconnected() and OnClientGone() for all changes.
   bool ReportConnections();
   /// Calls ReportConnections(), then OnResume().
   bool ReportResume();
-  /// Calls OnConnected() and OnDisconnected() before a start. Does not call OnClientGone(): the
-  /// effects of a client's calls ended with the last run.
+  /// Calls OnConnected() and OnDisconnected() before a start. Does not call OnClientGone(), because
+  /// the effects of the calls of a lost client ended with the last run.
   bool ReportBeforeStartup();
-  /// Ends the effects of commands that were not renewed by `now`.
+  /// Ends the effects of commands that have expired at `now`, because the commands were not sent
+  /// again.
   void EndExpired(SteadyTime now);
-  /// The time at which the next effect of a command expires; the largest time if there is none.
+  /// Returns the time at which the next effect of a command expires; the largest time if there is
+  /// no such effect.
   [[nodiscard]] SteadyTime next_expiry() const noexcept;
 
-  /// Called in a manager's thread when the peer of `interface` has changed, or a client is gone.
+  /// These two functions are called in the thread of a manager when the peer of `interface` has
+  /// changed or a client is gone.
   virtual void DeliverPeerChange(RequiredInterface& interface);
   virtual void DeliverDisconnectedClient(DisconnectedClient client);
   void QueueGoneClient(DisconnectedClient client);
 
-  /// Runs one of the author's functions. An exception faults the component; then `where` names the
-  /// place in the error text.
+  /// Calls one of the author's functions. If it throws, the component becomes faulted, and the
+  /// reason of the fault begins with `where`.
   template <typename Body>
   bool RunGuarded(const char* const& where, Body body) {
     try {
@@ -192,10 +204,10 @@ class Component {
     }
   }
   void EnterFault(const char* where, const std::string& reason);
-  /// The place of the fault if a command or event handler throws.
+  /// The beginning of the reason if a command or event handler throws.
   static constexpr const char* kInHandler = "a command or event handler";
-  /// Called in a foreign thread in which a handler of the component has thrown. Only logs the
-  /// reason if the component does not run.
+  /// Called when a handler of the component has thrown in a thread that does not belong to the
+  /// component. If the component does not run, only logs the reason.
   virtual void FaultFromOutside(const std::string& reason);
   void SetState(ComponentState state);
 
@@ -203,8 +215,7 @@ class Component {
   [[nodiscard]] Inbox* inbox() const { return inbox_.get(); }
 
  private:
-  // Names in a base class might collide with names of an author's class, so there are no further
-  // protected ones.
+  // Private, because protected names of a base class may collide with names in the author's class.
 
   Result<void> WaitForState(ComponentState wanted, Patience patience, bool ends_with_a_stop);
   bool ReportPeers(RequiredInterface& interface);

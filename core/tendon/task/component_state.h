@@ -14,9 +14,9 @@ enum class ComponentState : std::int32_t {
   kConstructed,
   kReady,  ///< configured
   kActive,
-  kSuspended,  ///< its cycles pause, without losing data; a start resumes it
+  kSuspended,  ///< it makes no cycles, but keeps its data; a start resumes it
   kFinished,
-  kFaulted,  ///< one of its functions threw; a start configures it again
+  kFaulted,  ///< one of its functions has thrown; a start configures it again
 };
 
 template <>
@@ -32,12 +32,12 @@ inline constexpr auto kPayload<ComponentState> = DescribeEnum(
   return NameOf(state);
 }
 
-/// True if the component works, so that a fault or a stop would interrupt it.
+/// Returns true if the component is active or suspended, so a fault or a stop would interrupt it.
 [[nodiscard]] constexpr bool IsRunning(ComponentState state) noexcept {
   return state == ComponentState::kActive || state == ComponentState::kSuspended;
 }
 
-/// The requests of managers to a component.
+/// The requests that a manager can make to a component.
 enum class LifecycleRequest : std::uint16_t { kStart, kSuspend, kStop };
 
 /// The effect of a request in one state.
@@ -45,12 +45,12 @@ struct Transition {
   ComponentState from;
   LifecycleRequest request;
   ComponentState to;           ///< equal to `from` if the request is refused
-  std::string_view refusal{};  ///< continues "component 'arm' is active"; empty if legal
+  std::string_view refusal{};  ///< continues "component 'arm' is active"; empty if allowed
   bool configures_first = false;
 };
 
-/// Every request in every state. In addition, an exception in one of the author's functions leads
-/// from any state to faulted.
+/// The transitions for every request in every state. In addition, if one of the author's functions
+/// throws, the component becomes faulted from any state.
 inline constexpr std::array kTransitions = [] {
   using enum ComponentState;
   using enum LifecycleRequest;

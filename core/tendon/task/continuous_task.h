@@ -6,8 +6,9 @@
 
 namespace tendon {
 
-/// A task whose next cycle begins when the last one has ended: for a Run() that waits by itself, or
-/// that should use all available time. By default, its tables get at most one row per millisecond.
+/// A task that begins its next cycle as soon as the last one has ended. For a Run() that blocks,
+/// for example on a device, or that should use all available time. By default, its tables get at
+/// most one row per millisecond.
 class ContinuousTask : public ThreadedTask {
  protected:
   explicit ContinuousTask(std::string name);

@@ -10,8 +10,8 @@
 
 namespace tendon {
 
-/// The due times of a periodic cycle: equally spaced on the steady clock, so that it does not
-/// drift. Used by one thread.
+/// The due times of a periodic cycle. They are equally spaced on the steady clock, so the cycle
+/// does not drift. Used by one thread.
 class CycleGrid {
  public:
   explicit CycleGrid(std::chrono::nanoseconds period) noexcept : period_(period) {}
@@ -22,9 +22,9 @@ class CycleGrid {
   /// Starts a new grid. The first due time is one period after `now`.
   void Begin(SteadyTime now) noexcept { due_ = now + period_; }
 
-  /// Advances to the next due time. If that is a whole period or more in the past, advances to the
-  /// latest due time not after `now`, so that missed cycles do not run in a burst. Returns the
-  /// number of skipped due times.
+  /// Advances to the next due time. If this time is one period or more in the past, advances to the
+  /// latest due time that is not after `now`, so that missed cycles are not made in a burst.
+  /// Returns the number of skipped due times.
   std::uint64_t Next(SteadyTime now) noexcept;
 
  private:
@@ -32,11 +32,12 @@ class CycleGrid {
   SteadyTime due_{};
 };
 
-/// Returns `period`; throws ConfigurationError, which names `task`, if not 10 µs to 3600 s.
+/// Returns `period` if it is 10 µs to 3600 s; otherwise throws a ConfigurationError that names
+/// `task`.
 std::chrono::nanoseconds CheckedPeriod(std::chrono::nanoseconds period, const std::string& task);
 
-/// Sleeps until `time`, but spins for the last `spin`. Returns false if `interrupted()` becomes
-/// true, at the latest 50 ms after that.
+/// Sleeps until the time `spin` before `time`, and then spins until `time`. Returns false if
+/// `interrupted()` returns true, at the latest 50 ms after it has become true.
 template <typename Predicate>
 bool SleepUntil(SteadyTime time, std::chrono::nanoseconds spin, Predicate interrupted) {
   constexpr std::chrono::milliseconds kSlice(50);

@@ -12,7 +12,7 @@
 namespace tendon {
 namespace {
 
-/// A text in fixed memory.
+/// A text in memory of fixed size.
 template <std::size_t kSize>
 struct FixedText {
   std::size_t size = 0;
@@ -48,7 +48,8 @@ std::shared_ptr<CycleLog> CycleLog::OfThisProcess() {
 }
 
 CycleLog::CycleLog() : ring_(kCapacity, sizeof(Record), alignof(Record)) {
-  (void)IsLogged(LogLevel::kError);  // creates the logger now instead of in a cycle
+  // Creates the logger now, so that this does not happen in a cycle.
+  (void)IsLogged(LogLevel::kError);
   thread_ = std::thread([this] { Run(); });
 }
 
@@ -97,14 +98,15 @@ void CycleLog::Run() {
 }
 
 void CycleLog::Drain() {
-  for (std::size_t left = kCapacity; left > 0; --left) {  // a flood might never end
+  // Limited, because tasks may add records faster.
+  for (std::size_t left = kCapacity; left > 0; --left) {
     const std::byte* const slot = ring_.Front();
     if (slot == nullptr) return;
     const Record& record = *std::launder(reinterpret_cast<const Record*>(slot));
     try {
       LogDeferred(record.time, record.level, record.source.text(), record.message.text());
     } catch (const std::exception&) {
-      // An error of a sink must not stop the other records.
+      // If a sink fails, the other records must still be logged.
     }
     record.source_count->logged.Add();
     ring_.Release();
@@ -123,7 +125,7 @@ bool CycleLog::ReportLost() {
   return true;
 }
 
-/// Chooses by a hash of the name (FNV-1a).
+/// Chooses the count of a source by a hash of its name (FNV-1a).
 CycleLog::SourceCount& CycleLog::CountOf(std::string_view source) noexcept {
   std::uint32_t hash = 2166136261U;
   for (const char c : source) {

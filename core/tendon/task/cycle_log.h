@@ -15,19 +15,22 @@
 
 namespace tendon {
 
-/// Holds the records that tasks log in their cycles: a bounded queue, which a thread of its own
-/// empties into the log. A source may not have more waiting records than the queue has free slots.
-/// So one source that floods the queue leaves half of it to the others, and two leave a third.
-/// Records that are refused are lost; the log reports their number.
+/// A bounded queue for the records that tasks log in their cycles. A separate thread takes the
+/// records from the queue and writes them to the log.
+///
+/// A source may have at most as many records in the queue as the queue has free slots. Therefore,
+/// if one source logs too much, half of the queue stays free for the others; if two sources do so,
+/// a third stays free. Further records are lost; the log reports their number.
 ///
 /// Thread safety: any thread may add records; lock-free, without allocation or system call.
 class CycleLog final : public LogDeferral {
  public:
   static constexpr std::size_t kCapacity = 512;
-  /// Bytes of a message that are kept; "..." replaces the rest.
+  /// The largest size of a message in bytes. A longer message is cut, and ends with "...".
   static constexpr std::size_t kLongest = 224;
   static constexpr std::chrono::milliseconds kDrainInterval{20};
-  static constexpr std::chrono::seconds kBetweenReports{1};  ///< between reports of losses
+  /// Time between two reports of lost records.
+  static constexpr std::chrono::seconds kBetweenReports{1};
 
   /// The instance that all living tasks share. Not for real-time threads.
   static std::shared_ptr<CycleLog> OfThisProcess();
@@ -35,7 +38,7 @@ class CycleLog final : public LogDeferral {
   CycleLog();
   CycleLog(const CycleLog&) = delete;
   CycleLog& operator=(const CycleLog&) = delete;
-  /// Logs the waiting records.
+  /// Logs all queued records.
   ~CycleLog();
 
   void Defer(LogTime time, LogLevel level, std::string_view source,
@@ -47,12 +50,14 @@ class CycleLog final : public LogDeferral {
  private:
   struct Record;
 
-  /// Counts the added and the logged records of some sources; the difference is waiting.
+  /// Counts the added and the logged records of a source. The difference is the number of queued
+  /// records.
   struct SourceCount {
     SharedCounter<> added;
     Counter<> logged;
   };
-  /// Sources with the same count are treated as one source; few tasks flood, so this suffices.
+  /// Several sources may share a count and are then treated as one source. This is sufficient,
+  /// because only few tasks log too much.
   static constexpr std::size_t kSourceCounts = 64;
 
   void Run();
@@ -63,7 +68,7 @@ class CycleLog final : public LogDeferral {
   SharedSlotRing<> ring_;
   std::array<SourceCount, kSourceCounts> source_counts_;
   SharedCounter<> lost_;
-  std::uint64_t lost_reported_ = 0;  // lost records already reported; used by the thread
+  std::uint64_t lost_reported_ = 0;  // reported part of lost_; used only by the thread
   std::mutex mutex_;
   std::condition_variable stopped_;
   bool stopping_ = false;

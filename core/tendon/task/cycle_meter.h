@@ -9,9 +9,9 @@
 
 namespace tendon {
 
-/// Computes the columns `Cycle` and `CycleSummary` from the times of a task's cycles. Costs tens of
-/// nanoseconds a cycle, and a few microseconds more once a second; allocates nothing. Used by one
-/// thread.
+/// Computes the columns `Cycle` and `CycleSummary` from the times of a task's cycles. This takes
+/// some tens of nanoseconds in each cycle, and a few microseconds more once a second. Allocates no
+/// memory. Used by one thread.
 class CycleMeter {
  public:
   static constexpr std::chrono::nanoseconds kWindow = std::chrono::seconds(1);
@@ -20,9 +20,10 @@ class CycleMeter {
   [[nodiscard]] const CycleStatistics& cycle() const noexcept { return cycle_; }
   [[nodiscard]] const CycleSummary& summary() const noexcept { return summary_; }
 
-  /// Resets everything. `period` is the wanted period, 0 if there is none.
+  /// Resets everything. `period` is the wanted period; 0 if there is none.
   void Start(std::chrono::duration<double> period) noexcept;
-  /// Excludes the time until the next cycle from the statistics of the period.
+  /// Called when cycles are interrupted: the time until the next cycle is not included in the
+  /// statistics of the period.
   void Interrupt() noexcept { last_begin_ = {}; }
   void Begin(SteadyTime begin, SteadyTime due) noexcept;
   /// Ends the cycle of the last Begin().

@@ -8,14 +8,14 @@ namespace tendon {
 
 /// Statistics of a task's last cycle; the column `Cycle` of its default state table.
 struct CycleStatistics {
-  double period = 0.0;         ///< s from the previous cycle to this one; 0 in the first
-  double lateness = 0.0;       ///< s from the due time to the begin
+  double period = 0.0;         ///< s from the begin of the previous cycle; 0 in the first cycle
+  double lateness = 0.0;       ///< s from the due time to the begin of the cycle
   double compute = 0.0;        ///< s that the previous cycle took
-  double load = 0.0;           ///< compute / wanted period; 0 without a period
-  std::uint64_t overruns = 0;  ///< cycles skipped since the start, because others took too long
+  double load = 0.0;           ///< compute / wanted period; 0 if there is no period
+  std::uint64_t overruns = 0;  ///< skipped cycles since the start, because cycles took too long
 };
 
-/// Distribution of a time over some cycles. The percentiles are accurate to 3 %.
+/// The distribution of a time over several cycles. The percentiles are accurate to 3 %.
 struct TimeStatistics {
   double mean = 0.0;       ///< s
   double deviation = 0.0;  ///< s; standard deviation of the sample, 0 for a single cycle
@@ -25,8 +25,8 @@ struct TimeStatistics {
   double p99 = 0.0;        ///< s
 };
 
-/// Statistics over a window of one second and at least ten cycles, replaced when the next window is
-/// full. The column `CycleSummary` of a task's default state table.
+/// Statistics over a window of at least one second and at least ten cycles. They are replaced when
+/// the next window is full. The column `CycleSummary` of a task's default state table.
 struct CycleSummary {
   std::uint64_t cycles = 0;  ///< cycles in the window; 0 until the first window is full
   TimeStatistics period;

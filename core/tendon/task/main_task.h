@@ -8,20 +8,20 @@
 
 namespace tendon {
 
-/// A periodic task for the thread of main(), which windows and some devices require:
+/// A periodic task that runs in the thread of main(), which windows and some devices require:
 ///
 ///     manager.StartAll();
 ///     window.RunInThisThread();  // until another thread stops it
 class MainTask : public CallbackTask {
  public:
-  /// Makes the cycles of the task, which must be started, in the calling thread. Returns when the
-  /// task has finished or is faulted.
+  /// Makes the cycles of the task in the calling thread until the task has finished or is faulted.
+  /// The task must be started before.
   void RunInThisThread();
 
   [[nodiscard]] double period() const override;
 
  protected:
-  /// `period` is 10 µs to 3600 s; otherwise throws ConfigurationError.
+  /// Throws ConfigurationError if `period` is not 10 µs to 3600 s.
   MainTask(std::string name, std::chrono::nanoseconds period);
 
   [[nodiscard]] std::chrono::nanoseconds row_period() const override { return grid_.period(); }

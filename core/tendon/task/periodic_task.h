@@ -8,13 +8,13 @@
 
 namespace tendon {
 
-/// A task whose cycles, each one a call of Run(), are due at equally spaced, absolute times on the
-/// steady clock, so that the times do not drift. If a cycle takes longer than the period, the task
-/// skips to the next time on the grid. Skipped cycles count as overruns and are never made up in a
-/// burst.
+/// A task that calls Run() periodically. The due times of the cycles are equally spaced, absolute
+/// times on the steady clock, so they do not drift. If a cycle takes longer than the period, the
+/// task continues at the next due time. Skipped cycles are counted as overruns, and are never made
+/// later in a burst.
 class PeriodicTask : public ThreadedTask {
  protected:
-  /// `period` is 10 µs to 3600 s; otherwise throws ConfigurationError.
+  /// Throws ConfigurationError if `period` is not 10 µs to 3600 s.
   PeriodicTask(std::string name, std::chrono::nanoseconds period);
   ~PeriodicTask() override;
 

@@ -13,7 +13,7 @@
 namespace tendon {
 namespace {
 
-/// Reads the newest cell of one column as it is stored in the table: a CDR body.
+/// Reads the newest value of one column in the form in which the table stores it, a CDR body.
 class ColumnReadCommand final : public CommandBase {
  public:
   ColumnReadCommand(const StateTable& table, std::size_t column)
@@ -26,7 +26,8 @@ class ColumnReadCommand final : public CommandBase {
       const std::uint64_t next = table_.next_tick();
       if (next == 0) return Status::kNoSample;
       std::int64_t time = 0;
-      if (table_.CopyRow(next - 1, *row, time) != RowResult::kDone) continue;  // overwritten
+      // Overwritten meanwhile.
+      if (table_.CopyRow(next - 1, *row, time) != RowResult::kDone) continue;
       const std::span<const std::byte> cell = table_.cell(*row, column_);
       if (cell.empty()) return Status::kNoSample;
       out.Take(cell);
@@ -54,9 +55,9 @@ class ColumnOffer final : public Offer {
   std::size_t column_;
 };
 
-/// Adds one read command per column to `interface`, through which others read the table. The
-/// commands return encoded values, which a caller with the column's type converts. `table` must
-/// outlive `interface`.
+/// Adds one read command for each column to `interface`, so that other components can read the
+/// table. The commands return encoded values, which a caller that has the type of the column
+/// converts. `table` must outlive `interface`.
 void AddColumnReads(const StateTable& table, ProvidedInterface& interface) {
   for (std::size_t i = 0; i < table.columns().size(); ++i) {
     const ColumnBase& column = *table.columns()[i];
@@ -99,7 +100,7 @@ StateTable& Task::AddStateTable(const std::string& name) {
                                "'; choose another name");
     }
   }
-  if (FindProvided(state_table().name()) != nullptr) {  // sealed already
+  if (FindProvided(state_table().name()) != nullptr) {  // the task is already sealed
     throw AddedTooLate("state table '" + name + "'", "component '" + this->name() + "'",
                        "state " + std::string(ToString(state())));
   }
@@ -137,7 +138,8 @@ std::size_t Task::ProcessQueuedCommands() {
   return executed;
 }
 
-/// Called after the queued commands, so that effects which they renew do not expire.
+/// Ends the effects of commands that have expired. Called after the queued commands were executed,
+/// because these may renew an effect.
 void Task::EndExpiredNow() {
   if (next_expiry() == SteadyTime::max()) return;
   EndExpired(SteadyClock().Now());
@@ -192,7 +194,7 @@ void Task::EndFollowers() {
 
 void Task::PrepareStart() {
   has_failed_outside_.Set(false);
-  // Calls that waited when the task ended are outdated now.
+  // The calls that were still queued when the task ended are outdated now.
   if (const std::size_t stale = inbox()->DiscardQueued(); stale > 0) {
     Log(LogLevel::kWarning, name(),
         Counted(stale, "call", "calls") + " that waited when the task ended " +
@@ -230,8 +232,8 @@ Result<void> Task::LeaveLeader(SteadyTime deadline) {
 
 void Task::DeliverPeerChange(RequiredInterface& interface) {
   TaskLifecycle::WakeThread(*this);
-  // The order matters: a start before CallThread() is visible here, and a start after it calls
-  // OnConnected().
+  // The order is important: if the task was started before WakeThread(), this is visible here; if
+  // it is started later, it calls OnConnected().
   if (is_at_rest()) interface.AdmitPeerAtRest();
 }
 

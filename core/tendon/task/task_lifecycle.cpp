@@ -9,10 +9,11 @@
 namespace tendon {
 namespace {
 
-/// Guards the leaders of all tasks. Not one mutex per task: two chains of leaders could lock them
-/// in opposite orders.
+/// Guards the leaders of all tasks. There is only one mutex, because two chains of leaders could
+/// lock several mutexes in opposite orders.
 std::mutex& LeadersMutex() {
-  static std::mutex& mutex = *new std::mutex;  // never freed: a task may end with the program
+  // Never freed, because a task may exist until the program ends.
+  static std::mutex& mutex = *new std::mutex;
   return mutex;
 }
 
@@ -27,7 +28,7 @@ void TaskLifecycle::ExecuteOrders(Task& task) {
       case LifecycleRequest::kStart:
         if (now == ComponentState::kSuspended) {
           Continue(task);
-        } else if (task.is_starting()) {  // and not faulted meanwhile
+        } else if (task.is_starting()) {  // false if it was faulted meanwhile
           Begin(task);
         }
         break;
@@ -47,7 +48,7 @@ void TaskLifecycle::ExecuteOrders(Task& task) {
   ForEachFollower(task, [](Task& follower) { ExecuteOrders(follower); });
 }
 
-/// False if one of the author's functions has thrown.
+/// Returns false if one of the author's functions has thrown.
 bool TaskLifecycle::Report(Task& task, bool (Task::*report)()) {
   const LogDeferralScope deferral_scope(*task.log_);
   task.inbox()->BindToThisThread();
@@ -131,7 +132,7 @@ void TaskLifecycle::Finish(Task& task) {
   if (task.RunGuarded("Cleanup", clean_up)) {
     task.SetState(ComponentState::kFinished);
   }
-  task.EndFollowers();  // a follower may have got a start request meanwhile
+  task.EndFollowers();  // again, because a follower may have been started meanwhile
   task.inbox()->Unbind();
 }
 
@@ -182,7 +183,8 @@ Result<void> TaskLifecycle::RemoveFollower(Task& leader, Task& task, SteadyTime 
     SetLeader(task, nullptr);
     return {};
   }
-  // Restores the old list; a cycle that has begun meanwhile may use the new one.
+  // Restores the old list. The new list is kept, because a cycle that has begun meanwhile may use
+  // it.
   leader.follower_list_.swap(next);
   leader.followers_.TryExchange(leader.follower_list_.get(), SteadyTime::min());
   leader.retired_lists_.push_back(std::move(next));

@@ -6,16 +6,16 @@
 
 namespace tendon {
 
-/// The work between two cycles of the thread that makes a task's cycles: it obeys orders for the
-/// task and for the tasks that run after it. Separate from Task, so that these names are not
-/// visible in authors' classes.
+/// The work of a task's thread between two cycles: it executes orders for the task and for the
+/// tasks that run after it (its followers). Separate from Task, so that these names are not visible
+/// in the classes of authors.
 class TaskLifecycle {
  public:
-  /// Obeys the orders given to the task and to the tasks that run after it.
+  /// Executes the orders for the task and for its followers.
   static void ExecuteOrders(Task& task);
-  /// Ends a task whose leader has ended.
+  /// Ends a task because its leader has ended.
   static void EndWithLeader(Task& task);
-  /// Unbinds the task, and the tasks that run after it, from their thread until the next cycle.
+  /// Unbinds the task and its followers from their thread until the next cycle.
   static void Unbind(Task& task);
 
   template <typename Action>
@@ -25,22 +25,24 @@ class TaskLifecycle {
     for (Task* follower : *call.get()) action(*follower);
   }
 
-  /// The time at which the next effect of a command expires, of the task or of one that runs after
-  /// it.
+  /// Returns the time at which the next effect of a command expires, for the task and its
+  /// followers.
   [[nodiscard]] static SteadyTime NextExpiry(Task& task);
 
-  /// Wakes the thread that makes the task's cycles, so that it obeys orders. Any thread.
+  /// Wakes the thread that makes the task's cycles, so that it executes orders. Any thread.
   static void WakeThread(Task& task);
 
   // For managers.
 
-  /// Adds `task`, which is at rest. The leader sees it when it next reads its list of followers.
+  /// Makes `task` a follower of `leader`. `task` must be at rest. The leader uses the new list of
+  /// followers when it reads the list the next time.
   static void AddFollower(Task& leader, Task& task);
-  /// kTimeout if a cycle of `leader` that may use the task has not ended by `deadline`; then
-  /// nothing has changed.
+  /// Removes `task` from the followers of `leader`. Fails with kTimeout if a cycle of `leader` that
+  /// may use the task has not ended by `deadline`; then nothing is changed.
   static Result<void> RemoveFollower(Task& leader, Task& task, SteadyTime deadline);
   static void SetLeader(Task& task, Task* leader);
-  /// The first leader in the chain, whose thread makes the task's cycles.
+  /// Returns the first task in the chain of leaders. Its thread makes the cycles of all these
+  /// tasks.
   static Task& RootOf(Task& task) {
     Task* const leader = task.leader_.Get();
     return leader == nullptr ? task : RootOf(*leader);

@@ -11,20 +11,22 @@ namespace tendon {
 enum class SchedulingPolicy : std::int32_t {
   kNormal,
   kFifo,        ///< SCHED_FIFO: runs until it sleeps
-  kRoundRobin,  ///< SCHED_RR: shares with threads of the same priority
+  kRoundRobin,  ///< SCHED_RR: takes turns with threads of the same priority
 };
 
-/// Options of a task's own thread, applied at each start. Options that the machine refuses are
-/// ignored, with one warning per process.
+/// The options of a task's own thread. They are applied at each start. If the machine refuses an
+/// option, the option is ignored, and the process logs one warning.
 struct ThreadOptions {
   SchedulingPolicy policy = SchedulingPolicy::kNormal;
-  std::int32_t priority = 0;       ///< 1 to 99 for kFifo and kRoundRobin, else 0
-  std::vector<std::int32_t> cpus;  ///< the processors it may run on, 0 to 1023; empty: any
+  std::int32_t priority = 0;       ///< 1 to 99 for kFifo and kRoundRobin, otherwise 0
+  std::vector<std::int32_t> cpus;  ///< processors on which it may run, 0 to 1023; empty: any
   bool lock_memory = false;        ///< locks the memory of the whole process
-  std::uint64_t stack_bytes = 0;   ///< stack to touch before the first cycle; at most 4 MiB
-  /// How late a sleep may end, to save power: 1 ns to 100 ms. It also delays the stop of the task.
+  /// Part of the stack that is touched before the first cycle; at most 4 MiB.
+  std::uint64_t stack_bytes = 0;
+  /// How much later a sleep may end, which saves power: 1 ns to 100 ms. A stop of the task may be
+  /// delayed by the same time.
   std::chrono::nanoseconds timer_slack{1};
-  /// Periodic tasks wake earlier by this time, at most 1 s, and spin until the cycle is due.
+  /// A periodic task wakes up earlier by this time (at most 1 s), and spins until the cycle is due.
   std::chrono::nanoseconds spin{0};
 
   bool operator==(const ThreadOptions&) const = default;

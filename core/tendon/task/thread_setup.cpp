@@ -15,7 +15,7 @@ constexpr std::int32_t kHighestProcessor = 1023;
 constexpr std::chrono::milliseconds kMostSlack(100);  // the longest allowed delay of a sleep
 constexpr std::chrono::seconds kMostSpin(1);
 
-/// Returns a check that throws if a condition does not hold.
+/// Returns a function that throws a ConfigurationError if its condition is false.
 auto RequireFor(const std::string& task) {
   return [&task](bool is_right, const std::string& sentence) {
     if (!is_right) throw ConfigurationError("thread options of '" + task + "': " + sentence);
@@ -26,7 +26,7 @@ std::string Nanoseconds(std::chrono::nanoseconds time) {
   return std::to_string(time.count()) + " ns";
 }
 
-/// Logs only the first refusal in the process, because it will be the same for other tasks.
+/// Logs only the first refusal in the process, because other tasks will probably get the same one.
 void WarnOnce(const std::string& task, const std::string& what, const std::string& reason,
               const std::string& remedy) {
   static std::once_flag once;

@@ -6,10 +6,11 @@
 
 namespace tendon {
 
-/// Throws ConfigurationError, naming `task` and the option, if a value is invalid on every machine.
+/// Throws a ConfigurationError that names `task` and the option if a value is invalid on any
+/// machine.
 void CheckThreadRanges(const ThreadOptions& options, const std::string& task);
 
-/// The same, and also checks what is valid only on some machines.
+/// Like CheckThreadRanges(), but also checks that the values are valid on this machine.
 void CheckThreadOptions(const ThreadOptions& options, const std::string& task);
 
 /// Gives the calling thread the name of `task` and applies all options except `spin`.

@@ -11,19 +11,20 @@ namespace tendon {
 /// A task with its own thread, unless it runs after another task. Derived classes implement Loop().
 class ThreadedTask : public Task {
  public:
-  /// For managers and constructors: sets how its thread runs from the next start on. Throws
-  /// ConfigurationError if a value is out of range or a processor does not exist.
+  /// For managers and constructors: sets the options that the task's thread has from the next start
+  /// on. Throws ConfigurationError if a value is out of range or a processor does not exist.
   void SetThreadOptions(const ThreadOptions& options);
   [[nodiscard]] const ThreadOptions& thread_options() const { return options_; }
 
   /// For managers: from the next start on, the task has no thread, but makes a cycle after each
   /// cycle of `leader`, in the leader's thread. It keeps its own state, tables and statistics. It
-  /// can start and stop while the leader runs; when the leader pauses or ends, the task does so
-  /// too. kFailed if the task is not at rest, or if the two would wait for each other. kTimeout if
-  /// a cycle of the former leader has not ended by `deadline`; then nothing has changed.
+  /// can be started and stopped while the leader runs. When the leader is suspended or ends, the
+  /// task is suspended or ends too. Fails with kFailed if the task is not at rest, or if the two
+  /// tasks would run after each other. Fails with kTimeout if a cycle of the former leader has not
+  /// ended by `deadline`; then nothing is changed.
   Result<void> RunAfter(Task& leader, SteadyTime deadline = SteadyTime::max());
 
-  /// The leader's period if it has a leader.
+  /// The task's own period, or the period of the leader if it has one.
   [[nodiscard]] double period() const final;
 
  protected:
@@ -34,7 +35,7 @@ class ThreadedTask : public Task {
   virtual void Loop() = 0;
   /// The options that were applied at the last start.
   [[nodiscard]] const ThreadOptions& options_in_use() const { return options_in_use_; }
-  /// The period in seconds in a thread of its own; 0 if there is none.
+  /// The period in seconds if the task has a thread of its own; 0 if there is none.
   [[nodiscard]] virtual double own_period() const { return 0.0; }
 
   Result<void> Launch() override;

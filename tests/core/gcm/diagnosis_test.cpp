@@ -180,7 +180,8 @@ TEST_F(DiagnosisTest, FindsALoopbackAddressOfAnotherHost) {
 TEST_F(DiagnosisTest, FindsAPendingConnection) {
   Connect(ConnectionState::kPending, "robot did not answer");
 
-  ExpectBad(Examine(), 5, ErrorCode::kTimeout, "it is pending: robot did not answer" + FromDesk());
+  ExpectBad(Examine(), 5, ErrorCode::kTimeout,
+            "the connection is pending: robot did not answer" + FromDesk());
 }
 
 TEST_F(DiagnosisTest, AnUnreachableProcessFailsTheFifthStep) {
@@ -195,7 +196,8 @@ TEST_F(DiagnosisTest, AnUnreachableProcessFailsTheFifthStep) {
   Diagnosis after = Examine();
   ASSERT_TRUE(IsTrying(after));
   AddRoundTrip(after, refused);
-  ExpectBad(after, 5, ErrorCode::kFailed, "it is pending: robot cannot be reached" + FromDesk());
+  ExpectBad(after, 5, ErrorCode::kFailed,
+            "the connection is pending: robot cannot be reached" + FromDesk());
   EXPECT_EQ(after.steps[4].fix, before.steps[4].fix);
 }
 
@@ -203,10 +205,12 @@ TEST_F(DiagnosisTest, AProcessReachableFromHereMayNotAnswerItsPeer) {
   Connect(ConnectionState::kPending, "robot did not answer");
   Diagnosis diagnosis = Examine();
   AddRoundTrip(diagnosis, 800us);
-  ExpectBad(diagnosis, 5, ErrorCode::kTimeout, "it is pending: robot did not answer" + FromDesk());
+  ExpectBad(diagnosis, 5, ErrorCode::kTimeout,
+            "the connection is pending: robot did not answer" + FromDesk());
 
   AddRoundTrip(diagnosis, Error{ErrorCode::kTimeout, "no answer"});
-  ExpectBad(diagnosis, 5, ErrorCode::kTimeout, "it is pending: robot did not answer" + FromDesk());
+  ExpectBad(diagnosis, 5, ErrorCode::kTimeout,
+            "the connection is pending: robot did not answer" + FromDesk());
   EXPECT_EQ(diagnosis.steps[4].fix, "check process 'robot': it may hang");
 }
 
@@ -215,7 +219,8 @@ TEST_F(DiagnosisTest, AMissingRouteIsBlamedOnItsTarget) {
       "host '" + desk_.host + "' has no route to 10.9.1.2:9 (Network is unreachable)";
   Connect(ConnectionState::kPending, no_route);
   Diagnosis diagnosis = Examine();
-  ExpectBad(diagnosis, 5, ErrorCode::kTimeout, "it is pending: " + no_route + FromDesk());
+  ExpectBad(diagnosis, 5, ErrorCode::kTimeout,
+            "the connection is pending: " + no_route + FromDesk());
   EXPECT_EQ(diagnosis.steps[4].fix.find("give host " + desk_.host + " a route to this address"),
             0U);
 
@@ -249,7 +254,7 @@ TEST_F(DiagnosisTest, SuggestsResumingOrEndingASilentProcess) {
 TEST_F(DiagnosisTest, FindsARefusedConnection) {
   Connect(ConnectionState::kFailed, "no");
 
-  ExpectBad(Examine(), 6, ErrorCode::kFailed, "it was refused: no");
+  ExpectBad(Examine(), 6, ErrorCode::kFailed, "the connection was refused: no");
 }
 
 TEST_F(DiagnosisTest, FindsAnUnresponsiveProcess) {
@@ -326,7 +331,8 @@ TEST_F(DiagnosisTest, ARefusedConnectionLeavesNoRemnants) {
   EXPECT_EQ(diagnosis.remnants[1].verdict, Left::kSomething);
   AddRemnants(diagnosis, catalogue_, Error{ErrorCode::kTimeout, "no answer"});
   EXPECT_EQ(diagnosis.remnants[1].verdict, Left::kUnknown);
-  EXPECT_EQ(diagnosis.remnants[1].text, "unknown for robot, which does not report it: no answer");
+  EXPECT_EQ(diagnosis.remnants[1].text,
+            "unknown, because process 'robot' does not report it: no answer");
 
   Connect(ConnectionState::kActive);  // to another one there
   AddRemnants(diagnosis, catalogue_, ConnectionCounts{});

@@ -234,9 +234,8 @@ TEST(StepHistory, LogsAnUnwritableFolderAtTheStart) {
   EXPECT_TRUE(EventuallyTrue([&] {
     const std::scoped_lock lock(*mutex);
     return logged->find(
-               "history is off: cannot write /proc/elsewhere/history: No such file or "
-               "directory; steps can be undone until this GCM ends, but not after it") !=
-           std::string::npos;
+               "the history is not saved: cannot write /proc/elsewhere/history: No such file or "
+               "directory; steps can be undone only until this GCM ends") != std::string::npos;
   }));
 }
 

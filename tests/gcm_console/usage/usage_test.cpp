@@ -203,10 +203,11 @@ TEST_F(UsageTest, ServeWarnsIfItCannotKeepAHistory) {
                        {{"XDG_STATE_HOME", "/proc/nowhere"}});
 
   EXPECT_TRUE(EventuallyTrue([&] {
-    return served.err().find("history is off: cannot write /proc/") != std::string::npos;
+    return served.err().find("the history is not saved: cannot write /proc/") != std::string::npos;
   })) << served.err();
-  EXPECT_THAT(served.err(), HasSubstr("but not after it; make the folder writable, or choose "
-                                      "another folder with XDG_STATE_HOME"));
+  EXPECT_THAT(served.err(),
+              HasSubstr("only until this GCM ends; make the folder writable, or choose "
+                        "another folder with XDG_STATE_HOME"));
   EXPECT_TRUE(EventuallyTrue([&] { return served.out().starts_with("GCM at "); }));
 }
 

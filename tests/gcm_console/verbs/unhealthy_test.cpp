@@ -48,7 +48,7 @@ TEST_F(UnhealthyTest, ReportsAFullMailboxUntilItRecovers) {
   Outcome at_rest;
   ASSERT_TRUE(EventuallyTrue([&] {
     at_rest = Gcm({"explain", kDesk});
-    return at_rest.out.find("  6 ok  it is made") != std::string::npos;
+    return at_rest.out.find("  6 ok  the connection is made") != std::string::npos;
   })) << at_rest.out;
   EXPECT_THAT(at_rest.out, HasSubstr("  2 BAD petitioner is suspended: it makes no calls\n"
                                      "         fix: gcm start street/petitioner\n"));

@@ -111,7 +111,7 @@ TEST_P(Addresses, AProcessReachableOnlyLocallyIsReportedEverywhere) {
   EXPECT_THAT(Ask({"doctor"}).out,
               AllOf(ContainsRegex("BAD +process robot .*only from its own host"),
                     HasSubstr("fix: " + remedy)));
-  ASSERT_TRUE(EventuallySays({"explain", kLedgerOfDesk}, "it is pending"));
+  ASSERT_TRUE(EventuallySays({"explain", kLedgerOfDesk}, "the connection is pending"));
   EXPECT_THAT(
       Ask({"explain", kLedgerOfDesk}).out,
       AllOf(HasSubstr("(seen from host " + tendon::os::HostName() + ")"), HasSubstr("fix: ")));
@@ -175,7 +175,7 @@ TEST_P(Addresses, AClientIsNotWarnedAboutInsecure) {
 TEST_P(Addresses, APendingPairIsNotReportedAsConnected) {
   ASSERT_NO_FATAL_FAILURE(StartRobot({}));  // which nobody reaches
   StartDesk();
-  ASSERT_TRUE(EventuallySays({"explain", kLedgerOfDesk}, "it is pending"));
+  ASSERT_TRUE(EventuallySays({"explain", kLedgerOfDesk}, "the connection is pending"));
 
   const Outcome again = Ask({"connect", kLedgerOfDesk, "robot/ledger/Control"});
 

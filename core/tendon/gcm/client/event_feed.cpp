@@ -44,7 +44,7 @@ void EventFeed::Retry(const std::string& process) {
   }
 }
 
-/// Starts an attempt for a subscription that is not active.
+/// Starts an attempt to subscribe, unless the subscription is active, in progress or ended.
 void EventFeed::Subscribe(const SharedListener& listener) {
   std::unique_lock lock(mutex_);
   const std::uint32_t attempt = next_handle_;
@@ -67,7 +67,8 @@ void EventFeed::Subscribe(const SharedListener& listener) {
                       });
 }
 
-/// All subscriptions on the channel share one clock.
+/// Returns the clock of the process at the other end. All subscriptions on a channel share one
+/// clock.
 EventFeed::SharedClock EventFeed::ClockOf(const std::shared_ptr<Channel>& channel) {
   const std::scoped_lock lock(mutex_);
   std::erase_if(clocks_, [](const auto& one) { return one.second.expired(); });
@@ -102,7 +103,7 @@ void EventFeed::Ask(const SharedListener& listener, const std::shared_ptr<Channe
         if (!answer) {
           self->Take({channel.get(), attempt});
           self->Fail(listener, attempt, answer.error());
-          // If the process subscribes late, closing the channel ends that subscription.
+          // The process may still accept the subscription later. Closing the channel ends it then.
           if (answer.error().code == ErrorCode::kTimeout) channel->Close();
           return;
         }

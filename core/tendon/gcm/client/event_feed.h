@@ -17,24 +17,26 @@
 
 namespace tendon::client {
 
-/// Subscribes to events of any process on the channels of ProcessLinks, in the form of a required
-/// interface that has only event handlers. Lost subscriptions are requested again twice a second.
-/// Thread-safe.
+/// Subscribes to events of processes on the channels of ProcessLinks. To the process, a
+/// subscription is the connection of a required interface that has only event handlers. Interrupted
+/// subscriptions are requested again twice a second. Thread-safe.
 class EventFeed final : public ChannelHandler, public std::enable_shared_from_this<EventFeed> {
  public:
   using Id = std::uint64_t;
-  /// Returns the current descriptions of the events from the catalogue, in their order, or an error
-  /// that says what is missing.
+  /// Returns the descriptions of the wanted events from the current catalogue, in the same order,
+  /// or an error that says what is missing.
   using LookUp = std::function<Result<std::vector<MemberDescription>>(const EventSubscription&)>;
 
-  /// `name` appears in the logs of the other ends. The timer must never block.
+  /// `name` is the name of this program in the logs of the processes. The thread of `timer` must
+  /// never block.
   EventFeed(std::shared_ptr<ProcessLinks> links, std::shared_ptr<Worker> timer, LookUp look_up,
             std::string name, std::chrono::milliseconds timeout);
 
   Id Listen(EventSubscription wanted, std::shared_ptr<EventSink> sink);
   /// After the return, the sink is not called any more.
   void End(Id id);
-  /// Asks a process again at once. Call it when the process has come back or moved.
+  /// Requests the interrupted subscriptions to a process again at once. Must be called when the
+  /// process has come back or has a new address.
   void Retry(const std::string& process);
 
   void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
@@ -43,7 +45,8 @@ class EventFeed final : public ChannelHandler, public std::enable_shared_from_th
 
  private:
   using SharedListener = std::shared_ptr<EventListener>;
-  /// The key includes the channel, because each channel has its own numbers.
+  /// Channel and attempt. The channel is part of the key, because a notice counts only if it
+  /// arrives on the channel of the subscription.
   using Key = std::pair<const Channel*, std::uint32_t>;
 
   void Subscribe(const SharedListener& listener);
@@ -52,8 +55,8 @@ class EventFeed final : public ChannelHandler, public std::enable_shared_from_th
   void Ask(const SharedListener& listener, const std::shared_ptr<Channel>& channel,
            const SharedClock& clock, std::uint32_t attempt);
   void Fail(const SharedListener& listener, std::uint32_t attempt, const Error& reason);
-  /// Finds the subscription by its number or by the number of one of its events; returns it with
-  /// its attempt.
+  /// Finds the subscription to which `handle` belongs: the number of its attempt or of one of its
+  /// events. Returns the subscription and its attempt.
   std::pair<SharedListener, std::uint32_t> Find(const Channel* channel, std::uint32_t handle);
   SharedListener Take(const Key& key);
 

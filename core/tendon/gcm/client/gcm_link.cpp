@@ -16,7 +16,7 @@ constexpr std::chrono::milliseconds kRetry(1000);
 constexpr std::chrono::milliseconds kRenewal(1000);
 constexpr std::chrono::milliseconds kTick(500);
 
-/// Instance and address of each reachable process.
+/// Instance and address of each present process, by name.
 using ProcessAddresses = std::map<std::string, std::pair<std::uint64_t, std::string>>;
 
 ProcessAddresses AddressesOf(const Catalogue& catalogue) {
@@ -48,7 +48,7 @@ Error PauseError(std::chrono::nanoseconds pause) {
 
 }  // namespace
 
-/// Serves one attempt to open a channel.
+/// The handler of one channel to the GCM; each attempt to open a channel has a new one.
 class GcmLink::Handler final : public ChannelHandler {
  public:
   explicit Handler(std::weak_ptr<GcmLink> link, Role role) : link_(std::move(link)), role_(role) {}
@@ -111,7 +111,7 @@ Result<void> GcmLink::WaitUntilWatching() {
   return NoGcm();
 }
 
-/// In the opener's thread.
+/// Opens a channel. Called in the opener's thread.
 void GcmLink::Open() {
   {
     const std::scoped_lock lock(mutex_);
@@ -128,7 +128,7 @@ void GcmLink::Open() {
     const auto handler = std::make_shared<Handler>(weak_from_this(), options_.role);
     const auto channel =
         Channel::Open(middleware_, options_.address, mine, handler, options_.timeout);
-    if (channel) return;  // the handler of the channel continues
+    if (channel) return;  // OnOpen() of the handler continues
     OnLost(channel.error());
   }
   opener_.PostAfter(kRetry, [this] { Open(); });
@@ -249,7 +249,7 @@ void GcmLink::Receive(const SharedChannel& channel, message::Changes changes) {
   if (has_hole) Watch(channel);
 }
 
-/// Shares equal parts of components, here and in the catalogue.
+/// Lets equal parts of components share their memory, also with the components in the catalogue.
 void GcmLink::ShareDescriptions(std::vector<CatalogueChange>& changes) {
   const std::scoped_lock lock(mutex_);
   for (CatalogueChange& change : changes) {
@@ -261,7 +261,8 @@ void GcmLink::Receive(const SharedChannel& channel, message::LogRecords records)
   ReportLog(channel, [&] { return log_.Take(std::move(records)); });
 }
 
-/// Calls `take`, which makes the batch, if the channel is not outdated.
+/// If the channel is not outdated, calls `take`, which returns a batch of the log, and passes the
+/// batch to the listener.
 template <typename Take>
 void GcmLink::ReportLog(const SharedChannel& channel, Take&& take) {
   {
@@ -274,7 +275,7 @@ void GcmLink::ReportLog(const SharedChannel& channel, Take&& take) {
   });
 }
 
-/// Pings the GCM again and again, because a link may hang without breaking.
+/// Pings the GCM every second, because a link may stop working without being closed.
 void GcmLink::Renew(const std::weak_ptr<Channel>& weak) {
   timer_->PostAfter(kRenewal, [self = weak_from_this(), weak] {
     const auto link = self.lock();
@@ -288,7 +289,7 @@ void GcmLink::Renew(const std::weak_ptr<Channel>& weak) {
   });
 }
 
-/// Detects when and for how long this program was suspended or got no processor.
+/// Detects when this program was suspended or got no CPU time, and for how long.
 void GcmLink::Tick() {
   {
     const std::scoped_lock lock(mutex_);
@@ -304,16 +305,17 @@ void GcmLink::Tick() {
   });
 }
 
-/// With the lock held: the length of a recent pause, after which peers may have closed their links
-/// to this program; zero if there was none.
+/// Returns the length of a recent pause of this program, because peers may have closed their links
+/// after it; zero if there was no pause. Called while the lock is held.
 std::chrono::nanoseconds GcmLink::RecentPause() const {
   const SteadyTime now = SteadyClock().Now();
   if (now - last_tick_ >= kLongestPeerSilence) return now - last_tick_;
   return now - awake_since_ < 2 * kLongestPeerSilence ? last_pause_ : std::chrono::nanoseconds(0);
 }
 
-/// Reports a loss once, not at each attempt. After a pause of this program, the GCM is probably
-/// alive, so the pause is reported when the GCM has answered again.
+/// Called when the channel is lost or cannot be opened. Reports the loss once, not at each attempt.
+/// After a pause of this program, the GCM is probably alive; in this case nothing is reported until
+/// the GCM has answered, and then the pause is reported.
 void GcmLink::OnLost(const Error& reason) {
   std::optional<Error> news;
   {
@@ -335,7 +337,7 @@ void GcmLink::OnLost(const Error& reason) {
   Report([&] { events_.listener->OnGcmLost(*news); });
 }
 
-/// With the lock held.
+/// The error while there is no channel. Called while the lock is held.
 Error GcmLink::NoGcm() const {
   if (lost_ && lost_->code != ErrorCode::kUnreachable && lost_->code != ErrorCode::kTimeout) {
     return *lost_;

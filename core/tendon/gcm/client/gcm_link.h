@@ -19,34 +19,36 @@
 
 namespace tendon::client {
 
-/// A viewer's channel to its GCM, reopened whenever it breaks, and the copy of the catalogue that
-/// it updates. Thread-safe.
+/// A viewer's channel to its GCM, and its copy of the catalogue, which the GCM updates. If the
+/// channel breaks, it is opened again. Thread-safe.
 class GcmLink final : public std::enable_shared_from_this<GcmLink> {
  public:
   /// A process that has a new address, or has come back.
   struct MovedProcess {
     std::string process;
-    std::uint64_t instance = 0;  ///< the present instance
+    std::uint64_t instance = 0;  ///< the instance that runs now
   };
-  /// Called one at a time; not after Stop().
+  /// The callbacks of the link. Only one is called at a time, and none after Stop().
   struct Events {
     std::shared_ptr<GcmListener> listener;  ///< may be null
     std::function<void(const std::vector<MovedProcess>& processes)> on_moved;
   };
-  /// The middleware outlives Stop(). The timer provides the timeouts.
+  /// The middleware must exist until Stop() returns. The timer provides the timeouts.
   GcmLink(Middleware& middleware, GcmClient::Options options, Events events,
           std::shared_ptr<Worker> timer);
 
   void Start();
-  /// Waits for a running call of the events. Must not be called from such a call.
+  /// Closes the channel. If an event callback is running, waits until it returns; therefore Stop()
+  /// must not be called from an event callback.
   void Stop();
 
   Result<void> WaitUntilWatching();
-  /// From now on, the listener gets the log.
+  /// From now on, the listener receives the log.
   void WatchLog();
   void Resync();
 
-  /// Calls `read(catalogue)` with the lock held, so it must be short.
+  /// Returns the result of `read(catalogue)`. `read` is called while the lock is held, so it must
+  /// be short.
   template <typename Read>
   auto WithCatalogue(Read&& read) const {
     const std::scoped_lock lock(mutex_);
@@ -86,19 +88,19 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
   const Events events_;
   const std::shared_ptr<Worker> timer_;
 
-  std::mutex reporting_;  // held during calls of the events; locked before mutex_
+  std::mutex reporting_;  // held during event callbacks; locked before mutex_
   bool stopped_ = false;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  SharedChannel channel_;   // set while the channel is open
-  bool is_waiting_ = true;  // waits for a snapshot, and ignores changes
+  SharedChannel channel_;   // null while the channel is not open
+  bool is_waiting_ = true;  // true while the snapshot is not received; changes are ignored
   bool wants_log_ = false;
   Catalogue catalogue_;
   DescriptionPool pool_;
   std::optional<Error> lost_;  // why there is no channel
   SteadyTime last_tick_ = SteadyClock().Now();
-  SteadyTime awake_since_{};                     // since the last pause of this program
-  std::chrono::nanoseconds last_pause_{};        // its length
+  SteadyTime awake_since_{};                     // end of the last pause of this program
+  std::chrono::nanoseconds last_pause_{};        // length of the last pause
   std::chrono::nanoseconds unreported_pause_{};  // pause that broke the link, not reported yet
   LogFeed log_;
   Worker opener_{"client-gcm"};

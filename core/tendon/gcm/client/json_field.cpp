@@ -12,17 +12,18 @@
 namespace tendon::client {
 namespace {
 
-// The text of values is kept, because a number that is parsed and printed again may have other
-// digits.
+// These functions return parts of the text instead of parsed values, because a number that is
+// parsed and printed again may have other digits.
 
-/// Takes the key of a member; its value comes next.
+/// Returns the key of a member and moves to the value of the member.
 std::string TakeKey(JsonScanner& walk) {
   const auto key = nlohmann::json::parse(walk.Take(), nullptr, /*allow_exceptions=*/false);
   walk.ToValue();
   return key.is_string() ? key.get<std::string>() : std::string();
 }
 
-/// The element with the index in "[3"; empty if there is none.
+/// Returns the element of a list. `step` is the index in the form "[3". Empty if there is no such
+/// element.
 std::optional<std::string_view> Element(std::string_view list, std::string_view step) {
   std::size_t index = 0;
   const auto read = std::from_chars(step.data() + 1, step.data() + step.size(), index);
@@ -36,7 +37,8 @@ std::optional<std::string_view> Element(std::string_view list, std::string_view 
   return std::nullopt;
 }
 
-/// The value of a key; empty if there is none. Collects the existing keys.
+/// Returns the value of a key; empty if there is no such key. Adds the keys up to this one to
+/// `keys`.
 std::optional<std::string_view> Member(std::string_view object, const std::string& key,
                                        std::vector<std::string>& keys) {
   JsonScanner walk(object);

@@ -6,9 +6,9 @@
 
 namespace tendon::client {
 
-/// The text in a JSON value at a path's field, ".position[0]", exactly as written; the whole text
-/// if `field` is empty. If the value has no such field, fails with kNotFound, and the error names
-/// the part of the path.
+/// Returns a part of a JSON text, exactly as it is written there. `field` selects the part, for
+/// example ".position[0]"; if it is empty, returns the whole text. Fails with kNotFound if there is
+/// no such part; the error names the part of `field` that does not exist.
 Result<std::string> JsonField(const std::string& json, const std::string& field);
 
 }  // namespace tendon::client

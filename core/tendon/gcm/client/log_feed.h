@@ -8,22 +8,22 @@
 
 namespace tendon::client {
 
-/// A viewer's position in the log of its GCM: continues after a broken link, starts again with
-/// another GCM, and detects gaps. Thread-safe.
+/// Keeps a viewer's position in the log of its GCM, and detects gaps. The position stays valid when
+/// the link is restored; with another GCM, the log begins again. Thread-safe.
 class LogFeed {
  public:
   /// The request to send on a new channel.
   [[nodiscard]] message::WatchLog Wanted() const;
-  /// Handles the answer to the request.
+  /// Handles the answer to the request; returns an empty batch.
   LogBatch Begin(const message::WatchLogReply& watched);
-  /// The next records, without those that were delivered before.
+  /// Returns the received records, without those that were delivered before.
   LogBatch Take(message::LogRecords batch);
 
  private:
   mutable std::mutex mutex_;
   std::uint64_t gcm_instance_ = 0;
   std::uint64_t next_ = 0;     // number of the next record
-  std::uint64_t current_ = 0;  // records from here on are new
+  std::uint64_t current_ = 0;  // records from this number on are newer than the request
 };
 
 }  // namespace tendon::client

@@ -54,7 +54,8 @@ void ProcessLinks::Drop(const std::string& process, std::uint64_t instance) {
   std::unique_lock lock(mutex_);
   const auto found = links_.find(process);
   if (found == links_.end() || !found->second.channel) return;
-  // This program may already have reconnected, and may be in the middle of a request.
+  // If this program has already connected to the new instance, requests may be pending on that
+  // channel, so it stays open.
   if (found->second.channel->peer().instance == instance) return;
   const SharedChannel channel = std::exchange(found->second.channel, nullptr);
   lock.unlock();
@@ -74,7 +75,7 @@ void ProcessLinks::Stop() {
   opener_.Stop();
 }
 
-/// In the opener's thread.
+/// Opens a channel and passes it to the waiting requests. Called in the opener's thread.
 void ProcessLinks::Open(const std::string& process) {
   const auto channel = TryOpen(process);
   std::vector<Use> waiting;

@@ -16,36 +16,37 @@
 
 namespace tendon::client {
 
-/// Channels to processes, opened on demand in a thread of their own and kept while they are open.
-/// Thread-safe.
+/// Channels to processes. A channel is opened when it is first needed, in a separate thread, and is
+/// used until it closes. Thread-safe.
 class ProcessLinks final : public std::enable_shared_from_this<ProcessLinks> {
  public:
   using SharedChannel = std::shared_ptr<Channel>;
-  /// Must not block.
+  /// Receives an open channel, or the reason why there is none. Must not block.
   using Use = std::function<void(Result<SharedChannel>)>;
   /// Returns the current description of a process, or the reason why it cannot be reached.
   using Resolve = std::function<Result<ProcessDescription>(const std::string& process)>;
 
-  /// Our name and highest role on these channels, and how long a process that does not answer may
-  /// delay requests to others.
+  /// The name and the highest role of this program on the channels, and how long the opening of a
+  /// channel may take. A process that does not answer delays requests to other processes by this
+  /// time, because one thread opens all channels.
   struct Options {
     std::string name;
     Role role = Role::kOperator;
     std::chrono::milliseconds patience{1000};
   };
 
-  /// The middleware outlives Stop().
+  /// The middleware must exist until Stop() returns.
   ProcessLinks(Middleware& middleware, Resolve resolve, Options options);
 
-  /// Call it before the first WithChannel(). The listener gets the notices of all channels, and
-  /// their OnClosed().
+  /// Must be called before the first WithChannel(). The listener receives the notices and the
+  /// closing of all channels.
   void SetNoticeListener(std::weak_ptr<ChannelHandler> listener) {
     listener_ = std::move(listener);
   }
-  /// Calls `use` with an open channel, or the reason why there is none: at once, or in the thread
-  /// that opens it.
+  /// Calls `use` with an open channel, or with the reason why there is none. If the channel is
+  /// already open, calls it at once; otherwise later, in the thread that opens the channel.
   void WithChannel(const std::string& process, Use use);
-  /// Closes a channel to another instance of the process than `instance`.
+  /// Closes the channel to a process if it leads to another instance than `instance`.
   void Drop(const std::string& process, std::uint64_t instance);
   void Stop();
 

@@ -95,7 +95,8 @@ void ProcessRequests::GetVersion(const std::string& process,
           return Ask<message::ProgramVersion>(*self->timer_, *channel, message::kGetProgram, None{},
                                               self->timeout_, handler);
         }
-        // An older program answers kDenied, so a failure to open a link must have another code.
+        // kDenied means that the program is too old to report its version. If the link was refused
+        // with kDenied, the caller must get another code.
         const Error& why = channel.error();
         handler(Error{why.code == ErrorCode::kDenied ? ErrorCode::kFailed : why.code, why.message});
       });
@@ -130,7 +131,8 @@ void ProcessRequests::AskProcess(const std::string& process, MessageType type, c
 void ProcessRequests::Learn(const std::map<std::string, message::GetSchemas>& types,
                             Handler<void> handler) {
   const auto timeout = std::min(timeout_, std::chrono::milliseconds(500));
-  // Called when the last copy is destroyed.
+  // The deleter calls the handler when the last copy is destroyed, so when all processes have
+  // answered.
   const std::shared_ptr<void> all(nullptr, [handler](void* /*nothing*/) { handler({}); });
   for (const auto& [process, wanted] : types) {
     links_->WithChannel(
@@ -141,7 +143,8 @@ void ProcessRequests::Learn(const std::map<std::string, message::GetSchemas>& ty
   }
 }
 
-/// Asks the process for the schemas that are not known yet.
+/// Asks the process for the schemas that are not known yet, and calls the handler when they are
+/// known.
 void ProcessRequests::FetchSchemas(const std::string& process,
                                    std::vector<Fingerprint> fingerprints, Handler<void> handler) {
   std::erase_if(fingerprints,
@@ -187,7 +190,7 @@ std::optional<Schema> ProcessRequests::Find(Fingerprint fingerprint) const {
   return found == schemas_.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Called when all schemas are known.
+/// Converts the argument and sends the call. Called when all schemas are known.
 void ProcessRequests::Send(const std::shared_ptr<const Order>& order) {
   const Path& path = order->path;
   message::CallMember call{path.component, path.interface, path.member, {}, timeout_ * 3 / 4};

@@ -20,8 +20,9 @@
 
 namespace tendon::client {
 
-/// Calls commands of processes with JSON, using the catalogue and the schemas of the processes.
-/// Thread-safe. Calls each handler once, unless the client closes.
+/// Sends requests to processes. Calls their commands with arguments and answers in JSON, which it
+/// converts with the schemas of the processes. Calls each handler once, unless the client closes.
+/// Thread-safe.
 class ProcessRequests final : public std::enable_shared_from_this<ProcessRequests> {
  public:
   template <typename T>
@@ -39,8 +40,8 @@ class ProcessRequests final : public std::enable_shared_from_this<ProcessRequest
   void GetProviderCounts(const message::Wire& wire, Handler<ConnectionCounts> handler);
   void GetFill(const std::string& process, const std::string& component,
                Handler<MailboxFill> handler);
-  /// Fetches types for FindSchema() from the processes that know them. Does not wait long for a
-  /// process that does not answer.
+  /// Fetches schemas for FindSchema() from the processes that know them. Waits at most 500 ms for
+  /// the answer of a process.
   void Learn(const std::map<std::string, message::GetSchemas>& types, Handler<void> handler);
 
  private:

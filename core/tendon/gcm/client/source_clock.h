@@ -13,21 +13,24 @@
 
 namespace tendon::client {
 
-/// Measures the steady clock of the process at the other end of a channel against ours, twice a
-/// second while the channel is open and the object is in use. Thread-safe.
+/// Measures the offset between the steady clock of the process at the other end of a channel and
+/// the steady clock of this process. Measures twice a second while the channel is open and this
+/// object exists. Thread-safe.
 class SourceClock final : public std::enable_shared_from_this<SourceClock> {
  public:
   using Known = std::function<void(const Result<std::shared_ptr<SourceClock>>&)>;
 
-  /// The timer must never block. A request waits for its answer for at most `timeout`.
+  /// The thread of `timer` must never block. A measurement fails if there is no answer within
+  /// `timeout`.
   SourceClock(std::shared_ptr<Worker> timer, std::shared_ptr<Channel> channel,
               std::chrono::milliseconds timeout);
 
-  /// Calls `known` once: with this object after the first answer, or with an error. The call is
-  /// made at once, or in a thread of the middleware or the timer.
+  /// Calls `known` once: with this object when the offset is known, or with an error. The call is
+  /// made at once, or later in a thread of the middleware or the timer.
   void WhenKnown(Known known);
 
-  /// Converts the time `there`, on the other clock, at which an event was raised.
+  /// Converts the time at which an event was raised from the other clock to the clock of this
+  /// process.
   [[nodiscard]] EventTime ToLocal(SteadyTime there) const;
 
  private:

@@ -11,32 +11,34 @@
 
 namespace tendon {
 
-// Checks an order as the process would check it, from the classes and plug-ins that the process
-// reported, before anything is changed.
+// These functions check an order in the same way as the process will check it, before anything is
+// changed. They use the classes and plug-ins that the process has reported.
 
-/// Checks that the process could load the plug-in. kNotFound suggests similar names.
+/// Checks that the process can load the plug-in. Fails with kNotFound; the error suggests similar
+/// names.
 Result<void> CheckPlugIn(const message::Classes& known, const std::string& library);
 
 /// Checks an order to create a component: that the process has the class, and that the class
-/// accepts the configuration. Accepts everything for a plug-in that is not loaded, because its
-/// classes are unknown.
+/// accepts the configuration. If the plug-in is not loaded, its classes are unknown, so any class
+/// and configuration is accepted.
 Result<void> CheckCreation(const message::Classes& known, const message::LifecycleOrder& order);
 
-/// Checks that the class would accept this configuration, which is JSON or empty. The error,
-/// kInvalid, says what is wrong.
+/// Checks that the class accepts this configuration, which is JSON or empty. Fails with kInvalid;
+/// the error says what is wrong.
 Result<void> CheckConfiguration(const ClassDescription& of, const std::string& configuration);
 
-/// The reported classes, by process.
+/// The classes that processes have reported, by process.
 using KnownClasses = std::map<std::string, message::Classes>;
 
-/// The processes to ask for their classes before a plan is made: those that are present and have
-/// components to create.
+/// Returns the processes that should be asked for their classes before a plan is made: those that
+/// are present and have components to create or to configure.
 [[nodiscard]] std::vector<std::string> ProcessesToAsk(const Catalogue& catalogue,
                                                       const SystemFile& wanted);
 
-/// Like MakePlan(), but components that CheckCreation() refuses stay unchanged and become
-/// obstacles, so that a mistake in the file is found before anything is stopped. Checks with the
-/// code that is loaded; notes report plug-ins whose file has changed since.
+/// Like MakePlan(), but if CheckCreation() refuses a component, the component stays unchanged and
+/// becomes an obstacle. In this way a mistake in the file is found before anything is stopped. The
+/// check uses the loaded plug-ins; if the file of a plug-in has changed since it was loaded, a note
+/// says so.
 [[nodiscard]] Plan MakeCheckedPlan(const Catalogue& catalogue, const SystemFile& wanted,
                                    const KnownClasses& known);
 

@@ -18,13 +18,14 @@ struct Follower {
   bool was_suspended = false;
 };
 
-/// Reads a text; the history file may have been edited.
+/// Returns a text; empty if it is missing or is not a text, because a user may have edited the
+/// history file.
 std::string TextAt(const ordered_json& object, const char* key) {
   const auto found = object.find(key);
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// The followers, each after its leader.
+/// Returns the followers, each after its leader.
 std::vector<Follower> Read(const LifecycleStep& stop) {
   std::vector<Follower> all;
   const ordered_json list = JsonOrText(stop.former);
@@ -94,7 +95,8 @@ std::vector<LifecycleOrder> OrdersToRunAgain(const LifecycleStep& stop,
     orders.back().component = component;
   };
   for (const Follower& one : all) add(LifecycleVerb::kStart, one.component);
-  std::set<std::string> suspended;  // their followers do not run either
+  // Suspended components. Their followers do not run either.
+  std::set<std::string> suspended;
   for (const Follower& one : all) {
     if (!one.was_suspended) continue;
     const bool is_suspended = suspended.contains(one.leader);

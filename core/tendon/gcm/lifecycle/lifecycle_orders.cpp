@@ -16,8 +16,9 @@ using message::LifecycleOutcome;
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
-/// An undo sends its orders within this many times the duration of one order. The requester waits
-/// for one more (GcmClient::kUndoTimeouts), which is for stopping components that must not run.
+/// An undo sends all its orders within this many times the time limit of one order. The client
+/// waits for one more time limit (GcmClient::kUndoTimeouts), in which the undo stops components
+/// that must not run.
 constexpr int kUndoOrderTimeouts = 5;
 
 std::string PathOf(const LifecycleOrder& order) {
@@ -44,7 +45,7 @@ Error UnknownOutcomeError(const LifecycleOrder& order, const Error& why) {
                                    "; see: gcm show " + PathOf(order)};
 }
 
-/// The components that the undo of a step starts in addition to the step's own component.
+/// Returns the components that the undo of a step starts in addition to the component of the step.
 std::vector<std::string> StoppedWith(const message::HistoryEntry& step) {
   const bool is_stop = step.verb == ToString(LifecycleVerb::kStop);
   return is_stop ? FollowersOf(step.lifecycle) : std::vector<std::string>();
@@ -81,12 +82,13 @@ void LifecycleOrders::ExecuteOrder(const LifecycleOrder& order, const std::strin
   });
 }
 
-/// Checks that the configuration is still the one on which the order is based; the error names the
-/// program that changed it. The process checks again, because its state is newer.
+/// If the order changes a configuration, checks that the present configuration is still the one on
+/// which the order is based. If not, the error names the program that changed it, if this is known.
+/// The process checks this again, because it has the newest state.
 Result<void> LifecycleOrders::CheckConfiguration(const LifecycleOrder& order) const {
   const auto* now = parts_.registry.catalogue().FindComponent(order.process, order.component);
   if (order.verb != LifecycleVerb::kConfigure || now == nullptr) return {};
-  UndoMark last;  // of the last change, by a step or its undo
+  UndoMark last;  // who made the last change, by a step or by its undo
   std::string made;
   for (const message::HistoryEntry& step : parts_.history.steps().entries) {
     const message::LifecycleStep& lifecycle = step.lifecycle;
@@ -106,7 +108,7 @@ Result<void> LifecycleOrders::CheckConfiguration(const LifecycleOrder& order) co
   return CheckBase(order, now->configuration, by);
 }
 
-/// Records a step that was, or may have been, executed; then answers.
+/// Records a step if it was executed, or if this is unknown; then answers.
 void LifecycleOrders::Record(message::HistoryEntry entry, const Result<LifecycleOutcome>& outcome,
                              const Done<None>& done) {
   Result<None> answer = outcome ? Result<None>(None{}) : outcome.error();
@@ -165,9 +167,11 @@ void LifecycleOrders::ListClasses(const std::string& process, Done<message::Clas
                 std::move(done));
 }
 
-/// Wraps `done` to release the component afterwards; null if the component has a pending order.
+/// Marks the component as busy. Returns `done`, wrapped so that it also releases the component. If
+/// an order for the component is in progress, answers with an error and returns null.
 LifecycleOrders::Done<None> LifecycleOrders::Claim(const Path& path, Done<None> done) {
-  if (path.second.empty()) return done;  // the process executes these one at a time
+  // A process executes orders without a component one at a time.
+  if (path.second.empty()) return done;
   if (!busy_.emplace(path, false).second) {
     Answer(std::move(done),
            Result<None>(Error{ErrorCode::kFailed, path.first + "/" + path.second +
@@ -181,7 +185,7 @@ LifecycleOrders::Done<None> LifecycleOrders::Claim(const Path& path, Done<None> 
   };
 }
 
-/// Cancels pending orders that could start the component.
+/// Cancels orders that could start the component and were not begun yet.
 void LifecycleOrders::CancelStarts(const Path& path) {
   const auto claim = busy_.find(path);
   if (claim != busy_.end()) claim->second = true;
@@ -218,14 +222,15 @@ nanoseconds LifecycleOrders::PatienceOf(nanoseconds asked) const {
   return std::min<nanoseconds>(asked, std::chrono::hours(1));
 }
 
-/// How long to wait for the answer to an order. Shorter than the requester waits, which is twice
-/// the patience.
+/// Returns how long to wait for the answer to an order. This is shorter than the client waits,
+/// which is twice the patience.
 milliseconds LifecycleOrders::Longest(nanoseconds patience) const {
   const auto most = std::chrono::ceil<milliseconds>(patience);
   return most + std::min(timeout_, most / 2);
 }
 
-/// Gives the orders one after the other, up to the first one that fails or has no time left.
+/// Sends the orders one after the other. Ends at the first order that fails, or when no time is
+/// left until `until`.
 void LifecycleOrders::SendAll(std::vector<LifecycleOrder> orders, SteadyTime until,
                               Done<None> done) {
   if (orders.empty()) return Answer(std::move(done), Result<None>(None{}));
@@ -241,7 +246,7 @@ void LifecycleOrders::SendAll(std::vector<LifecycleOrder> orders, SteadyTime unt
   if (!patience) {
     return Answer(std::move(done),
                   Result<None>(Error{ErrorCode::kTimeout,
-                                     "the time of the request was over before it could " +
+                                     "the time limit of the request was reached before it could " +
                                          std::string(ToString(first.verb)) + " " + PathOf(first)}));
   }
   first.patience = *patience;
@@ -253,8 +258,8 @@ void LifecycleOrders::SendAll(std::vector<LifecycleOrder> orders, SteadyTime unt
   });
 }
 
-/// The first order starts the leader of the others. If one of these fails, stops the leader, and
-/// all others with it.
+/// Sends orders of which the first starts the leader of the other components. If a later order
+/// fails, stops the leader, and the other components stop with it.
 void LifecycleOrders::RunAgain(std::vector<LifecycleOrder> orders, SteadyTime until,
                                Done<None> done) {
   const LifecycleOrder leader = orders.front();

@@ -16,20 +16,21 @@
 
 namespace tendon::server {
 
-/// Orders for the lifecycle of components. Forwards each order to its LCM, one at a time for each
-/// component, and records it in the history. A stop is always forwarded; earlier orders that are
-/// still pending do not start the component any more.
+/// Executes orders for the lifecycle of components: forwards each order to the LCM of its process,
+/// and records it in the history. Only one order for a component is in progress at a time. A stop
+/// is forwarded even if another order is in progress; orders that could start the component and are
+/// still pending are then cancelled.
 ///
-/// An LCM asks before it executes an order (Begin()). An order that was not begun in time is
-/// cancelled and never executed. An order that was begun, but whose outcome does not arrive in
-/// time, is recorded with an unknown outcome.
+/// An LCM asks the GCM before it executes an order (Begin()). An order that was not begun in time
+/// is cancelled and never executed. If an order was begun, but its outcome does not arrive in time,
+/// the order is recorded with an unknown outcome.
 ///
-/// No thread waits. All functions are called under the owner's lock; `done` is called once, without
-/// it.
+/// No function blocks. All functions must be called while the owner's lock is held. `done` is
+/// called once, while the lock is not held.
 class LifecycleOrders : private OrderSender {
  public:
-  /// Calls its argument with the LifecycleOrders, under the owner's lock, and then runs the
-  /// deferred actions. Does nothing if the owner is gone.
+  /// Takes the owner's lock, calls its argument with the LifecycleOrders, releases the lock, and
+  /// runs the deferred actions. Does nothing if the owner is gone.
   using Locked = std::function<void(const std::function<void(LifecycleOrders&)>&)>;
   template <typename T>
   using Done = OrderSender::Done<T>;
@@ -40,18 +41,20 @@ class LifecycleOrders : private OrderSender {
     DeferredActions& deferred;
     Worker& worker;  ///< provides timeouts
   };
-  /// `timeout` is the time for the answer to an order, in addition to its patience.
+  /// The answer to an order may arrive up to `timeout` later than the patience of the order allows.
   LifecycleOrders(Parts parts, Locked locked, std::chrono::milliseconds timeout);
 
-  /// Gives an order that `who` has requested.
+  /// Executes an order that `who` has requested.
   void ExecuteOrder(const message::LifecycleOrder& order, const std::string& who, Done<None> done);
-  /// Makes connections, then calls its argument, perhaps under the lock.
+  /// Restores connections, then calls its argument with the outcome. This call may be made while
+  /// the lock is held.
   using Connect = std::function<void(Done<None>)>;
-  /// Undoes a step. Calls `connect`, without the lock, before components are started. Not recorded
-  /// in the history.
+  /// Undoes a step. Calls `connect` before components are started, while the lock is not held. The
+  /// undo is not recorded in the history.
   void Undo(const message::HistoryEntry& step, std::chrono::nanoseconds patience, Connect connect,
             Done<None> done);
-  /// Called when process `by` is about to execute an order; an error cancels the order.
+  /// Called when the process `by` is about to execute an order. If this returns an error, the
+  /// process does not execute the order.
   [[nodiscard]] Result<void> Begin(std::uint64_t order, const std::string& by);
   void ListClasses(const std::string& process, Done<message::Classes> done);
 
@@ -59,7 +62,7 @@ class LifecycleOrders : private OrderSender {
   using Path = std::pair<std::string, std::string>;
   using LifecycleDone = Done<message::LifecycleOutcome>;
 
-  /// An order that was sent and not answered yet.
+  /// An order that was sent, but not answered yet.
   struct SentOrder {
     Path path;
     LifecycleVerb verb;
@@ -81,7 +84,7 @@ class LifecycleOrders : private OrderSender {
   Parts parts_;
   const Locked locked_;
   const std::chrono::milliseconds timeout_;
-  std::map<Path, bool> busy_;  // components with a pending order; true if a stop was requested
+  std::map<Path, bool> busy_;  // components with an order in progress; true if a stop was requested
   std::map<std::uint64_t, SentOrder> sent_;
   std::uint64_t last_id_ = 0;
 };

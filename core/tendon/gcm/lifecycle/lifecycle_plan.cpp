@@ -34,7 +34,7 @@ Error ChangedError(const LifecycleStep& step, const std::string& how) {
   return {ErrorCode::kFailed, PathOf(step) + " " + how};
 }
 
-/// The state in which a step leaves its component, if the step is a change of state.
+/// Returns the state in which a step leaves its component, if the verb changes the state.
 std::optional<ComponentState> StateAfter(std::string_view verb) {
   if (verb == ToString(LifecycleVerb::kStart)) return ComponentState::kActive;
   if (verb == ToString(LifecycleVerb::kSuspend)) return ComponentState::kSuspended;
@@ -42,7 +42,7 @@ std::optional<ComponentState> StateAfter(std::string_view verb) {
   return std::nullopt;
 }
 
-/// Adds the orders that bring a stopped component to the state that it had.
+/// Adds the orders that bring a stopped component back to `state`.
 void AddOrdersInto(ComponentState state, const LifecycleOrder& order,
                    std::vector<LifecycleOrder>& orders) {
   if (!IsRunning(state)) return;
@@ -125,7 +125,7 @@ Result<std::vector<Path>> LookUpComponents(const Catalogue& catalogue, const std
   }
   if (!all.empty()) return all;
   return Error{ErrorCode::kNotFound,
-               "no component fits '" + pattern + "'; gcm ls -R lists all names"};
+               "no component matches '" + pattern + "'; gcm ls -R lists all names"};
 }
 
 bool LeavesAsItWas(const HistoryEntry& step) {
@@ -194,7 +194,8 @@ Result<void> CheckUndo(const Catalogue& catalogue, const HistoryEntry& step) {
   if (is_other) return ChangedError(lifecycle, "is of class " + now->class_name + " now");
   const std::string state(ToString(now->state));
   if (const auto after = StateAfter(step.verb)) {
-    // A stopped component that an undo has created again has not run since.
+    // After a stop, an undo may have created the component again. It has not run since, so it still
+    // counts as stopped.
     const bool is_stopped = *after == ComponentState::kFinished && !IsRunning(now->state) &&
                             now->state != ComponentState::kFaulted;
     if (now->state != *after && !is_stopped) return ChangedError(lifecycle, "is " + state + " now");
@@ -236,7 +237,7 @@ UndoPlan PlanUndo(const HistoryEntry& step, std::chrono::nanoseconds patience) {
     create.leader = lifecycle.leader;
     plan.first.push_back(create);
     if (!step.is_unknown)
-      AddOrdersInto(lifecycle.state, order, plan.then);  // else its state is unknown
+      AddOrdersInto(lifecycle.state, order, plan.then);  // otherwise its state is unknown
   } else if (step.verb == ToString(LifecycleVerb::kConfigure)) {
     order.verb = LifecycleVerb::kConfigure;
     order.configuration = lifecycle.former;

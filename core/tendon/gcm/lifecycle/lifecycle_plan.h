@@ -10,52 +10,57 @@
 #include <string>
 #include <vector>
 
-/// Checks and undoes lifecycle orders, based on a catalogue.
+/// Functions that check lifecycle orders against a catalogue, and plan their undo.
 namespace tendon {
 
-/// Checks that the order can be given: its process is present, and so is its component, except for
-/// "create". Errors are those of lookup.h; kFailed if the process was restarted since.
+/// Checks that the process of the order is present and, except for "create" and "load", has the
+/// component. Fails like the functions of lookup.h, and with kFailed if the process was restarted
+/// since the order was made.
 Result<void> CheckTarget(const Catalogue& catalogue, const message::LifecycleOrder& order);
 
-/// Like CheckTarget(), but also checks whether the process would refuse the order, as far as the
-/// catalogue knows this. For a preview.
+/// Like CheckTarget(), but also fails if the process would refuse the order, as far as the
+/// catalogue shows this. Used for previews.
 Result<void> CheckLifecycleOrder(const Catalogue& catalogue, const message::LifecycleOrder& order);
 
-/// The components that match `pattern`: "robot/arm", or a glob over all present processes; sorted
-/// by path. kNotFound if there is none.
+/// Returns the components that match `pattern`: a path such as "robot/arm", or a glob, for which
+/// all present processes are searched. Sorted by path. Fails with kNotFound if no component
+/// matches.
 Result<std::vector<Path>> LookUpComponents(const Catalogue& catalogue, const std::string& pattern);
 
-/// The verb of an order in the history; a restart of a stopped component is recorded as a start.
+/// Returns the verb with which the history records an order. A restart is recorded as a start.
 [[nodiscard]] std::string StepVerbOf(const message::LifecycleOrder& order);
 
-/// True if there is nothing to undo, for example after a restart of an active component.
+/// Returns true if the step left the component active as it was before, for example a restart of an
+/// active component. Then there is nothing to undo.
 [[nodiscard]] bool LeavesAsItWas(const message::HistoryEntry& step);
 
-/// The data that the history needs for an order. Call it before the order is executed. The process
-/// is empty if the order cannot be undone (load).
+/// Returns the data that the history needs for an order. Must be called before the order is
+/// executed. The process in the result is empty if the order cannot be undone (load).
 [[nodiscard]] message::LifecycleStep StepOf(const Catalogue& catalogue,
                                             const message::LifecycleOrder& order);
 
-/// Adds to the step the former state, and the values that the process actually used.
+/// Adds the outcome of an order to its step: the state before the order, and the values that the
+/// process actually used.
 void AddOutcome(const message::LifecycleOutcome& outcome, message::HistoryEntry& step);
 
 /// Checks that the component is still as the step left it.
 Result<void> CheckUndo(const Catalogue& catalogue, const message::HistoryEntry& step);
 
-/// The orders that undo a step. For a removed component, `first` creates it, then it gets its
-/// connections, and `then` starts it.
+/// The orders that undo a step. Connections are restored after `first` and before `then`. For
+/// example, if the step removed a component, `first` creates it, and `then` starts it.
 struct UndoPlan {
   std::vector<message::LifecycleOrder> first;
   std::vector<message::LifecycleOrder> then;
 };
 
-/// The time limit to send with an order: at most `patience`, and short enough that the answer
-/// arrives within `left`. The answer to an order may take one and a half times its time limit.
-/// Empty if no time is left.
+/// Returns the time limit to send with an order: at most `patience`, and short enough that the
+/// answer arrives within `left`. The answer to an order may take one and a half times its time
+/// limit. Empty if too little time is left.
 [[nodiscard]] std::optional<std::chrono::nanoseconds> PatienceWithin(
     std::chrono::nanoseconds patience, std::chrono::nanoseconds left);
 
-/// `patience` is for each order. The orders are for the instance that made the step.
+/// Returns the orders that undo a step, with `patience` as the time limit of each. They are valid
+/// only for the process instance that made the step.
 [[nodiscard]] UndoPlan PlanUndo(const message::HistoryEntry& step,
                                 std::chrono::nanoseconds patience);
 

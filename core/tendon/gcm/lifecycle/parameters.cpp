@@ -43,7 +43,8 @@ Result<Whole> WholeOf(const ClassDescription& of, const std::string& told) {
   return whole;
 }
 
-/// One step of "gain.x[2]": a field, or an element if `index` is set.
+/// One part of a name such as "gain.x[2]": an element of a list if `index` is set, otherwise a
+/// field.
 struct Step {
   std::string field;
   std::optional<std::size_t> index = std::nullopt;
@@ -99,7 +100,8 @@ struct Part {
   OrderedJson* value = nullptr;
 };
 
-/// The part that `step` names in `part`; `where` is the name of `part`.
+/// Returns the field or element of `part` that `step` names. `where` is the name of `part`, for
+/// errors.
 Result<Part> Enter(const Part& part, const Step& step, const std::string& where) {
   using Kind = Schema::Kind;
   const Schema& schema = part.schema;
@@ -138,8 +140,8 @@ Result<Part> Find(Whole& whole, const std::vector<Step>& steps) {
   return part;
 }
 
-/// Copies the changed part into the configuration that is sent to the class: only that part, but
-/// lists always completely.
+/// Copies the changed value from `value` to `told`. Copies only this field; if an element of a list
+/// has changed, copies the whole list.
 void Tell(Whole& whole, const std::vector<Step>& steps) {
   OrderedJson* told = &whole.told;
   const OrderedJson* value = &whole.value;
@@ -196,7 +198,7 @@ Result<std::vector<Parameter>> ParametersAt(const ClassDescription& of, const st
   for (const Parameter& one : *all) {
     if (one.name == name || one.name.starts_with(name + ".")) found.push_back(one);
     if (!name.starts_with(one.name + "[")) continue;
-    found.push_back(one);  // the name refers to an element of this parameter
+    found.push_back(one);  // `name` refers to an element of this parameter
     found.back().name = name;
     found.back().type = part->schema.TypeName();
     found.back().value = part->value->dump();

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-/// The fields of a component's configuration, which users call its parameters.
+/// Functions for the parameters of a component, as users call the fields of its configuration.
 namespace tendon {
 
 /// A field of a configuration that is not itself a structure.
@@ -14,9 +14,9 @@ struct Parameter {
   std::string name;    ///< "noise", "gain.x"
   std::string type;    ///< "float64[7]"
   std::string unit;    ///< empty if it has none
-  std::string values;  ///< "0 to 1", "off, on": the possible values, or empty
-  std::string help;    ///< the description in its class, or empty
-  std::string value;   ///< the component's value, JSON
+  std::string values;  ///< the possible values, "0 to 1" or "off, on"; may be empty
+  std::string help;    ///< the description from the class; may be empty
+  std::string value;   ///< the present value, JSON
 };
 
 /// A change of one parameter.
@@ -26,17 +26,20 @@ struct ChangedParameter {
   std::string configuration;  ///< the new configuration, JSON
 };
 
-/// All parameters of a component of that class, in the order of the type. `told` is the component's
-/// configuration, which may omit fields that keep their default.
+/// Returns all parameters of a component of class `of`, in the order of its configuration type.
+/// `told` is the configuration of the component; fields that keep their default may be missing in
+/// it.
 Result<std::vector<Parameter>> ParametersOf(const ClassDescription& of, const std::string& told);
 
-/// The parameters at `name` and below it: "home", "gain". kNotFound suggests similar names.
+/// Returns the parameter with this name; if it is a structure, the parameters inside it: "home",
+/// "gain". Fails with kNotFound; the error suggests similar names.
 Result<std::vector<Parameter>> ParametersAt(const ClassDescription& of, const std::string& told,
                                             const std::string& name);
 
-/// Replaces the part with this name, "gain.x" or "home[2]", by `value`: JSON, in which a string or
-/// an enumerator needs no quotes. kNotFound: the error says which part of the name does not exist.
-/// kInvalid: it says what was expected of the value and what was found.
+/// Replaces the value of the parameter, field or element with this name, such as "gain.x" or
+/// "home[2]". `value` is JSON, but a string or an enumerator needs no quotes. Fails with kNotFound
+/// if a part of the name does not exist; the error says which. Fails with kInvalid if the value is
+/// wrong; the error says what was expected and what was found.
 Result<ChangedParameter> ChangeParameter(const ClassDescription& of, const std::string& told,
                                          const std::string& name, const std::string& value);
 

@@ -6,7 +6,7 @@
 namespace tendon {
 namespace {
 
-/// Checks that the ends are still as the step left them, and can be restored.
+/// Checks that the connection is still as the step left it, and can be restored.
 Result<void> CheckWire(const Catalogue& catalogue, const message::History& history,
                        const message::HistoryEntry& step) {
   const InterfaceName& needed = step.wire.required;
@@ -18,8 +18,7 @@ Result<void> CheckWire(const Catalogue& catalogue, const message::History& histo
                  required + " is no longer connected to " + ToString(step.wire.provided)};
   }
   if (now != nullptr && now->provided != step.wire.provided) {
-    return Error{ErrorCode::kFailed,
-                 required + " is meanwhile connected to " + ToString(now->provided)};
+    return Error{ErrorCode::kFailed, required + " is now connected to " + ToString(now->provided)};
   }
   if (step.verb == "connect" || (step.verb == "disconnect" && now != nullptr)) return {};
   if (WasPending(catalogue, history, step)) return {};

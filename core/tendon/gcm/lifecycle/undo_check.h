@@ -8,21 +8,22 @@
 
 namespace tendon {
 
-/// Checks that the objects of a step of `history` are still as the step left them, and can be
-/// restored, as far as catalogue and history know. The GCM checks this before an undo; others use
-/// it as a preview. For a started process, the GCM makes further checks.
+/// Checks, as far as catalogue and history show, that everything that a step of `history` changed
+/// is still as the step left it, and can be restored. The GCM calls this before an undo; other
+/// programs use it for a preview. If the step started a process, the GCM makes further checks.
 Result<void> CheckUndoOf(const Catalogue& catalogue, const message::History& history,
                          const message::HistoryEntry& step);
 
-/// True if undoing a disconnect or a replacement restores a connection that was pending: an earlier
-/// step has removed the provider's component, which is still missing.
+/// Returns true if undoing a disconnect or a replacement restores a connection that was pending.
+/// This is so if an earlier step removed the component of the provider and the component is still
+/// missing.
 [[nodiscard]] bool WasPending(const Catalogue& catalogue, const message::History& history,
                               const message::HistoryEntry& step);
 
-/// "cannot undo step 7 (...): why".
+/// The error "cannot undo step 7 (...): why".
 [[nodiscard]] Error CannotUndo(const message::HistoryEntry& step, const Error& why);
 
-/// The same for a step that can only be skipped; says how.
+/// The same error for a step that can only be skipped. It also says how to skip the step.
 [[nodiscard]] Error CannotUndoNow(const message::HistoryEntry& step, const std::string& why);
 
 }  // namespace tendon

@@ -12,26 +12,28 @@
 
 namespace tendon::server {
 
-/// The connections of processes that are gone. When a process returns, and both ends exist, its
-/// connections are restored. Each is kept until it is made or finally refused. Not thread-safe.
+/// Keeps the connections of processes that are gone. When a process has returned and both
+/// interfaces exist again, its connections are due to be restored. Each connection is kept until it
+/// is made or finally refused. Not thread-safe.
 class ConnectionRestorer {
  public:
-  /// Keeps the present connections of the process, in addition to those that were not restored yet.
+  /// Adds the present connections of the process to the kept ones.
   void Keep(const Catalogue& catalogue, const std::string& process);
   void Drop(const std::string& process);
 
-  /// The connections to order now. A connection is not returned again before Settle() was called
-  /// for it. Silently drops a connection if one end returned with another class, or if the required
-  /// interface was connected meanwhile.
+  /// Returns the connections that can be made now. A connection is not returned again before
+  /// Settle() was called for it. If a component has returned with another class, or the required
+  /// interface was connected meanwhile, its connection is dropped silently.
   std::vector<message::Wire> TakeDue(const Catalogue& catalogue, SteadyTime now);
 
   enum class Verdict { kDone, kTryAgain, kStillTrying, kGivenUp };
-  /// Reports the outcome of an order. A temporary failure is retried after a growing pause; the
-  /// verdict is kTryAgain the first time, then kStillTrying.
+  /// Called with the outcome of an attempt to make a connection. After a temporary failure, the
+  /// connection is due again after a pause, which grows with each failure. The verdict is then
+  /// kTryAgain for the first failure, and kStillTrying for further ones.
   Verdict Settle(const message::Wire& wire, const Result<void>& outcome, SteadyTime now);
 
-  /// True if a pause is over, so that TakeDue() may return connections without a change of the
-  /// catalogue.
+  /// Returns true if the pause of a connection is over. TakeDue() may then return connections
+  /// although the catalogue has not changed.
   [[nodiscard]] bool IsPauseOver(SteadyTime now) const;
 
  private:

@@ -6,16 +6,16 @@
 
 namespace tendon::server {
 
-/// Actions that a locked section adds, to be run after the lock is released: answering, sending,
-/// logging. Runs them in the order of Add(), one at a time, in a thread that calls Flush(), without
-/// a lock. Thread-safe.
+/// Actions that are added while a lock is held and run after it is released: answering, sending,
+/// logging. They run one at a time, in the order of Add(), in a thread that calls Flush().
+/// Thread-safe.
 class DeferredActions {
  public:
   using Action = std::function<void()>;
 
   void Add(Action action);
-  /// Runs all waiting actions. Returns at once if another thread is running them, which then also
-  /// runs the new ones.
+  /// Runs all pending actions. If another thread is already running actions, returns at once, and
+  /// that thread also runs the new ones.
   void Flush();
 
  private:

@@ -12,8 +12,9 @@
 
 namespace tendon::server {
 
-/// Sends orders to processes and answers those who requested them, both after the owner's lock is
-/// released. All functions are called under that lock; `done` is called once, without it.
+/// Sends orders to processes, and sends the answers to the clients that requested them. All
+/// functions must be called while the owner's lock is held. Orders and answers are sent, and `done`
+/// is called once, after the lock is released.
 class OrderSender {
  public:
   template <typename T>
@@ -28,7 +29,8 @@ class OrderSender {
     deferred_.Add([done = std::move(done), result = std::move(result)] { done(result); });
   }
 
-  /// kFailed if the process is not available.
+  /// Sends an order. `done` gets the answer; kFailed if the process is not available; kTimeout if
+  /// there is no answer within `longest`.
   template <typename T, Message Body>
   void Send(MessageType type, const std::string& process, const Body& body,
             std::chrono::milliseconds longest, Done<T> done) {

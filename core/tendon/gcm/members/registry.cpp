@@ -14,15 +14,16 @@ namespace {
 
 using Kind = CatalogueChange::Kind;
 
-/// The number of cores that a process kept busy between two reports, by its own clock; negative if
-/// the reports are inconsistent.
+/// Returns how many cores a process kept busy between two reports, measured with the clock of the
+/// process. Negative if the reports are inconsistent.
 double CoresBetween(const message::Health& before, const message::Health& after) {
   const double passed = static_cast<double>(after.time) - static_cast<double>(before.time);
   const double used = static_cast<double>(after.cpu_time) - static_cast<double>(before.cpu_time);
   return passed > 0.0 && used >= 0.0 ? used / passed : -1.0;
 }
 
-/// True if the catalogue already has this; then there is no new revision.
+/// Returns true if the change would not change the catalogue. Such a change is dropped, so there is
+/// no new revision.
 bool ChangesNothing(const CatalogueChange& change, const ProcessEntry* entry) {
   if (entry == nullptr) return false;
   switch (change.kind) {
@@ -46,7 +47,8 @@ bool ChangesNothing(const CatalogueChange& change, const ProcessEntry* entry) {
   return false;
 }
 
-/// The removals for everything that the process no longer has after it joined with `join`.
+/// Returns the changes that remove the connections and components that are in the catalogue, but
+/// not in `join`.
 std::vector<CatalogueChange> Removals(const ProcessEntry& before, const message::Join& join) {
   std::vector<CatalogueChange> changes;
   for (const auto& [id, connection] : before.connections) {
@@ -100,15 +102,15 @@ Result<Registry::Admission> Registry::Join(message::Join join, SessionToken held
   return admission;
 }
 
-/// Replaces the entry of a process by the data that it reports.
+/// Replaces the entry of a process in the catalogue by the data with which it joins.
 void Registry::Enter(const message::Join& join, const std::string& link, std::int64_t now) {
   const std::string& name = join.process.name;
   ProcessDescription process = join.process;
   process.state = ProcessState::kAlive;
   process.reason = WhyOutOfReach(process.address, link);
   process.since = now;
-  // A process that kept running still has its connections; for a new instance, those of the old one
-  // are restored.
+  // If the process kept running, it still has its connections, so there is nothing to restore. If
+  // this is a new instance, the connections of the old instance are restored.
   const ProcessEntry* before = catalogue_.FindProcess(name);
   if (before != nullptr && before->process.instance == process.instance) restorer_.Drop(name);
   Apply({.kind = Kind::kProcess, .process = name, .processes = {process}});
@@ -196,7 +198,8 @@ void Registry::End(SessionToken session, ProcessState state, const std::string& 
   members_.erase(found);
   restorer_.Keep(catalogue_, name);
   tombstones_[name] = clock_.Now();
-  // A middleware may close the link of a process that hangs before its lease ends.
+  // If a process hangs, the middleware may close its link before its lease ends. Also in this case,
+  // the reason must say that the process was silent.
   const bool was_silent = state == ProcessState::kLost && silence >= leases_.suspect_after &&
                           !reason.starts_with(kNoRenewal);
   const std::string before =
@@ -260,7 +263,7 @@ std::vector<std::shared_ptr<Channel>> Registry::Tick() {
   ExtendLeases(now);
   std::vector<std::pair<SessionToken, std::chrono::nanoseconds>> given_up;
   for (const auto& [session, member] : members_) {
-    // A large message may delay the renewal.
+    // A large message may delay the renewal, so its parts also count as signs of life.
     const SteadyTime last_part = member.channel ? member.channel->last_part() : SteadyTime();
     const auto silence = now - std::max(member.renewed, last_part);
     if (silence >= leases_.lost_after) {
@@ -279,7 +282,8 @@ std::vector<std::shared_ptr<Channel>> Registry::Tick() {
   return channels;
 }
 
-/// Extends the leases after a pause of this process, because there may be unread renewals.
+/// If this program was suspended, extends the leases by the length of the pause, because renewals
+/// may have arrived that are not read yet.
 void Registry::ExtendLeases(SteadyTime now) {
   constexpr std::chrono::milliseconds kUsual(250);
   const auto pause = now - std::exchange(last_tick_, now);
@@ -374,7 +378,7 @@ void Registry::SetState(const std::string& process, ProcessState state, const st
   Apply({.kind = Kind::kProcess, .process = process, .processes = {description}});
 }
 
-/// Makes the connections of a process that is gone pending.
+/// Sets the connections of a process that is gone to pending.
 void Registry::SuspendConnections(const std::string& process) {
   const auto connections = catalogue_.FindProcess(process)->connections;
   for (auto [id, connection] : connections) {

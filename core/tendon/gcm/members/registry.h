@@ -23,70 +23,76 @@ class Channel;
 namespace tendon::server {
 
 /// Time limits: when a member that does not renew its lease becomes suspect and then lost, and when
-/// a process that is gone is removed.
+/// a process that is gone is removed from the catalogue.
 struct Leases {
   std::chrono::milliseconds suspect_after{750};
   std::chrono::milliseconds lost_after{1500};
   std::chrono::hours tombstone_for{24};
 };
 
-/// A random number that proves a membership; 0: none.
+/// A random number that identifies a membership and proves it; 0: none.
 using SessionToken = std::uint64_t;
 
-/// The members, and the catalogue that results from their reports. A name has at most one member.
-/// Makes only decisions: the caller sends messages and closes channels. Not thread-safe.
+/// The processes that have joined (members), and the catalogue that results from their reports. No
+/// two members have the same name. The registry only makes decisions; the caller sends messages and
+/// closes channels. Not thread-safe.
 class Registry {
  public:
   Registry(Leases leases, const Clock& clock) : leases_(leases), clock_(clock) {}
 
   struct Admission {
     SessionToken session = 0;
-    std::shared_ptr<Channel> replaced;  ///< channel of the process's last membership; may be null
+    /// The channel of the membership that this one continues; may be null.
+    std::shared_ptr<Channel> replaced;
   };
-  /// Errors: kInvalid; kExists, with the holder of the name. `held` is the session of an earlier
-  /// membership of the same process, which the new one continues.
+  /// Adds a member. If `held` is the session of the present membership of the same process
+  /// instance, the new membership continues it. Fails with kInvalid for invalid data, and with
+  /// kExists if another process has the name; the error describes that process.
   Result<Admission> Join(message::Join join, SessionToken held, std::shared_ptr<Channel> channel);
 
-  /// Applies a report. Skips invalid changes; the error names the first one.
+  /// Applies the changes in a report. Skips invalid changes; the error describes the first invalid
+  /// one.
   Result<void> Report(SessionToken session, message::Report report);
-  /// Renews a lease. kDenied if the membership has ended.
+  /// Renews the lease of a member. Fails with kDenied if the membership has ended.
   Result<void> Renew(SessionToken session);
-  /// Stores the health of a process, which is not part of the catalogue. kDenied if the membership
-  /// has ended.
+  /// Stores the health of a process, which is not part of the catalogue. Fails with kDenied if the
+  /// membership has ended.
   Result<void> UpdateHealth(SessionToken session, const message::Health& health);
-  /// Ends a membership; the catalogue keeps the process as lost or left. Does nothing if the
-  /// membership has already ended.
+  /// Ends a membership. The process stays in the catalogue with `state`, which is lost or left.
+  /// Does nothing if the membership has already ended.
   void End(SessionToken session, ProcessState state, const std::string& reason);
-  /// Called when the program of a process is being started; `pid` is set when it was started. Until
-  /// the process joins, the catalogue shows it as starting, with its former components. Does
-  /// nothing if there is a member with that name.
+  /// Called when the GCM is about to start the program of a process (`pid` is 0), and again when it
+  /// is started. Until the process joins, the catalogue shows it as starting, with its former
+  /// components. Does nothing if there is a member with this name.
   void Expect(const std::string& process, std::int64_t pid);
-  /// Called when an expected process will not join: restores its former entry in the catalogue, if
-  /// any. Does nothing if the process is not expected.
+  /// Called when an expected process will not join. Restores the former entry of the process in the
+  /// catalogue, or removes the entry if there was none. Does nothing if the process is not
+  /// expected.
   void GiveUp(const std::string& process);
-  /// Adds a text to the reason why a process is gone; returns false if the catalogue has no process
-  /// that is gone with this name.
+  /// Sets the reason why a process is gone. Returns false if the catalogue has no process with this
+  /// name, or if the process is present.
   bool SetReason(const std::string& process, const std::string& reason);
-  /// Removes a process that is lost or has left. kNotFound for an unknown process; kFailed for a
-  /// present one.
+  /// Removes from the catalogue a process that is lost or has left. Fails with kNotFound for an
+  /// unknown process, and with kFailed for one that is present or starting.
   Result<void> Forget(const std::string& process);
 
-  /// Checks the leases; call it often. Returns the channels of lost members, which the caller must
-  /// close.
+  /// Checks the leases; must be called regularly. Returns the channels of members that are lost
+  /// now; the caller must close them.
   std::vector<std::shared_ptr<Channel>> Tick();
 
   [[nodiscard]] const Catalogue& catalogue() const { return catalogue_; }
-  /// A member's entry in the catalogue; null if the membership has ended.
+  /// Returns the entry of a member in the catalogue; null if the membership has ended.
   [[nodiscard]] const ProcessDescription* FindMember(SessionToken session) const;
-  /// The channel of a member; null if there is no such member.
+  /// Returns the channel of a member; null if there is no such member.
   [[nodiscard]] std::shared_ptr<Channel> ChannelOf(const std::string& process) const;
   [[nodiscard]] std::vector<std::shared_ptr<Channel>> channels() const;
   [[nodiscard]] message::PeerList peers() const;
   [[nodiscard]] message::SystemHealth health() const;
 
-  /// The changes since the last call.
+  /// Returns the changes of the catalogue since the last call.
   [[nodiscard]] std::vector<CatalogueChange> TakeChanges() { return std::exchange(changes_, {}); }
-  /// The connections to make again now. Call OnRestored() with each outcome.
+  /// Returns the connections that should be restored now. The caller must call OnRestored() with
+  /// the outcome of each.
   [[nodiscard]] std::vector<message::Wire> TakeDueConnections();
   ConnectionRestorer::Verdict OnRestored(const message::Wire& wire, const Result<void>& outcome);
 
@@ -96,7 +102,7 @@ class Registry {
     std::uint64_t instance = 0;
     SessionToken session = 0;
     std::shared_ptr<Channel> channel;
-    std::string link;  // address of its end of the channel
+    std::string link;  // address of the member's end of the channel
     SteadyTime renewed;
     std::int64_t joined = 0;  // ns since 1970
     std::optional<message::Health> health;
@@ -120,8 +126,8 @@ class Registry {
   Catalogue catalogue_;
   DescriptionPool pool_;
   std::map<SessionToken, Member> members_;
-  std::map<std::string, SteadyTime> tombstones_;  // processes that are gone, and since when
-  /// Processes that are being started, with their former entries.
+  std::map<std::string, SteadyTime> tombstones_;  // since when a process is gone, by name
+  /// Processes that are being started, with their former entries in the catalogue.
   std::map<std::string, std::optional<ProcessDescription>> expected_;
   ConnectionRestorer restorer_;
   bool are_connections_due_ = false;

@@ -67,7 +67,7 @@ Result<void> Sanitize(ComponentDescription& component) {
           Printable(component.configuration, message::kLongestConfiguration)) {
     return Invalid("the configuration of component '" + component.name + "' is longer than " +
                    std::to_string(message::kLongestConfiguration) +
-                   " bytes, or has characters that do not print; JSON in one line is expected");
+                   " bytes, or has characters that cannot be printed; expected JSON on one line");
   }
   component.fault = Printable(component.fault);
   for (ProvidedDescription& provided : component.provided) {
@@ -139,7 +139,7 @@ Result<void> Sanitize(CatalogueChange& change, const std::string& process) {
     case Kind::kProcessRemoved:
       return Invalid("a process that leaves must send kLeave");
   }
-  return Invalid("a change of this kind must name exactly one thing");
+  return Invalid("a change of this kind must contain exactly one object");
 }
 
 void Sanitize(message::LogRecords& batch) {

@@ -17,14 +17,15 @@ void LogRestored(const message::Wire& wire, const Result<void>& outcome,
   const std::string what = ToString(wire.required) + " to " + ToString(wire.provided);
   if (outcome) return Log(LogLevel::kInfo, "gcm", "connected again: " + what);
   const bool is_told = verdict == ConnectionRestorer::Verdict::kStillTrying;
-  if (is_told || outcome.error().code == ErrorCode::kExists) return;  // the process itself did it
+  // The process has restored it itself.
+  if (is_told || outcome.error().code == ErrorCode::kExists) return;
   const bool is_over = verdict == ConnectionRestorer::Verdict::kGivenUp;
   Log(LogLevel::kWarning, "gcm",
       "cannot connect again " + what + ": " + outcome.error().message +
           (is_over ? "" : "; trying again"));
 }
 
-/// True if the process may still execute the order, or may have executed it.
+/// Returns true if it is unknown whether the process has executed or will execute the order.
 bool IsOutcomeUnknown(const Error& error) {
   return error.code == ErrorCode::kTimeout || error.code == ErrorCode::kUnreachable;
 }
@@ -43,7 +44,8 @@ Result<void> OutcomeOf(const auto& result) { return result ? Result<void>() : re
 
 }  // namespace
 
-/// Makes a connection. Its own callbacks hold it; each step is called under the owner's lock.
+/// Makes a connection. The object lives as long as one of its callbacks is pending. Each step is
+/// called while the owner's lock is held.
 class ConnectionOrders::ConnectOrder final : public std::enable_shared_from_this<ConnectOrder> {
  public:
   ConnectOrder(message::Wire wire, ConnectDone done)
@@ -58,9 +60,9 @@ class ConnectionOrders::ConnectOrder final : public std::enable_shared_from_this
   const ConnectDone done_;
 };
 
-/// Replaces the present connection of a required interface if the new one fits: breaks the old
-/// connection, makes the new one, and restores the old one if the new one fails. Its own callbacks
-/// hold it; each step is called under the owner's lock.
+/// Replaces the connection of a required interface if the new one is possible: breaks the old
+/// connection, makes the new one, and restores the old one if the new one fails. The object lives
+/// as long as one of its callbacks is pending. Each step is called while the owner's lock is held.
 class ConnectionOrders::ReplaceOrder final : public std::enable_shared_from_this<ReplaceOrder> {
  public:
   ReplaceOrder(message::Wire wire, std::string who, Done<Replacement> done)
@@ -158,7 +160,8 @@ void ConnectionOrders::UndoWire(const message::HistoryEntry& step, const std::st
   const auto* now = catalogue.FindConnection(required);
   if (step.verb == "connect") {
     Break(required, done);
-  } else if (step.verb == "disconnect" && now != nullptr) {  // a slow process has undone it
+  } else if (step.verb == "disconnect" && now != nullptr) {
+    // A slow process has already restored the connection.
     Answer(done, Result(*now));
   } else if (WasPending(catalogue, parts_.history.steps(), step)) {
     MakePending(former, done);
@@ -205,8 +208,8 @@ void ConnectionOrders::RestoreConnection(const message::Wire& wire) {
   });
 }
 
-/// Wraps `done` to release the interface afterwards; null if a change of the interface is in
-/// progress.
+/// Marks the interface as busy. Returns `done`, wrapped so that it also releases the interface. If
+/// a change of the interface is in progress, answers with an error and returns null.
 template <typename T>
 ConnectionOrders::Done<T> ConnectionOrders::Claim(const InterfaceName& required, Done<T> done) {
   if (!busy_.insert(required).second) {
@@ -222,7 +225,7 @@ ConnectionOrders::Done<T> ConnectionOrders::Claim(const InterfaceName& required,
   };
 }
 
-/// Answers after the step is recorded.
+/// Records the step, and answers when the step is written.
 template <typename T>
 void ConnectionOrders::Record(message::HistoryEntry step, std::type_identity_t<Result<T>> answer,
                               Done<T> done) {
@@ -232,15 +235,16 @@ void ConnectionOrders::Record(message::HistoryEntry step, std::type_identity_t<R
                         [answer = std::move(answer), done = std::move(done)] { done(answer); });
 }
 
-/// Calls `planned` with the lock held. May ask both processes for schemas, so that a refusal can
-/// name the first difference of two types.
+/// Makes the plan and calls `planned` with it while the lock is held. If the interfaces do not fit,
+/// may first ask both processes for schemas, so that the refusal can name the first difference of
+/// two types.
 void ConnectionOrders::Plan(const message::Wire& wire, WhenConnected when_connected,
                             const Planned& planned) {
   static constexpr std::chrono::milliseconds kLongest(400);
   const Catalogue& catalogue = parts_.registry.catalogue();
   const auto plan = PlanConnect(catalogue, wire, when_connected);
   if (plan || plan.error().code != ErrorCode::kIncompatible) return planned(*this, plan);
-  const auto missing = std::make_shared<int>(0);  // pending answers; under the lock
+  const auto missing = std::make_shared<int>(0);  // pending answers; guarded by the lock
   const auto answered = [=, locked = locked_] {
     locked([&](ConnectionOrders& orders) {
       if (--*missing > 0) return;
@@ -271,7 +275,8 @@ void ConnectionOrders::Make(const message::Wire& wire, ConnectDone done) {
   std::make_shared<ConnectOrder>(wire, std::move(done))->Start(*this);
 }
 
-/// Makes a connection to an absent provider, after disconnecting the interface if necessary.
+/// Requests a connection to an absent provider. Disconnects the required interface first if it is
+/// connected.
 void ConnectionOrders::MakePending(const message::Wire& wire, const ConnectDone& done) {
   const auto claimed = Claim(wire.required, done);
   if (!claimed) return;
@@ -302,8 +307,8 @@ void ConnectionOrders::Exchange(const message::Wire& wire, const std::string& wh
   std::make_shared<ReplaceOrder>(wire, who, std::move(done))->Start(*this);
 }
 
-/// Gives the order to make a connection. Without an answer, uses the state that the process has
-/// reported.
+/// Sends the order to make a connection. If no answer arrives, `done` gets the state of the
+/// connection from the catalogue, if the process has reported it.
 void ConnectionOrders::SendMake(const message::ConnectionPlan& plan, ConnectDone done) {
   const auto heard = [locked = locked_, wire = plan.wire,
                       done = std::move(done)](Result<ConnectionDescription> made) {
@@ -341,15 +346,15 @@ void ConnectionOrders::UndoLifecycle(const message::HistoryEntry& step,
   parts_.lifecycle.Undo(step, patience, connect, done);
 }
 
-/// Restores the connections of a component that was created again. If one fails, the component is
-/// not started.
+/// Restores the connections of a component that was created again. If one of them cannot be
+/// restored, `done` gets an error, and the component is not started.
 void ConnectionOrders::MakeAgain(const message::HistoryEntry& step, const Done<None>& done) {
   struct Answers {
     std::size_t missing;
     Result<None> outcome;
   };
   const auto answers = std::make_shared<Answers>(
-      Answers{1 + step.lifecycle.connections.size(), None{}});  // under the lock
+      Answers{1 + step.lifecycle.connections.size(), None{}});  // guarded by the lock
   const auto answered = [locked = locked_, done, answers](const message::Wire& wire,
                                                           const auto& made) {
     locked([&](ConnectionOrders& orders) {
@@ -370,7 +375,8 @@ void ConnectionOrders::MakeAgain(const message::HistoryEntry& step, const Done<N
                                 ConnectionDescription());
 }
 
-/// The catalogue does not know whether the GCM started a process.
+/// Checks that the step can be undone. For the start of a process, also asks the supervisor,
+/// because the catalogue does not say which processes the GCM has started.
 Result<void> ConnectionOrders::CheckUndo(const message::HistoryEntry& step) const {
   auto checked = CheckUndoOf(parts_.registry.catalogue(), parts_.history.steps(), step);
   if (!checked || !IsProcessStep(step)) return checked;
@@ -431,8 +437,8 @@ void ConnectionOrders::ReplaceOrder::OnBroken(ConnectionOrders& orders,
                   orders.Step(shared_from_this(), &ReplaceOrder::OnMade));
 }
 
-/// Decides whether the new connection stays: an active connection is only replaced by an active
-/// one.
+/// Decides whether the new connection stays. If the old connection was active, the new one must be
+/// active too; otherwise the old one is restored.
 void ConnectionOrders::ReplaceOrder::OnMade(ConnectionOrders& orders,
                                             const Result<ConnectionDescription>& made) {
   if (!made) return Restore(orders, made.error());
@@ -445,7 +451,7 @@ void ConnectionOrders::ReplaceOrder::OnMade(ConnectionOrders& orders,
 }
 
 /// Removes the new connection, if there is one, and restores the old one. A slow process executes
-/// both orders as well, and ends up with the old connection.
+/// these two orders late, but also ends up with the old connection.
 void ConnectionOrders::ReplaceOrder::Restore(ConnectionOrders& orders, const Error& why) {
   why_ = why;
   const message::Wire former{wire_.required, former_.provided};
@@ -456,7 +462,8 @@ void ConnectionOrders::ReplaceOrder::Restore(ConnectionOrders& orders, const Err
                                      orders.Step(shared_from_this(), &ReplaceOrder::OnRestored));
 }
 
-/// Records a failed replacement that left the interface disconnected, so that it can be undone.
+/// Reports the failed replacement. If the old connection could not be restored and the interface is
+/// now disconnected, records this as a disconnect, so that it can be undone.
 void ConnectionOrders::ReplaceOrder::OnRestored(ConnectionOrders& orders,
                                                 const Result<ConnectionDescription>& restored) {
   const message::Wire former{wire_.required, former_.provided};
@@ -472,8 +479,8 @@ void ConnectionOrders::ReplaceOrder::OnRestored(ConnectionOrders& orders,
   }
   why.message +=
       restored.error().code == ErrorCode::kTimeout
-          ? "; whether " + required + " is still connected to " + provided +
-                " is not known yet; see: gcm show " + required
+          ? "; it is not known yet whether " + required + " is still connected to " + provided +
+                "; see: gcm show " + required
           : "; " + required + " is not connected to " + provided +
                 " any more, and could not be connected to it again: " + restored.error().message;
   const auto* now = orders.parts_.registry.catalogue().FindConnection(former.required);

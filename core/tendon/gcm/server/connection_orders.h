@@ -17,14 +17,17 @@
 
 namespace tendon::server {
 
-/// Connects and disconnects: checks a request against the catalogue, sends the order to the
-/// required side's LCM, and records the change in the history. No thread waits. A failed request
-/// changes nothing, as far as the LCM allows; any remaining change is in the history. All functions
-/// are called under the owner's lock; `done` is called once, without it.
+/// Executes requests to connect and disconnect: checks the request against the catalogue, sends the
+/// order to the LCM of the required side, and records the change in the history. A failed request
+/// normally changes nothing; if a change remains because the LCM could not restore the old
+/// connection, it is recorded in the history.
+///
+/// No function blocks. All functions must be called while the owner's lock is held. `done` is
+/// called once, while the lock is not held.
 class ConnectionOrders : private OrderSender {
  public:
-  /// Calls its argument with the ConnectionOrders, under the owner's lock, and then runs the
-  /// deferred actions. Does nothing if the owner is gone.
+  /// Takes the owner's lock, calls its argument with the ConnectionOrders, releases the lock, and
+  /// runs the deferred actions. Does nothing if the owner is gone.
   using Locked = std::function<void(const std::function<void(ConnectionOrders&)>&)>;
   template <typename T>
   using Done = OrderSender::Done<T>;
@@ -40,19 +43,21 @@ class ConnectionOrders : private OrderSender {
   };
   ConnectionOrders(Parts parts, Locked locked, std::chrono::milliseconds timeout);
 
-  /// Makes a connection that `who` has requested. With WhenConnected::kReplace, it replaces an
-  /// existing connection of the required interface to another provided interface.
+  /// Makes a connection that `who` has requested. With WhenConnected::kReplace, an existing
+  /// connection of the required interface is replaced.
   void Connect(const message::Wire& wire, WhenConnected when_connected, const std::string& who,
                ConnectDone done);
   void Disconnect(const InterfaceName& required, const std::string& who, Done<None> done);
   void Undo(const message::StepSelection& which, const std::string& who,
             Done<message::HistoryEntry> done);
-  /// Skips the newest step, so that earlier steps can be undone. Refused if the process of the step
-  /// is gone and may come back. Also refused if the step could be undone, unless `which` names it.
+  /// Marks the newest step as skipped, so that earlier steps can be undone. Refused if the process
+  /// of the step is lost but may come back. Also refused if the step could be undone, unless
+  /// `which` gives its number.
   void PassOver(const message::StepSelection& which, const std::string& who,
                 Done<message::HistoryEntry> done);
 
-  /// Makes a connection that a returned process had before. Not recorded in the history.
+  /// Makes a connection that existed before a process was lost and came back. Not recorded in the
+  /// history.
   void RestoreConnection(const message::Wire& wire);
 
  private:
@@ -61,7 +66,9 @@ class ConnectionOrders : private OrderSender {
   template <typename T>
   void Record(message::HistoryEntry step, std::type_identity_t<Result<T>> answer, Done<T> done);
 
-  // These change one interface. One change of an interface runs at a time, and none is recorded.
+  // These functions change the connection of one required interface. Only one change of an
+  // interface is in progress at a time. They do not record the change in the history, except
+  // OnRestored() of a ReplaceOrder.
 
   class ConnectOrder;
   class ReplaceOrder;
@@ -76,12 +83,13 @@ class ConnectionOrders : private OrderSender {
   void MakePending(const message::Wire& wire, const ConnectDone& done);
   void Break(const InterfaceName& required, ConnectDone done);
   void Exchange(const message::Wire& wire, const std::string& who, Done<Replacement> done);
-  /// Returns a handler that takes the owner's lock and then calls the function `step` of `order`.
+  /// Returns a handler that calls the function `step` of `order` while the owner's lock is held.
   template <typename Order, typename Reply>
   Done<Reply> Step(std::shared_ptr<Order> order,
                    void (Order::*step)(ConnectionOrders&, const Result<Reply>&));
 
-  // Single orders to the required side's LCM, which executes them in order.
+  // These functions send a single order to the LCM of the required side. The LCM executes orders in
+  // the order of sending.
 
   void SendMake(const message::ConnectionPlan& plan, ConnectDone done);
   void SendBreak(const InterfaceName& required, Done<None> done);

@@ -15,7 +15,7 @@ message::LogRecord MissingRecords(const std::string& process, std::uint64_t coun
           .level = LogLevel::kWarning,
           .process = process,
           .source = "log",
-          .text = Counted(count, "record is", "records are") + " lost on their way"};
+          .text = Counted(count, "record was", "records were") + " lost on the way to the GCM"};
 }
 
 }  // namespace

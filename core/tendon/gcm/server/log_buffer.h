@@ -14,29 +14,32 @@
 
 namespace tendon::server {
 
-/// The newest records of all processes, and their watchers. A watcher is a position in the buffer:
-/// a slow one delays nobody and costs nothing. If records are dropped before a watcher has read
-/// them, the watcher sees a gap. Not thread-safe; never blocks.
+/// The newest log records of all processes, and the watchers that receive them. A watcher is only a
+/// position in the buffer, so a slow watcher does not delay others and needs no extra memory. If
+/// records are dropped before they were sent to a watcher, the watcher detects a gap. Not
+/// thread-safe; never blocks.
 class LogBuffer {
  public:
   static constexpr std::size_t kKept = 4096;
 
-  /// Adds records from a process; the GCM knows its name and instance. If earlier records were lost
-  /// with a broken link, adds a record that says so.
+  /// Adds records from a process. Name and instance are those that the GCM knows, not those in the
+  /// records. If earlier records were lost with a broken link, also adds a record that reports the
+  /// loss.
   void Add(const std::string& process, std::uint64_t instance, message::LogRecords batch);
-  /// Adds a record of the GCM's own program, under the process name kGcmName.
+  /// Adds a record of the GCM's own program, with the process name kGcmName.
   void AddOwn(message::LogRecord record);
   /// Called when a process is removed from the catalogue.
   void Forget(const std::string& process) { senders_.erase(process); }
 
-  /// Adds a watcher that starts at record number `after`: its last position in the log of this GCM,
-  /// or 0 for all kept records. Pump() sends the records.
+  /// Adds a watcher. The first record that it gets has the number `after`, its last position in the
+  /// log of this GCM; with 0, it gets all kept records. The records are sent by Pump().
   message::WatchLogReply Watch(const std::shared_ptr<Channel>& channel, std::uint64_t after);
   void Remove(const Channel* channel) { watchers_.erase(channel); }
 
-  /// Sends records to the watchers whose links had room at the last attempt.
+  /// Sends the records that watchers do not have yet. Skips watchers whose links were full at the
+  /// last attempt.
   void Pump();
-  /// The same, but also tries the other watchers.
+  /// Sends records to all watchers, also to those whose links were full.
   void PumpAll();
 
  private:
@@ -47,9 +50,9 @@ class LogBuffer {
   struct Watcher {
     std::shared_ptr<Channel> channel;
     std::uint64_t next = 0;  ///< number of the next record to send
-    bool is_full = false;    ///< its link had no room
+    bool is_full = false;    ///< its link was full at the last attempt
   };
-  /// A frame for several watchers.
+  /// An encoded frame, which can be sent to several watchers.
   struct Batch {
     std::uint64_t begin = 0;
     std::uint64_t end = 0;

@@ -23,13 +23,13 @@ namespace {
 
 constexpr std::chrono::milliseconds kTick(100);
 
-/// Answers with any type of result.
+/// Returns a function that sends a result of any type as the answer.
 auto AnswerOf(const std::shared_ptr<Responder>& responder) {
   return [responder](const auto& result) { responder->Answer(result); };
 }
 
-/// True if this program is the process, so that its records are already in the buffer: a window
-/// that hosts a GCM is also a process.
+/// Returns true if the process is this program: a window that hosts a GCM is also a process. The
+/// log records of such a process are already in the buffer.
 bool IsOwn(const ProcessDescription& process) {
   return process.name == kGcmName && process.pid == os::ProcessId() &&
          process.host == os::HostName();
@@ -51,7 +51,7 @@ std::string_view Words(ProcessState state) {
   return "?";
 }
 
-/// Logs processes that come and go.
+/// Logs each change of the state of a process.
 void LogProcesses(const std::vector<CatalogueChange>& changes) {
   for (const CatalogueChange& change : changes) {
     if (change.kind != CatalogueChange::Kind::kProcess) continue;
@@ -74,7 +74,7 @@ bool ChangesProcesses(const std::vector<CatalogueChange>& changes) {
 
 }  // namespace
 
-/// One channel, of an LCM or a viewer.
+/// The handler of one channel, of an LCM or a viewer.
 class Server::Peer final : public GuardedHandler {
  public:
   explicit Peer(std::shared_ptr<Server> server) : server_(std::move(server)) {}
@@ -121,7 +121,7 @@ Server::Server(Options options)
       history_(options_.history),
       registry_(options_.leases, *options_.clock) {}
 
-/// Returns the part's Locked function.
+/// Returns the Locked function that `part`, for example the Supervisor, gets at construction.
 template <typename Part>
 auto Server::LockedWith(std::unique_ptr<Part> Server::*part) {
   return [weak = weak_from_this(), part](const std::function<void(Part&)>& action) {
@@ -285,8 +285,8 @@ void Server::Join(const Request& request) {
   });
 }
 
-/// Renews a lease; from a viewer it is only a ping. The answer has its own lane, so that it does
-/// not wait behind a large one.
+/// Renews the lease of a member. From a viewer, the request is only a ping. The answer is sent on a
+/// lane of its own, so that it does not wait behind a large answer.
 void Server::Renew(const Request& request) {
   Locked([&] {
     const SessionToken session = request.peer.session;
@@ -297,7 +297,8 @@ void Server::Renew(const Request& request) {
   });
 }
 
-/// The answer contains the time, so it must not wait behind other answers.
+/// Stores the health of a member and answers with the GCM's time. Because the answer contains the
+/// time, it must not wait behind other answers.
 void Server::OnHealth(const Request& request) {
   const message::GcmClock now{SteadyClock().Now().time_since_epoch().count()};
   const auto health = DecodeBody<message::Health>(request.body);
@@ -471,7 +472,8 @@ void Server::OnClosed(Peer& peer, const SharedChannel& channel, const Error& rea
   });
 }
 
-/// Called in a deferred action; also retries watchers whose links were full.
+/// Adds the log records of this program to the buffer, and sends new records to all watchers.
+/// Called by a deferred action.
 void Server::WriteOwnLog() {
   auto records = own_log_.Take(LogQueue::kCapacity, SteadyClock().Now());
   for (message::LogRecord& record : records) log_buffer_.AddOwn(std::move(record));

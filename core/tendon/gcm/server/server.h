@@ -27,9 +27,9 @@
 
 namespace tendon::server {
 
-/// The GCM's server for channels of LCMs and viewers. One mutex guards the state; with it held,
-/// code only makes decisions. Sending, answering and logging follow in deferred actions; the
-/// history writes files in its own thread. Thread-safe.
+/// The GCM's server for the channels of LCMs and viewers. One mutex guards the state. Code that
+/// holds the mutex only makes decisions: sending, answering and logging are done later by deferred
+/// actions, and the history writes its file in its own thread. Thread-safe.
 class Server final : public std::enable_shared_from_this<Server> {
  public:
   struct Options {
@@ -43,13 +43,13 @@ class Server final : public std::enable_shared_from_this<Server> {
   };
   explicit Server(Options options);
 
-  /// Call it once, first.
+  /// Must be called once, before all other functions.
   void Start();
-  /// Waits until the history is on the disk. Afterwards none of its threads runs, and no request is
+  /// Ends the server's threads and waits until the history is on the disk. Afterwards no request is
   /// answered.
   void Stop();
 
-  /// Makes the handler of one channel.
+  /// Returns a new handler for one channel.
   std::shared_ptr<ChannelHandler> MakeHandler();
   [[nodiscard]] Catalogue catalogue() const;
   void Tick();
@@ -57,7 +57,8 @@ class Server final : public std::enable_shared_from_this<Server> {
  private:
   class Peer;
   using SharedChannel = std::shared_ptr<Channel>;
-  /// The viewer that may execute a plan; ends with its channel at the latest.
+  /// The viewer that holds the plan lock. The lock is released when its channel closes, at the
+  /// latest.
   struct PlanLockHolder {
     const Peer* peer = nullptr;
     std::string who;
@@ -70,7 +71,8 @@ class Server final : public std::enable_shared_from_this<Server> {
     std::shared_ptr<Responder> responder;  ///< shared, because std::function must be copyable
   };
 
-  /// Calls `action` with the lock held, then publishes and sends the results.
+  /// Calls `action` and publishes its changes of the catalogue while the lock is held. Then
+  /// releases the lock and runs the deferred actions.
   template <typename Action>
   void Locked(Action&& action);
   template <typename Part>
@@ -81,10 +83,10 @@ class Server final : public std::enable_shared_from_this<Server> {
   void KeepTicking();
   void WriteOwnLog();
 
-  /// The name of the peer.
+  /// Returns the name of the peer in printable form.
   static std::string NameOf(const Channel& channel);
 
-  /// Each function serves one type of request.
+  /// Pointer to a function that serves one type of request; the functions follow below.
   using Serve = void (Server::*)(const Request&);
   static Serve ServeOf(MessageType type);
   void Join(const Request& request);
@@ -112,11 +114,11 @@ class Server final : public std::enable_shared_from_this<Server> {
   void SetLogLevel(const Request& request);
   void ConnectInterface(const Request& request, WhenConnected when_connected);
   void OnReport(const Peer& peer, std::span<const std::byte> body);
-  /// Reads `session` with the lock held.
+  /// `session` is a reference, because it may be read only while the lock is held.
   void OnLogRecords(const SessionToken& session, std::span<const std::byte> body);
   void OnClosed(Peer& peer, const SharedChannel& channel, const Error& reason);
 
-  /// Called with the lock held.
+  /// Adds a deferred action that sends the answer. Called while the lock is held.
   template <typename T>
   void Answer(const Request& request, Result<T> result);
 
@@ -124,8 +126,8 @@ class Server final : public std::enable_shared_from_this<Server> {
   StepHistory history_;
   RateLimitedWarning malformed_{"gcm"};
   DeferredActions deferred_;
-  Watchers watchers_;     // used only in deferred actions
-  LogBuffer log_buffer_;  // likewise
+  Watchers watchers_;     // used only by deferred actions
+  LogBuffer log_buffer_;  // used only by deferred actions
   AuditLog audit_;
   LogQueue own_log_;
   mutable std::mutex mutex_;

@@ -30,8 +30,9 @@ void Watchers::Pump() {
   DropSent();
 }
 
-/// A full link refuses encoded batches as long as its viewer does not read. To save work, the batch
-/// shrinks, down to one change.
+/// Sends changes to one watcher until it has all or its link is full. While its viewer does not
+/// read, the link refuses each batch, and encoding large batches would be wasted work. Therefore
+/// the batch gets smaller with each refusal, down to one change.
 void Watchers::Pump(Watcher& watcher, Batch& batch) const {
   while (watcher.revision < newest_) {
     const bool is_too_much = batch.last - batch.after > watcher.most;

@@ -12,20 +12,21 @@
 
 namespace tendon::server {
 
-/// Sends every change to every watcher, in order. A watcher is a position in one shared log, so a
-/// slow watcher delays nobody and costs nothing. If the log no longer has its position, the watcher
-/// gets only the newest change, sees the gap, and asks for a snapshot. Not thread-safe; never
-/// blocks.
+/// Sends every change of the catalogue to every watcher, in order. A watcher is only a position in
+/// one shared list of changes, so a slow watcher does not delay others and needs no extra memory.
+/// If the changes that a watcher needs are no longer in the list, it gets only the newest change,
+/// detects the gap, and asks for a snapshot. Not thread-safe; never blocks.
 class Watchers {
  public:
-  /// Adds a watcher that has everything up to `revision`; restarts a watcher that already exists.
+  /// Adds a watcher that has all changes up to `revision`. If the watcher already exists, sets its
+  /// position to `revision`.
   void Add(const std::shared_ptr<Channel>& channel, std::uint64_t revision);
   void Remove(const Channel* channel);
 
-  /// The catalogue's next changes.
+  /// Adds the next changes of the catalogue and sends them.
   void Publish(const std::vector<CatalogueChange>& changes);
 
-  /// Sends what the watchers' links accept now.
+  /// Sends as many changes to each watcher as its link accepts now.
   void Pump();
 
  private:
@@ -33,10 +34,11 @@ class Watchers {
 
   struct Watcher {
     std::shared_ptr<Channel> channel;
-    std::uint64_t revision = 0;       ///< changes up to this revision were sent
-    std::size_t most = kMostInBatch;  ///< most changes in one batch; fewer while its link is full
+    std::uint64_t revision = 0;  ///< the last revision that was sent
+    /// The largest number of changes in one batch; smaller while the link is full.
+    std::size_t most = kMostInBatch;
   };
-  /// A frame for several watchers.
+  /// An encoded frame, which can be sent to several watchers.
   struct Batch {
     std::uint64_t after = 0;
     std::uint64_t last = 0;

@@ -17,14 +17,14 @@ struct ProcessEnd {
   std::string how;         ///< "ended with exit code 3", "was ended by SIGKILL"
 };
 
-/// A started process, which continues when this object is destroyed.
+/// A started process. It continues to run when this object is destroyed.
 class StartedProcess {
  public:
   virtual ~StartedProcess() = default;
   [[nodiscard]] virtual std::int64_t pid() const = 0;
-  /// Empty while it runs.
+  /// Returns how the process has ended; empty while it runs.
   virtual std::optional<ProcessEnd> Ended() = 0;
-  /// Asks the process to end in order.
+  /// Asks the process to shut down in an orderly way.
   virtual void Terminate() = 0;
   /// Ends the process at once.
   virtual void Kill() = 0;
@@ -32,26 +32,27 @@ class StartedProcess {
 
 /// The log of a process.
 struct ProcessLog {
-  std::string last_lines;  ///< the last lines of its log, on one line
+  std::string last_lines;  ///< the last lines of the log, joined into one line
   std::string path;
 };
 
-/// Starts processes on this host. Its functions may wait for the disk; only one thread calls them.
+/// Starts processes on this host. The functions may block on the disk, and only one thread may call
+/// them.
 class Launcher {
  public:
   /// The process to start.
   struct Order {
     std::string process;
-    std::chrono::milliseconds patience{0};  ///< time limit for finding the GCM
+    std::chrono::milliseconds patience{0};  ///< how long the process may take to find the GCM
     std::optional<SystemFile> system{};     ///< the components to create
   };
 
   virtual ~Launcher() = default;
   virtual Result<std::shared_ptr<StartedProcess>> Start(const Order& order) = 0;
-  /// The log of the process that was last started under that name.
+  /// Returns the log of the process that was last started with this name.
   virtual ProcessLog LogOf(const std::string& process) = 0;
-  /// Limits the size of the log of a running process; call it often. Logs a failure once, and again
-  /// only after a success.
+  /// Rotates the log of a running process if it is too large; must be called regularly. Logs a
+  /// failure once, and the same failure again only after a success.
   virtual void ShortenLog(const std::string& process) = 0;
 };
 

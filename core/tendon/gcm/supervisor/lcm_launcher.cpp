@@ -33,7 +33,7 @@ class LcmProcess final : public StartedProcess {
   const std::unique_ptr<os::BackgroundProgram> program_;
 };
 
-/// The address for processes on this host.
+/// Returns an address at which processes on this host reach the GCM.
 std::string Reachable(std::string address) {
   for (const auto& [any, here] :
        {std::pair{"0.0.0.0:", "127.0.0.1:"}, std::pair{"[::]:", "[::1]:"}}) {
@@ -42,7 +42,7 @@ std::string Reachable(std::string address) {
   return address;
 }
 
-/// The last lines of a file, up to a limit.
+/// Returns the last lines of a file, at most 400 bytes.
 std::string EndOf(const fs::path& file) {
   constexpr std::streamoff kMost = 400;
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
@@ -113,8 +113,9 @@ ProcessLog LcmLauncher::LogOf(const std::string& process) {
   return {words, log.string()};
 }
 
-/// The process appends to its file, so truncation is safe. A log that cannot be copied, for example
-/// because the disk is full, is truncated as well; otherwise it would grow for ever.
+/// Truncation is safe, because the process opened its log for appending. If the log cannot be
+/// copied, for example because the disk is full, it is truncated nevertheless; otherwise it would
+/// grow for ever.
 void LcmLauncher::ShortenLog(const std::string& process) {
   std::error_code reason;
   const fs::path log = FileOf(process, ".log");
@@ -133,7 +134,7 @@ void LcmLauncher::ShortenLog(const std::string& process) {
   Complain(process, not_kept + both + not_cut);
 }
 
-/// Logs each complaint once until it changes.
+/// Logs a warning about the log of a process, but not if the last warning about it was the same.
 void LcmLauncher::Complain(const std::string& process, const std::string& what) {
   const bool is_new = what != std::exchange(complaints_[process], what);
   if (what.empty() || !is_new) return;

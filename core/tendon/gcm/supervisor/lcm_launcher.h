@@ -10,17 +10,18 @@
 
 namespace tendon::server {
 
-/// Starts `lcm` programs in sessions of their own, so that a terminal's signals do not reach them.
-/// For each process, the folder has a log (NAME.log), the earlier log of the process or its
-/// predecessor (NAME.log.1), and a system file (NAME.json) if it was started with components.
+/// Starts each `lcm` in a session of its own, so that it does not receive the signals of a
+/// terminal. For each process, the folder contains a log (NAME.log), the previous part of this log
+/// or the log of the previous run (NAME.log.1), and, if the process was started with components, a
+/// system file (NAME.json).
 class LcmLauncher final : public Launcher {
  public:
-  /// `gcm` is the address of the GCM; `folder` is private to this user.
+  /// `gcm` is the address of the GCM. `folder` is made accessible only to this user.
   LcmLauncher(LaunchOptions launch, const std::string& gcm, std::filesystem::path folder);
 
   Result<std::shared_ptr<StartedProcess>> Start(const Order& order) override;
   ProcessLog LogOf(const std::string& process) override;
-  /// Output that is written between the copy and the truncation is lost.
+  /// Copies the log and then truncates it. Output that the process writes in between is lost.
   void ShortenLog(const std::string& process) override;
 
  private:
@@ -31,8 +32,8 @@ class LcmLauncher final : public Launcher {
   const LaunchOptions launch_;
   const std::string gcm_;
   const std::filesystem::path folder_;
-  std::set<std::string> shortened_;                // whose NAME.log.1 is from the present run
-  std::map<std::string, std::string> complaints_;  // last complaint about each process; "": none
+  std::set<std::string> shortened_;  // processes whose NAME.log.1 is from the present run
+  std::map<std::string, std::string> complaints_;  // last warning about each process; "": none
 };
 
 }  // namespace tendon::server

@@ -21,7 +21,7 @@ inline constexpr auto kPayload<RestartPolicy> =
     DescribeEnum("tendon.RestartPolicy", Enumerator{"never", RestartPolicy::kNever},
                  Enumerator{"on_failure", RestartPolicy::kOnFailure});
 
-/// As in a system file: "never", "on-failure".
+/// The word for the policy in a system file: "never", "on-failure".
 [[nodiscard]] constexpr std::string_view ToString(RestartPolicy policy) noexcept {
   return policy == RestartPolicy::kNever ? "never" : "on-failure";
 }

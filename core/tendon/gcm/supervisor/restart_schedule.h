@@ -9,9 +9,9 @@
 
 namespace tendon::server {
 
-/// The times of restarts of a process that fails again and again: after 0.5 s, then after twice the
-/// last pause, up to 10 s. After a run of a minute, the pauses start again at 0.5 s. After five
-/// failures within a minute, the process is not restarted.
+/// Decides when a process that fails repeatedly is restarted. The first pause is 0.5 s, and each
+/// further pause is twice as long, up to 10 s. If the process has run for a minute, the pauses
+/// begin at 0.5 s again. After five failures within a minute, the process is not restarted.
 class RestartSchedule {
  public:
   static constexpr std::chrono::milliseconds kFirstPause{500};
@@ -19,8 +19,8 @@ class RestartSchedule {
   static constexpr std::chrono::minutes kLongEnough{1};
   static constexpr std::size_t kMostFailures = 5;
 
-  /// The process has run since `begin` and failed at `now`. Returns the pause before the restart;
-  /// empty if the process should not be restarted.
+  /// Called when the process has run since `begin` and failed at `now`. Returns the pause before
+  /// the restart; empty if the process should not be restarted.
   std::optional<std::chrono::milliseconds> PauseAfter(SteadyTime begin, SteadyTime now);
 
  private:

@@ -17,7 +17,8 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// A process that failed to join is killed after this time.
+/// A process that did not join in time is terminated, and killed if it has not ended after this
+/// time.
 constexpr std::chrono::seconds kLongestEnd(2);
 
 milliseconds PatienceOf(std::chrono::nanoseconds asked) {
@@ -27,7 +28,8 @@ milliseconds PatienceOf(std::chrono::nanoseconds asked) {
   return std::chrono::ceil<milliseconds>(std::min<std::chrono::nanoseconds>(asked, kLongest));
 }
 
-/// Calls `action` and converts exceptions, of files and memory, to errors.
+/// Returns the result of `action`. Converts its exceptions (file errors, out of memory) to an
+/// Error.
 template <typename T, typename Action>
 Result<T> Guarded(const Action& action) {
   try {
@@ -111,8 +113,8 @@ void Supervisor::Start(const message::ProcessOrder& order, const std::string& wh
   Launch(order.process, child);
 }
 
-/// Checks that a process can be started. A process that waits for its restart may be started at
-/// once, as a new one.
+/// Checks that a process can be started. A process whose restart is pending may be started at once;
+/// it then counts as a new process.
 Result<void> Supervisor::CheckStart(const std::string& process) const {
   if (process == kGcmName) {
     return Error{ErrorCode::kInvalid,
@@ -180,7 +182,7 @@ void Supervisor::Launch(const std::string& process, Child& child) {
 
 void Supervisor::Begin(const std::string& process,
                        const Result<std::shared_ptr<StartedProcess>>& program) {
-  Child& child = children_.at(process);  // not removed meanwhile
+  Child& child = children_.at(process);  // the entry is not removed during a launch
   if (program) {
     parts_.registry.Expect(process, (*program)->pid());
   } else {
@@ -205,7 +207,7 @@ void Supervisor::Check(const std::string& process, Child& child) {
     if (const auto end = child.program->Ended()) {
       child.end = *end;
       child.phase = Phase::kEnded;
-      parts_.registry.GiveUp(process);  // only has an effect if it has not joined
+      parts_.registry.GiveUp(process);  // has an effect only if the process has not joined
     }
   }
   const bool is_over = parts_.clock.Now() >= child.until;
@@ -243,7 +245,7 @@ void Supervisor::OnJoined(const std::string& process, Child& child) {
                         [done = std::exchange(child.done, nullptr)] { done(None{}); });
 }
 
-/// Ends a process that does not work.
+/// Asks a process to end because it has not joined in time.
 void Supervisor::EndFaulty(Child& child, const std::string& why) {
   child.fault = why;
   child.phase = Phase::kEnding;
@@ -260,7 +262,8 @@ void Supervisor::Examine(const std::string& process, Child& child) {
   });
 }
 
-/// Decides what follows the end of a process.
+/// Decides what to do after the end of a process: answer the request, restart the process, or
+/// report the end.
 void Supervisor::OnExamined(const std::string& process, const ProcessLog& log) {
   Child& child = children_.at(process);
   const std::string place = "; its log: " + log.path;
@@ -301,9 +304,9 @@ void Supervisor::Drop(const std::string& process, const std::string& how) {
   children_.erase(process);
 }
 
-/// Reports a text about the process to the log and to viewers.
+/// Reports a text about the process to the log, and to viewers if the catalogue has the process.
 void Supervisor::Report(const std::string& process, const std::string& what) {
-  if (parts_.registry.SetReason(process, what)) return;  // the change of the catalogue is logged
+  if (parts_.registry.SetReason(process, what)) return;  // then the server logs the change
   parts_.deferred.Add(
       [text = Quoted(process) + " " + what] { Log(LogLevel::kWarning, "gcm", text); });
 }
@@ -314,7 +317,8 @@ bool Supervisor::IsMember(const std::string& process, const Child& child) const 
          entry->process.pid == child.program->pid() && entry->process.host == os::HostName();
 }
 
-/// The last known components of the process, for its restart; empty if there are none.
+/// Returns the last known components of the process, for its restart; empty if the catalogue does
+/// not have the process.
 std::optional<SystemFile> Supervisor::SystemWith(const std::string& process) const {
   const SystemFile system =
       SystemOf(parts_.registry.catalogue(), process, AbsentProcesses::kIncluded).file;

@@ -20,17 +20,18 @@
 
 namespace tendon::server {
 
-/// Starts processes on the GCM's host and ends those that it has started. If requested, restarts a
-/// failed process with its former components and states; the GCM restores its connections. A
-/// process that was ended by request, or with exit code 0, is not restarted. When the GCM ends, its
-/// processes continue, and the next GCM does not know that a GCM has started them.
+/// Starts processes on the GCM's host, and ends those that it has started. If the restart policy
+/// says so, restarts a failed process with its former components and states; the GCM then restores
+/// its connections. A process that was ended on request, or ended with exit code 0, is not
+/// restarted. When the GCM ends, the processes continue to run, but the next GCM does not know that
+/// a GCM has started them.
 ///
-/// No thread waits. All functions except Stop() are called under the owner's lock; `done` is called
-/// once, without it.
+/// No function blocks. All functions except Stop() must be called while the owner's lock is held.
+/// `done` is called once, while the lock is not held.
 class Supervisor {
  public:
-  /// Calls its argument with the Supervisor, under the owner's lock, and then runs the deferred
-  /// actions. Does nothing if the owner is gone.
+  /// Takes the owner's lock, calls its argument with the Supervisor, releases the lock, and runs
+  /// the deferred actions. Does nothing if the owner is gone.
   using Locked = std::function<void(const std::function<void(Supervisor&)>&)>;
   using Done = std::function<void(Result<None>)>;
 
@@ -43,23 +44,26 @@ class Supervisor {
   };
   Supervisor(Parts parts, Locked locked);
 
-  /// Executes an order that `who` has requested. A start is recorded in the history.
+  /// Executes an order that `who` has requested. If it starts a process, the start is recorded in
+  /// the history.
   void ExecuteOrder(const message::ProcessOrder& order, const std::string& who, Done done);
-  /// Checks all processes; call it often.
+  /// Checks all started processes; must be called regularly.
   void Tick();
-  /// Starts no more processes; running processes continue.
+  /// From now on, no more processes are started; running processes continue.
   void Stop() { worker_.Stop(); }
 
-  /// Called when a component of the process may have changed, so that a restart can restore it.
+  /// Called when a component of the process may have changed. A later restart then restores the
+  /// components as they are in the catalogue.
   void NoteChange(const std::string& process);
 
-  /// The started processes, except those that were asked to end.
+  /// Returns the started processes, except those that were asked to end.
   [[nodiscard]] message::Children children() const;
 
-  /// Checks that the process started by a step is still controlled by this GCM and has no
+  /// Checks that the process that a step has started can be ended by this GCM, and has no
   /// components.
   [[nodiscard]] Result<void> CheckUndo(const message::HistoryEntry& step) const;
-  /// Undoes a step. Not recorded in the history.
+  /// Undoes the step that started a process: ends the process. The undo is not recorded in the
+  /// history.
   void Undo(const message::HistoryEntry& step, std::chrono::nanoseconds patience, Done done);
 
  private:
@@ -68,25 +72,25 @@ class Supervisor {
     kJoining,
     kRunning,
     kEnding,     ///< was asked to end
-    kEnded,      ///< until the catalogue shows its end
+    kEnded,      ///< ended, but the catalogue still shows it as a member
     kExamining,  ///< its log is being read
-    kPausing,    ///< waits until it is restarted
+    kPausing,    ///< the pause before a restart
   };
 
   struct Child {
     RestartPolicy restart = RestartPolicy::kNever;
     std::chrono::milliseconds patience{0};  ///< time limit for joining
     std::string who{};
-    Done done{};  ///< called when it has joined or ended
+    Done done{};  ///< called when the process has joined or ended
     Phase phase = Phase::kStarting;
-    SteadyTime begin{};  ///< start of its present run
-    SteadyTime until{};  ///< end of a phase with a time limit
+    SteadyTime begin{};  ///< start of the present run
+    SteadyTime until{};  ///< end of the phase, if it has a time limit
     std::shared_ptr<StartedProcess> program{};
     ProcessEnd end{};
-    bool is_known = false;     ///< has joined, in this run or an earlier one
+    bool is_known = false;     ///< the process has joined, in this run or an earlier one
     bool is_unwanted = false;  ///< was asked to end
-    bool is_changed = false;   ///< its components changed since it was started
-    std::string fault{};       ///< why it had to be ended
+    bool is_changed = false;   ///< its components may have changed since the last start
+    std::string fault{};       ///< why the supervisor had to end it
     RestartSchedule schedule{};
     std::optional<SystemFile> system{};  ///< the components with which it was started
   };

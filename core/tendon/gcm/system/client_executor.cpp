@@ -10,7 +10,8 @@ namespace {
 
 using Kind = PlanStep::Kind;
 
-/// Time to wait longer than the client, whose error is more precise.
+/// Each wait is longer than the timeout of the client by this time, because the error of the client
+/// is more precise.
 constexpr std::chrono::milliseconds kLonger(500);
 
 /// Time between two checks of the catalogue.
@@ -33,7 +34,7 @@ bool IsOutcomeUnknown(const Error& error) {
   return error.code == ErrorCode::kTimeout || error.code == ErrorCode::kUnreachable;
 }
 
-/// True if the component is already in the state after `verb`, whatever the cause.
+/// Returns true if the component is already in the state to which `verb` leads, whatever the cause.
 bool IsSo(const Catalogue& catalogue, LifecycleVerb verb, const PlanStep& step) {
   const auto* now = catalogue.FindComponent(step.process, step.component.name);
   if (now == nullptr) return verb == LifecycleVerb::kRemove;
@@ -42,7 +43,7 @@ bool IsSo(const Catalogue& catalogue, LifecycleVerb verb, const PlanStep& step) 
   return verb == LifecycleVerb::kSuspend && now->state == ComponentState::kSuspended;
 }
 
-/// The result of `read` on the current catalogue.
+/// Returns the result of `read(catalogue)` for the current catalogue.
 template <typename Read>
 auto Seen(const GcmClient& client, const Read& read) {
   decltype(read(Catalogue())) answer{};
@@ -63,7 +64,7 @@ Result<void> ClientExecutor::Begin() {
   if (begun) return begun;
   const ErrorCode code = begun.error().code;
   if (code == ErrorCode::kDenied) return {};
-  if (code != ErrorCode::kFailed) client_.ReleasePlanLock();  // the lock may have been granted
+  if (code != ErrorCode::kFailed) client_.ReleasePlanLock();  // the GCM may have granted the lock
   return begun;
 }
 
@@ -72,7 +73,8 @@ void ClientExecutor::End() {
   has_lock_ = false;
 }
 
-/// Requests the lock before each step, because the GCM releases it if the link breaks.
+/// Requests the lock again. Called before each step, because the GCM releases the lock if the link
+/// breaks.
 Result<void> ClientExecutor::KeepLock() {
   if (!has_lock_) return {};
   const auto kept = TakeLock();
@@ -124,7 +126,8 @@ Result<void> ClientExecutor::CheckInstance(const PlanStep& step) const {
                                        "another plan"};
 }
 
-/// Waits for connections: one that was just requested may not be active yet.
+/// Waits until the connections that the step needs are active, because a connection that was just
+/// requested may not be active yet.
 Result<void> ClientExecutor::AwaitConnections(const PlanStep& step) const {
   for (const message::Wire& wire : step.needs) {
     const auto check = [&](const Catalogue& now) { return CheckConnected(now, wire); };
@@ -150,8 +153,8 @@ Result<void> ClientExecutor::Connect(const PlanStep& step) {
   return made.error();
 }
 
-/// True if the connection exists: the GCM itself may restore the connections of a component that
-/// has returned.
+/// Called when a connection was refused. Returns true if the connection exists nevertheless,
+/// because the GCM may have restored it when a component returned. Waits up to kLonger for this.
 bool ClientExecutor::IsMadeByOthers(const message::Wire& wire, ErrorCode refusal) const {
   if (refusal != ErrorCode::kExists && refusal != ErrorCode::kFailed) return false;
   for (auto waited = kLook; waited <= kLonger; waited += kLook) {
@@ -197,7 +200,8 @@ Result<void> ClientExecutor::ExecuteLifecycleOrder(LifecycleVerb verb, const Pla
   return is_refused && Seen(client_, is_so) ? Result<void>() : made;
 }
 
-/// Starts and suspends a component. If it cannot be suspended, stops it, because it must not run.
+/// Starts a component and then suspends it. If the component cannot be suspended, stops it, because
+/// it must not run.
 Result<void> ClientExecutor::StartSuspended(const PlanStep& step) {
   const auto started = ExecuteLifecycleOrder(LifecycleVerb::kStart, step);
   if (!started && !IsOutcomeUnknown(started.error())) return started;

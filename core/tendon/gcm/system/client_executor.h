@@ -8,20 +8,21 @@
 
 namespace tendon {
 
-/// Executes steps through a GCM. Refuses a step if its process was restarted, or its configuration
-/// changed, after the planning; also refuses to start a component without a connection that it
-/// needs.
+/// Executes the steps of a plan through a GCM. Refuses a step if its process was restarted, or the
+/// configuration on which it is based was changed, since the plan was made. Also refuses to start a
+/// component if a connection that the step needs is missing.
 class ClientExecutor final : public PlanExecutor {
  public:
-  /// The client must outlive the executor, and ends each request after `timeout`. A start waits
-  /// this long for the connections that the component needs.
+  /// The client must outlive the executor. `timeout` is the timeout of the client. Before a start,
+  /// the executor waits up to `timeout` for the connections that the component needs.
   ClientExecutor(GcmClient& client, std::chrono::milliseconds timeout)
       : client_(client), timeout_(timeout) {}
 
-  /// Also succeeds if the GCM answers kDenied, because it has no such lock, or because the client
-  /// is a viewer: then there is no lock to wait for.
+  /// Takes the plan lock. Also succeeds if the GCM answers kDenied: then the GCM is too old to have
+  /// this lock, or the client may not make changes, so there is no lock to wait for.
   Result<void> Begin() override;
-  /// Also refuses if the lock was lost with the link to the GCM, and another viewer has it now.
+  /// Also refuses the step if the lock was lost with the link to the GCM and another viewer has it
+  /// now.
   Result<void> Execute(const PlanStep& step) override;
   void End() override;
 

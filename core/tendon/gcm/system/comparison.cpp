@@ -20,7 +20,7 @@ std::string TextOf(const std::optional<SystemFile::Start>& start) {
 
 std::string TextOf(bool value) { return value ? "true" : "false"; }
 
-/// Appends a change.
+/// Appends "NAME FIRST -> SECOND".
 void AddChange(std::string& changes, const std::string& name, const std::string& first,
                const std::string& second) {
   if (!changes.empty()) changes += "; ";
@@ -171,7 +171,7 @@ bool IsSameThread(const SystemFile::Component& one, const SystemFile::Component&
 
 bool IsSameJson(const std::string& one, const std::string& other) {
   if (one == other) return true;
-  const auto parsed = ParseStrictJson(one);  // limits nesting and so the recursion of ==
+  const auto parsed = ParseStrictJson(one);  // limits the nesting, because == is recursive
   const auto other_parsed = ParseStrictJson(other);
   return parsed && other_parsed && *parsed == *other_parsed;
 }

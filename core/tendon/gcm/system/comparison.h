@@ -8,11 +8,11 @@
 
 namespace tendon {
 
-/// A process, component or connection in which two systems differ.
+/// A process, component or connection that is not the same in two systems.
 struct SystemDifference {
   enum class Kind {
-    kMissing,  ///< only in the first
-    kExtra,    ///< only in the second
+    kMissing,  ///< only in the first system
+    kExtra,    ///< only in the second system
     kChanged,
   };
 
@@ -23,45 +23,47 @@ struct SystemDifference {
   bool operator==(const SystemDifference&) const = default;
 };
 
-/// The differences of two systems, in the order of their files.
+/// The differences of two systems, in the order of the two files.
 struct SystemComparison {
   std::vector<SystemDifference> differences;
   std::size_t equal = 0;  ///< processes, components and connections without a difference
 };
 
-/// Whether differences in the start of processes count.
+/// Whether differences in how processes are started are reported.
 enum class StartComparison {
   kCompare,
-  kIgnore,  ///< the second system is a running one, which has no information about it
+  kIgnore,  ///< for a running system as the second, because it does not have this information
 };
 
-/// Compares everything except comments, layout and names of systems. States in which the component
-/// does not run count as equal. A period, library or thread that only one of the two has is not a
-/// difference.
+/// Compares two systems, except for their comments, layouts and names. All states in which a
+/// component does not run count as equal. If only one of the two systems has a period, library or
+/// thread for a component, this is not a difference.
 [[nodiscard]] SystemComparison CompareSystems(const SystemFile& first, const SystemFile& second,
                                               StartComparison starts);
 
-/// "class SimulatedArm -> LegacyArm; state active -> suspended"; empty if they are equal.
+/// The differences of two components: "class SimulatedArm -> LegacyArm; state active -> suspended";
+/// empty if they are equal.
 [[nodiscard]] std::string ChangesOf(const SystemFile::Component& first,
                                     const SystemFile::Component& second);
 
-/// True if both have the same library, or one has no library.
+/// Returns true if both have the same library, or if one of the two has no library.
 [[nodiscard]] bool IsSameLibrary(const SystemFile::Component& one,
                                  const SystemFile::Component& other);
 
-/// True if both run after the same component, or after none, or if one has no information about its
-/// thread.
+/// Returns true if both run after the same component, or if neither runs after another component.
+/// Also returns true if the thread of one of the two is not known.
 [[nodiscard]] bool HasSameLeader(const SystemFile::Component& one,
                                  const SystemFile::Component& other);
 
-/// The same, and the thread options are equal.
+/// Returns true if HasSameLeader() is true and the thread options, if both have them, are equal.
 [[nodiscard]] bool IsSameThread(const SystemFile::Component& one,
                                 const SystemFile::Component& other);
 
-/// True if a component in one state satisfies a request for the other state.
+/// Returns true if a component in one state satisfies a request for the other state: the states are
+/// equal, or the component runs in neither of them.
 [[nodiscard]] bool IsSameDesire(ComponentState one, ComponentState other);
 
-/// True if both are equal as JSON or as text.
+/// Returns true if both texts are equal, or if both are equal as JSON.
 [[nodiscard]] bool IsSameJson(const std::string& one, const std::string& other);
 
 }  // namespace tendon

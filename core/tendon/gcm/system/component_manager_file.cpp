@@ -17,14 +17,15 @@ namespace {
 using file::FileObject;
 using file::Refuse;
 
-/// The end of the string that begins at `begin`.
+/// Returns the position after the string that begins at `begin`.
 std::size_t EndOfString(std::string_view text, std::size_t begin) {
   std::size_t at = begin + 1;
   while (at < text.size() && text[at] != '"') at += text[at] == '\\' ? 2 : 1;
   return at + 1;
 }
 
-/// The end of the comment that begins at `begin`; `begin` itself if there is no complete comment.
+/// Returns the position after the comment that begins at `begin`; `begin` itself if there is no
+/// complete comment.
 std::size_t EndOfComment(std::string_view text, std::size_t begin) {
   const std::string_view sign = text.substr(begin, 2);
   if (sign == "//") return std::min(text.find('\n', begin), text.size());
@@ -32,8 +33,8 @@ std::size_t EndOfComment(std::string_view text, std::size_t begin) {
   return end == text.npos ? begin : end + 2;
 }
 
-/// Replaces comments, which are allowed only in this format, by blanks, so that the rest keeps its
-/// line and column.
+/// Returns the text with comments replaced by blanks, so that line and column of the rest stay the
+/// same. Only this file format allows comments.
 std::string WithoutComments(std::string_view text) {
   std::string plain(text);
   std::size_t at = plain.find_first_of("\"/");
@@ -128,7 +129,8 @@ class ComponentManagerReader {
     return component;
   }
 
-  /// Reads a constructor argument, which may have keys that only the class knows.
+  /// Reads the constructor argument of a component. It may have keys that only the class knows;
+  /// these are left out.
   FileObject ReadArgument(const Json& json, const FileObject& object) {
     std::vector<std::string> keys = {"Name", "Period", "IsHardRealTime", "NewThread",
                                      "StateTableSize"};
@@ -142,7 +144,8 @@ class ComponentManagerReader {
     return {json, place, keys};
   }
 
-  /// A JSON object is the configuration; any other text is the name of a file for the class.
+  /// Reads "configure-parameter". If it is a JSON object, it becomes the configuration. Any other
+  /// text is the name of a file for the class, and is kept as a comment.
   void ReadParameter(const FileObject& object, SystemFile::Component& component) {
     const std::string text = object.Text("configure-parameter");
     if (text.empty()) return;

@@ -8,16 +8,18 @@
 
 namespace tendon {
 
-/// A file of the cisst component manager, converted to a system file.
+/// The content of a file of the cisst component manager, converted to a system file.
 struct ImportedSystem {
   SystemFile file;
-  std::vector<std::string> left_out;  ///< a sentence for each part without a counterpart
+  /// A sentence for each part that a system file cannot contain.
+  std::vector<std::string> left_out;
 };
 
-/// Reads a file of a cisst component manager (1.1): "components" and "connections", at the top
-/// level or within "component-manager", as in a file for the console of a dVRK; ignores comments.
-/// Components without a process are put into `process`. A component that the file connects but does
-/// not create must be created by its own program. Errors are those of ParseSystemFile().
+/// Converts the text of a file of a cisst component manager (1.1). Reads "components" and
+/// "connections", which are at the top level or inside "component-manager", as in a file for the
+/// console of a dVRK. Comments are ignored. Components for which the file gives no process are put
+/// into `process`. If the file connects a component but does not create it, the program of its
+/// process is expected to create it. Fails like ParseSystemFile().
 Result<ImportedSystem> ParseComponentManagerFile(std::string_view text, const std::string& source,
                                                  const std::string& process);
 

@@ -126,7 +126,9 @@ void CheckLibrary(const std::string& library, const std::string& place) {
   if (library.empty()) Refuse(place, "library name is empty; if there is none, leave the key out");
   if (library.find('/') != library.npos || library.find('\\') != library.npos ||
       library.find("..") != library.npos) {
-    Refuse(place, shown + "is a path; give only the name; it is searched in the plug-in folders");
+    Refuse(place, shown +
+                      "is a path; give only the name of the plug-in, which is searched in the "
+                      "plug-in folders");
   }
   if (Printable(library) != library)
     Refuse(place, shown + "has a character that is not allowed in names");

@@ -9,52 +9,52 @@
 #include <utility>
 #include <vector>
 
-/// Readers for files that people write. A mistake in a file is thrown as a FileError, which
-/// ReadWith() or the reader catches.
+/// Functions that read files that people write. If a file has a mistake, they throw a FileError,
+/// which ReadText() converts to an Error.
 namespace tendon::file {
 
-/// A mistake in a file, and the path of its place: "processes[0].name".
+/// A mistake in a file. `place` is the path to the mistake: "processes[0].name".
 struct FileError {
   std::string place;
-  std::string text;  ///< begins with a path
+  std::string text;  ///< message, which begins with a path
 };
 
-/// "processes[0]: key 'name' is missing".
+/// Throws a FileError with a message such as "processes[0]: key 'name' is missing".
 [[noreturn]] void Refuse(const std::string& place, const std::string& reason);
 
-/// "string 'fast'", "number", "a list".
+/// Describes a value for an error message: "string 'fast'", "number", "a list".
 [[nodiscard]] std::string Shown(const Json& value);
 
 /// One JSON object in a file, and its path.
 class FileObject {
  public:
-  /// Refuses a value that is not an object, or an object with a key that is not in `keys`.
+  /// Throws a FileError if `object` is not a JSON object, or if it has a key that is not in `keys`.
   FileObject(const Json& object, std::string place, const std::vector<std::string>& keys);
 
-  /// The path of a member.
+  /// Returns the path of a member.
   [[nodiscard]] std::string Place(const std::string& key) const;
-  /// Null if it is missing.
+  /// Returns a member; null if it is missing.
   [[nodiscard]] const Json* Find(const std::string& key) const;
   void Require(const std::string& key) const;
 
-  // Readers of a required member.
+  // These functions read a member that must exist.
 
   [[nodiscard]] const Json& Get(const std::string& key) const;
   [[nodiscard]] std::string Text(const std::string& key) const;
-  /// `what` is the kind of name.
+  /// `what` says what is named, for error messages: "component".
   [[nodiscard]] std::string Name(const std::string& key, const std::string& what) const;
   [[nodiscard]] InterfaceName Interface(const std::string& key) const;
 
-  // Readers of an optional member.
+  // These functions read a member that may be missing.
 
-  /// Empty if it is missing; escapes control characters.
+  /// Returns "comment" with control characters escaped; empty if it is missing.
   [[nodiscard]] std::string Comment() const;
-  /// `unit` appears in the error: "seconds".
+  /// Returns `otherwise` if the number is missing. `unit` is for the error message: "seconds".
   [[nodiscard]] double Number(const std::string& key, const std::string& unit,
                               double otherwise) const;
-  /// False if it is missing.
+  /// Returns false if the flag is missing.
   [[nodiscard]] bool Flag(const std::string& key) const;
-  /// s; 0 if it is missing.
+  /// Returns a period in s; 0 if it is missing.
   [[nodiscard]] double Period(const std::string& key) const;
   /// Calls `read(element, place)` for each element; a missing list is empty.
   template <typename Read>
@@ -72,13 +72,13 @@ class FileObject {
   const std::string place_;
 };
 
-/// The names of one list, which must be unique.
+/// Checks that the names in one list are unique.
 class UniqueNames {
  public:
-  /// `what` is the kind of name.
+  /// `what` says what is named, for error messages: "component".
   explicit UniqueNames(std::string what) : what_(std::move(what)) {}
 
-  /// Refuses a name that was added before.
+  /// Throws a FileError if the name was added before.
   void Add(const std::string& name, const std::string& place);
 
  private:
@@ -86,21 +86,23 @@ class UniqueNames {
   std::set<std::string> known_;
 };
 
-/// A member with the class name of a component.
+/// Reads the member that has the class name of a component.
 [[nodiscard]] std::string ReadClassName(const FileObject& object, const std::string& key);
 
-/// The text of a component's configuration: one line of ASCII. Refuses a value that is not an
-/// object or is too long.
+/// Returns the configuration of a component as one line of ASCII. Throws a FileError if it is not
+/// an object or is too long.
 [[nodiscard]] std::string ConfigurationText(const Json& configuration, const std::string& place);
 
-/// Refuses anything except a plug-in name without a path.
+/// Throws a FileError if `library` is not the name of a plug-in without a path.
 void CheckLibrary(const std::string& library, const std::string& place);
 
-/// The error for a mistake in the text of `source`.
+/// Converts a mistake to an error with the line and column in `text`; `source` is the name of the
+/// file.
 [[nodiscard]] Error ErrorOf(const FileError& mistake, std::string_view text,
                             const std::string& source);
 
-/// The result of `read` on the text, or the error for its mistake.
+/// Parses the JSON text and returns the result of `read(json)`. If `read` throws a FileError,
+/// returns the error for it.
 template <typename T, typename Read>
 Result<T> ReadText(std::string_view text, const std::string& source, Read&& read) {
   const auto json = ParseStrictJson(text);

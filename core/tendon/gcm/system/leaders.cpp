@@ -19,7 +19,8 @@ Leaders LeadersOf(const std::vector<SystemFile::Component>& components) {
   return leaders;
 }
 
-/// Describes a chain that leads back to `first`, one of its members.
+/// Describes a cycle: the part of `chain` that begins with `first`. Its last component runs after
+/// `first`.
 std::string RingText(const std::vector<std::string>& chain, const std::string& first) {
   constexpr std::ptrdiff_t kMostNames = 20;
   const auto begin = std::find(chain.begin(), chain.end(), first);
@@ -48,7 +49,7 @@ void PutLeadersFirst(std::vector<ComponentPath>& order,
       continue;
     }
     std::vector<ComponentPath> next = {path};
-    while (!next.empty()) {  // no recursion, because a chain may be as long as the file
+    while (!next.empty()) {  // no recursion, because the chain of followers may be very long
       const ComponentPath one = std::move(next.back());
       next.pop_back();
       ordered.push_back(one);
@@ -84,7 +85,7 @@ void PutLeadersFirst(std::vector<SystemFile::Component>& components) {
 
 std::string FindCycle(const std::vector<SystemFile::Component>& components) {
   const Leaders leaders = LeadersOf(components);
-  std::set<std::string> fine;  // neither in a cycle nor behind one
+  std::set<std::string> fine;  // components that do not lead to a cycle
   for (const auto& [follower, leader] : leaders) {
     std::vector<std::string> chain;
     std::set<std::string> in_chain;

@@ -8,17 +8,17 @@
 
 namespace tendon {
 
-/// Moves each component behind its leader, the component after which it runs; otherwise keeps the
-/// order. `leader_of` returns the leader's name, or an empty text. Components in a cycle, or behind
-/// one, come last.
+/// Sorts the components so that each comes after its leader, the component after which it runs. The
+/// order of other components stays the same. `leader_of` returns the name of the leader; empty if
+/// there is none. Components in a cycle, and components that run after them, come last.
 void PutLeadersFirst(std::vector<ComponentPath>& order,
                      const std::function<std::string(const ComponentPath& component)>& leader_of);
 
-/// For the components of one process in a file.
+/// Sorts the components of one process in a file in the same way.
 void PutLeadersFirst(std::vector<SystemFile::Component>& components);
 
-/// "'a' runs after 'b', which runs after 'a'" for the first cycle among the components of a
-/// process; empty if there is none.
+/// Describes the first cycle among the components of a process: "'a' runs after 'b', which runs
+/// after 'a'"; empty if there is no cycle.
 [[nodiscard]] std::string FindCycle(const std::vector<SystemFile::Component>& components);
 
 }  // namespace tendon

@@ -22,7 +22,8 @@ bool IsMadeByItsProgram(const SystemFile::Component& component) {
   return component.class_name.empty();
 }
 
-/// True if only the state must change.
+/// Returns true if the two differ at most in the state, so the component need not be created or
+/// configured again.
 bool IsSameInParts(const SystemFile::Component& wanted, const SystemFile::Component& now) {
   return wanted.class_name == now.class_name && IsSameLibrary(wanted, now) &&
          IsSameThread(wanted, now) && IsSameJson(wanted.configuration, now.configuration);
@@ -34,7 +35,7 @@ std::string TextOf(const message::Wire& wire) {
   return ToString(wire.required) + " -> " + ToString(wire.provided);
 }
 
-/// The same for the components of steps.
+/// Sorts steps of components so that each comes after the step of its leader.
 void SortByLeaders(std::vector<PlanStep>& steps) {
   std::map<ComponentPath, PlanStep> by_path;
   std::vector<ComponentPath> order;
@@ -49,7 +50,8 @@ void SortByLeaders(std::vector<PlanStep>& steps) {
   for (const ComponentPath& path : order) steps.push_back(std::move(by_path.at(path)));
 }
 
-/// Collects steps in one list for each kind, and joins the lists at the end.
+/// Makes a plan. Collects the steps of each kind in a separate list, and joins the lists at the
+/// end.
 class Planner {
  public:
   Planner(const Catalogue& catalogue, const SystemFile& wanted)
@@ -75,7 +77,8 @@ class Planner {
     AddStops();
     SortByLeaders(makings_);
     std::ranges::reverse(removals_);
-    SortByLeaders(removals_);  // reversed: followers come before their leaders
+    SortByLeaders(removals_);  // sorts the reversed list, so that followers come before their
+                               // leaders at the end
     std::ranges::reverse(removals_);
     for (auto* part : {&disconnects_, &removals_, &births_, &makings_, &connects_}) {
       plan_.steps.insert(plan_.steps.end(), part->begin(), part->end());
@@ -107,8 +110,8 @@ class Planner {
     }
   }
 
-  /// Finds components that must be created again because their leader is removed or created again,
-  /// which is not possible while it has followers.
+  /// Finds components that must be created again because their leader is removed or created again:
+  /// the leader cannot be removed while it has followers.
   void FindUnsettled(const SystemFile::Process& process) {
     const auto* running = catalogue_.FindProcess(process.name);
     if (running == nullptr || running_index_.FindProcess(process.name) == nullptr) return;
@@ -131,7 +134,7 @@ class Planner {
     }
   }
 
-  /// Plans the start of a process by the GCM; its former components are ignored.
+  /// Plans the start of a process by the GCM. Its former components in the catalogue are ignored.
   void PlanBirth(const SystemFile::Process& process) {
     born_.insert(process.name);
     births_.push_back(
@@ -179,7 +182,8 @@ class Planner {
     return {.kind = kind, .wire = wire, .instance = Instance(wire.required.process)};
   }
 
-  /// The instance for steps of a process; 0, any, for a process that the plan starts.
+  /// Returns the instance for the steps of a process. If the plan starts the process, returns 0,
+  /// which means any instance.
   [[nodiscard]] std::uint64_t Instance(const std::string& process) const {
     return born_.contains(process) ? 0 : InstanceOf(catalogue_, process);
   }
@@ -254,7 +258,8 @@ class Planner {
     makings_.back().based_on = BaseOf(told->configuration);
   }
 
-  /// The leader in the file, or the present one if the file has no information.
+  /// Returns the leader in the file. If the file says nothing about the thread, returns the present
+  /// leader.
   [[nodiscard]] std::string LeaderOf(const ComponentPath& path) const {
     const auto* wanted = wanted_index_.FindComponent(path.first, path.second);
     if (wanted != nullptr && wanted->tells_thread()) return wanted->runs_after;
@@ -262,7 +267,8 @@ class Planner {
     return now == nullptr ? std::string() : now->runs_after;
   }
 
-  /// The component as in the file, with its present thread if the file has no information.
+  /// Returns the component as in the file. If the file says nothing about the thread, adds the
+  /// present thread and leader.
   [[nodiscard]] SystemFile::Component WithThreadOf(const ComponentPath& path,
                                                    const SystemFile::Component& now,
                                                    SystemFile::Component component) const {
@@ -333,20 +339,20 @@ class Planner {
     connects_.back().takes_away = replaces;
   }
 
-  /// Sets the error code that all obstacles have in common, if there is one.
+  /// Sets Plan::refusal if all obstacles are refused connections with the same error code.
   void Judge() {
     if (refusals_.empty() || refusals_.size() < plan_.obstacles.size()) return;
     const ErrorCode first = refusals_.front();
     if (std::ranges::count(refusals_, first) == std::ssize(refusals_)) plan_.refusal = first;
   }
 
-  /// Notes a component with a connection in the file that cannot be made.
+  /// Records that a component must not start, because a connection in the file cannot be made.
   void Lack(const message::Wire& wire, const std::string& why) {
     lacks_.emplace(OwnerOf(wire.required), "its connection " + TextOf(wire) + ": " + why);
   }
 
-  /// Notes needed connections that are missing in the file, for a component whose interfaces are
-  /// known.
+  /// Records that a component must not start, because the file lacks connections that the component
+  /// needs. Does nothing if its interfaces are not known yet.
   void FindUnmetNeeds(const ComponentPath& path) {
     const auto* component = catalogue_.FindComponent(path.first, path.second);
     const bool is_known = component != nullptr && !born_.contains(path.first) &&
@@ -390,7 +396,7 @@ class Planner {
         PlanStep& start = plan_.steps.emplace_back(step->second);
         start.is_strict = wanted_.strict;
         if (start.kind != Kind::kStartSuspended || !leads_.contains(path)) continue;
-        start.kind = Kind::kStart;  // followers cannot start after a suspended one
+        start.kind = Kind::kStart;  // followers of a suspended component cannot start
         suspends.push_back(StepOf(Kind::kSuspend, path, start.component));
       } else {
         plan_.obstacles.push_back(TextOf(path) + " is not started, because it lacks " +
@@ -405,7 +411,7 @@ class Planner {
   const RunningSystem running_;
   const SystemIndex wanted_index_{wanted_};
   const SystemIndex running_index_{running_.file};
-  std::map<InterfaceName, const ConnectionDescription*> connections_;  // all in the catalogue
+  std::map<InterfaceName, const ConnectionDescription*> connections_;  // all of the catalogue
   Plan plan_;
   std::map<ComponentPath, PlanStep> stops_;
   std::vector<PlanStep> disconnects_;
@@ -414,12 +420,12 @@ class Planner {
   std::vector<PlanStep> makings_;
   std::vector<PlanStep> connects_;
   std::map<ComponentPath, PlanStep> starts_;
-  std::set<std::string> born_;                  // processes that the plan starts
-  std::set<ComponentPath> leads_;               // components after which others run
-  std::set<ComponentPath> unsettled_;           // created again because of their leaders
-  std::set<ComponentPath> removed_;             // removed, perhaps to be created again
-  std::set<ComponentPath> made_;                // created or configured
-  std::set<ComponentPath> missing_;             // missing, and created only by their own programs
+  std::set<std::string> born_;         // processes that the plan starts
+  std::set<ComponentPath> leads_;      // leaders of other components
+  std::set<ComponentPath> unsettled_;  // created again because of their leaders
+  std::set<ComponentPath> removed_;    // components to remove; they may be created again
+  std::set<ComponentPath> made_;       // created or configured
+  std::set<ComponentPath> missing_;    // do not exist; only their own programs can create them
   std::map<ComponentPath, std::string> lacks_;  // why the component must not start
   std::vector<ErrorCode> refusals_;             // error codes of refused connections
 };

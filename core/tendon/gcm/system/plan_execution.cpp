@@ -12,13 +12,13 @@ using Kind = PlanStep::Kind;
 
 bool IsOfConnection(const PlanStep& step) { return step.process.empty(); }
 
-/// Represents the process itself.
+/// The path that represents the process itself.
 ComponentPath PathOf(const std::string& process) { return {process, ""}; }
 
 /// The failures on which later steps depend.
 class Failures {
  public:
-  /// Notes a step that was not executed; `cause` is the original failure.
+  /// Adds a step that has failed or was not executed. `cause` is the step that failed first.
   void Note(const PlanStep& step, const std::string& cause) {
     if (IsOfConnection(step)) {
       lacking_.emplace(OwnerOf(step.wire.required), cause);
@@ -27,7 +27,7 @@ class Failures {
     }
   }
 
-  /// The failure on which the step depends; empty if there is none.
+  /// Returns the failed step on which `step` depends; empty if there is none.
   [[nodiscard]] std::string Before(const PlanStep& step) const {
     if (step.kind == Kind::kDisconnect) return {};
     if (IsOfConnection(step)) {
@@ -60,7 +60,8 @@ class Failures {
   Steps lacking_;  // components without a planned connection
 };
 
-/// The outcome of a plan that was not executed; the first step has the reason.
+/// Returns the outcome of a plan of which no step was executed. Only the first step is reported
+/// with the reason.
 PlanOutcome LeaveAll(const Plan& plan, const Error& why, const PlanProgress& progress) {
   std::string reason = why.message;
   std::size_t number = 0;

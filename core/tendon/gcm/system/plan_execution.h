@@ -9,12 +9,12 @@
 
 namespace tendon {
 
-/// Executes one step and waits for it.
+/// Executes the steps of a plan, one at a time. Each function waits until it is done.
 class PlanExecutor {
  public:
   virtual ~PlanExecutor() = default;
-  /// Called before the first step: reserves the execution of plans until End(). After an error no
-  /// step is executed.
+  /// Called before the first step; takes the plan lock until End(). If it fails, no step is
+  /// executed.
   virtual Result<void> Begin() { return {}; }
   virtual Result<void> Execute(const PlanStep& step) = 0;
   virtual void End() {}
@@ -31,7 +31,8 @@ struct StepOutcome {
   };
 
   State state = State::kDone;
-  std::string reason;  ///< why it was not executed; empty for steps after the end of the plan
+  /// Why the step failed or was not executed. Empty if the plan ended before this step.
+  std::string reason;
 
   bool operator==(const StepOutcome&) const = default;
 };
@@ -47,16 +48,16 @@ struct PlanOutcome {
   bool operator==(const PlanOutcome&) const = default;
 };
 
-/// Called for each step; the first has number 1.
+/// Called with the outcome of each step. The first step has number 1.
 using PlanProgress =
     std::function<void(std::size_t number, const PlanStep& step, const StepOutcome& outcome)>;
 
-/// Called before each step; returns true to cancel the rest.
+/// Called before each step. If it returns true, this and all further steps are not executed.
 using PlanInterrupt = std::function<bool()>;
 
-/// With kStop, executes the plan up to the first failure. With kGoOn, continues, but skips steps
-/// that depend on a failure: a component with a failed step is not changed or connected any more,
-/// and a component without a planned connection is not started.
+/// Executes a plan. With kStop, ends after the first failure. With kGoOn, continues after a
+/// failure, but does not execute steps that depend on it: a component with a failed step is not
+/// changed or connected any more, and a component whose planned connection failed is not started.
 PlanOutcome ExecutePlan(
     const Plan& plan, PlanExecutor& executor, AfterError after_error, const PlanProgress& progress,
     const PlanInterrupt& interrupt = [] { return false; });

@@ -25,7 +25,7 @@ SystemFile::Component ComponentOf(const ComponentDescription& running) {
   }
   if (!running.thread.empty()) component.thread = running.thread.front();
   component.runs_after = running.leader;
-  if (!component.runs_after.empty()) component.period = 0.0;  // it is the leader's period
+  if (!component.runs_after.empty()) component.period = 0.0;  // the period is that of the leader
   return component;
 }
 
@@ -58,7 +58,7 @@ void Sort(SystemFile& file) {
   std::ranges::sort(file.connections, {}, &SystemFile::Connection::required);
 }
 
-/// Absent processes and their connections.
+/// Copies absent processes and their connections.
 std::vector<std::string> KeepAbsent(const SystemFile& former, RunningSystem& saved) {
   std::set<std::string> present;
   for (const SystemFile::Process& process : saved.file.processes) present.insert(process.name);

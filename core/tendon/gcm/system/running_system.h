@@ -9,30 +9,31 @@
 
 namespace tendon {
 
-/// The running system, as a file that can restore it.
+/// The running system, as a system file with which it can be restored.
 struct RunningSystem {
   SystemFile file;  ///< sorted by name
-  /// Connections to absent components, which a file cannot contain.
+  /// Connections whose provider's component does not exist. A file cannot contain them.
   std::vector<SystemFile::Connection> loose;
 
-  /// A sentence for each part that the file cannot contain.
+  /// Returns a sentence for each connection that the file cannot contain.
   [[nodiscard]] std::vector<std::string> LeftOut() const;
 };
 
 /// Whether to include processes that are gone.
 enum class AbsentProcesses { kLeftOut, kIncluded };
 
-/// The present processes, with their components in their present states; without a window that
-/// hosts the GCM itself.
+/// Returns the present processes, with their components in their present states. A window that
+/// hosts the GCM itself is not included.
 [[nodiscard]] RunningSystem SystemOf(const Catalogue& catalogue, const std::string& name,
                                      AbsentProcesses absent = AbsentProcesses::kLeftOut);
 
-/// Marks the processes that the GCM has started, so that it can start them again.
+/// Sets SystemFile::Process::start for the processes that the GCM has started, so that it can start
+/// them again from the file.
 void SetStarts(const message::Children& children, SystemFile& file);
 
-/// Copies from the saved file `former` everything that a running system does not show: comments,
-/// layout, how processes start, and absent processes with their connections. Returns a sentence for
-/// each absent process.
+/// Copies from the file `former` to `saved` what a running system does not contain: comments,
+/// "strict", the layout, how processes are started, and absent processes with their connections.
+/// Returns a sentence for each absent process.
 std::vector<std::string> KeepFrom(const SystemFile& former, RunningSystem& saved);
 
 }  // namespace tendon

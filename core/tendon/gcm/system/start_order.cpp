@@ -9,11 +9,12 @@
 namespace tendon {
 namespace {
 
-/// Pairs of names; the first one comes after the second one.
+/// Pairs of names. The first name of a pair must come after the second.
 template <typename Name>
 using Pairs = std::vector<std::pair<Name, Name>>;
 
-/// Ignores pairs with unknown names.
+/// Returns the names in an order that satisfies the pairs. Ignores pairs with names that are not in
+/// `names`.
 template <typename Name>
 std::vector<Name> Ordered(const std::vector<Name>& names, const Pairs<Name>& pairs) {
   std::map<Name, std::size_t> numbers;

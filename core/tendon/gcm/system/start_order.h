@@ -7,14 +7,15 @@
 
 namespace tendon {
 
-/// The components of a system in the order of starts: each after its leader and after its servers.
-/// Within cycles, and otherwise, keeps the order of the file.
+/// Returns the components of a system in the order in which they should be started: each after its
+/// leader and after its servers. Where this does not decide, for example within a cycle, the order
+/// is that of the file.
 [[nodiscard]] std::vector<ComponentPath> StartOrder(const SystemFile& system);
 
-/// The order in which components end: each after its clients and its followers. Within cycles, and
-/// otherwise, keeps the order of the file.
+/// Returns the order in which components should end: each after its clients and its followers.
+/// Where this does not decide, for example within a cycle, the order is that of the file.
 [[nodiscard]] std::vector<ComponentPath> EndOrder(const SystemFile& system);
-/// The same for whole processes.
+/// Returns the order in which whole processes should end: each after its clients.
 [[nodiscard]] std::vector<std::string> ProcessEndOrder(const SystemFile& system);
 
 }  // namespace tendon

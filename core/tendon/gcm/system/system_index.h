@@ -11,7 +11,7 @@ namespace tendon {
 /// A process and a component in it.
 using ComponentPath = std::pair<std::string, std::string>;
 
-/// The component that has the interface.
+/// Returns the component that has the interface.
 [[nodiscard]] inline ComponentPath OwnerOf(const InterfaceName& name) {
   return {name.process, name.component};
 }
@@ -22,7 +22,7 @@ class SystemIndex {
  public:
   explicit SystemIndex(const SystemFile& system);
 
-  // Null if there is none.
+  // These functions return null if the file does not have the object.
 
   [[nodiscard]] const SystemFile::Process* FindProcess(const std::string& process) const;
   [[nodiscard]] const SystemFile::Component* FindComponent(const std::string& process,

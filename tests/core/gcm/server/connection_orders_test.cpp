@@ -307,9 +307,9 @@ TEST_P(ConnectionOrders, AnUndoIsRefusedIfTheConnectionHasChanged) {
                                     .state = ConnectionState::kActive};
   desk_->Report({{.kind = CatalogueChange::Kind::kConnection, .connections = {other}}});
   ASSERT_TRUE(EventuallyTrue([&] { return Connection() == other; }));
-  EXPECT_THAT(Undo(*client_).error().message,
-              testing::HasSubstr(
-                  "): desk/teleoperation/Robot is meanwhile connected to robot/second/Control; "));
+  EXPECT_THAT(
+      Undo(*client_).error().message,
+      testing::HasSubstr("): desk/teleoperation/Robot is now connected to robot/second/Control; "));
 
   desk_->Report({{.kind = CatalogueChange::Kind::kConnectionRemoved, .connection = other.id}});
   ASSERT_TRUE(EventuallyTrue([&] { return !Connection(); }));

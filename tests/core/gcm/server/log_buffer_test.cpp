@@ -175,7 +175,7 @@ TEST_F(LogBufferTest, ReportsRecordsLostOnTheirWay) {
   book.Pump();
 
   ASSERT_TRUE(EventuallyTrue([&] { return viewer->count() == 2; }));
-  EXPECT_EQ(viewer->newest().text, "4 records are lost on their way");
+  EXPECT_EQ(viewer->newest().text, "4 records were lost on the way to the GCM");
   EXPECT_EQ(viewer->newest().process, "robot");
 
   book.Forget("robot");

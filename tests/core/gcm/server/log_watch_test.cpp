@@ -79,7 +79,7 @@ TEST_P(LogWatching, ReportsRecordsLostOnABrokenLink) {
 
   ASSERT_TRUE(robot->SendLog({6, {Record("g")}}));
 
-  ASSERT_TRUE(EventuallyReads(*reader, {"a", "5 records are lost on their way", "g"}));
+  ASSERT_TRUE(EventuallyReads(*reader, {"a", "5 records were lost on the way to the GCM", "g"}));
   EXPECT_EQ(reader->Of("robot")[1].source, "log");
 }
 

@@ -227,8 +227,8 @@ TEST_P(Replacing, ALateProcessEndsWithTheFormerConnection) {
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().code, ErrorCode::kTimeout);
   EXPECT_TRUE(made.error().message.ends_with(
-      "; whether desk/teleoperation/Robot is still connected to robot/arm/Control is not known "
-      "yet; see: gcm show desk/teleoperation/Robot"))
+      "; it is not known yet whether desk/teleoperation/Robot is still connected to "
+      "robot/arm/Control; see: gcm show desk/teleoperation/Robot"))
       << made.error().message;
   EXPECT_EQ(Steps(*client_).size(), 1U);
   desk_->set_manners(Manners::kObey);

@@ -46,7 +46,7 @@ TEST(RunsAfter, ErrorsNameTheirPosition) {
       "x: line 3, column 44: processes[0].components[1].runs_after: expected string, got number");
   EXPECT_THAT(error(R"("runs_after": "a b")"), testing::HasSubstr("has ' ' at 2"));
   EXPECT_EQ(error(R"("runs_after": "host")"),
-            "x: line 1, column 61: processes[0].components: runs_after forms a ring: 'host' "
+            "x: line 1, column 61: processes[0].components: runs_after forms a cycle: 'host' "
             "runs after 'host'");
 }
 
