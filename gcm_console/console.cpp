@@ -13,7 +13,8 @@
 namespace console {
 namespace {
 
-/// True if everything was written; otherwise errno has the cause, even that of an earlier write.
+/// Returns true if everything was written. Otherwise errno contains the cause, even that of an
+/// earlier write.
 bool IsWritten(std::ostream& out) {
   if (!out.good()) {
     out.clear();
@@ -24,10 +25,11 @@ bool IsWritten(std::ostream& out) {
   return static_cast<bool>(out.flush());
 }
 
-/// Returns the exit code of a verb, and prints why it did not run.
+/// Returns the exit code of a verb. If the verb has failed, prints the reason.
 int Finish(const tendon::Result<program::ExitCode>& result, const Streams& streams) {
   const bool is_written = IsWritten(streams.out);
-  const bool is_left = errno == EPIPE;  // the reader closed the pipe, like `head` after ten lines
+  // True if the reader has closed the pipe, as `head` does after ten lines.
+  const bool is_left = errno == EPIPE;
   const bool is_interrupted = errno == EINTR;  // by a signal, while the reader was slow
   if (!result) {
     streams.err << "gcm: " << tendon::Printable(result.error().message) << '\n';
@@ -42,7 +44,8 @@ int Finish(const tendon::Result<program::ExitCode>& result, const Streams& strea
   return *result;
 }
 
-/// Completes and shows abbreviated paths for users at a prompt. Scripts must use full paths.
+/// For users at a prompt, returns a function that completes abbreviated paths and prints them. For
+/// scripts, returns null, because they must use full paths.
 CommandLine::Complement ComplementOf(const Streams& streams, ShellSession* session) {
   const bool is_typed =
       session != nullptr && streams.make_line_reader != nullptr && session->settings().scripts == 0;
@@ -76,7 +79,7 @@ int Run(const std::vector<std::string>& words, const Streams& streams, const Set
   try {
     Context context(line.settings(), line.verb(), streams, session);
     return Finish(line.run()(context), streams);
-  } catch (const std::exception& failure) {  // out of memory or files
+  } catch (const std::exception& failure) {  // memory or file descriptors are exhausted
     streams.err << "gcm: " << Plain(failure.what()) << '\n';
     return program::kRefused;
   }

@@ -20,42 +20,43 @@ namespace console {
 struct Streams {
   std::ostream& out;
   std::ostream& err;
-  int columns = 0;                            ///< the width of the terminal behind `out`, 0 if none
-  MakeLineReader make_line_reader = nullptr;  ///< set if the input is a terminal
-  bool has_input = true;                      ///< false in a window: nothing can be piped in
+  int columns = 0;  ///< width of the terminal behind `out`; 0 if there is none
+  MakeLineReader make_line_reader = nullptr;  ///< not null if the input is a terminal
+  bool has_input = true;                      ///< false in a window, which has no standard input
 };
 
-/// True if the terminal cannot move the cursor and can only append lines.
+/// Returns true if the terminal cannot move the cursor, so that lines can only be appended.
 [[nodiscard]] bool IsDumbTerminal();
 
-/// The error for a verb that reads its input, if it is used in a window.
+/// Returns the error for a verb that reads its input but is used in a window.
 [[nodiscard]] tendon::Error NoInput(const std::string& verb);
 
-/// The environment of a running verb: its output, and its client of the GCM.
+/// What a verb uses while it runs: its output, and a client of the GCM.
 class Context {
  public:
-  /// With a session, the verb uses the session's link.
+  /// Creates the context of a verb. If `session` is not null, the verb uses the link of the
+  /// session.
   Context(Settings settings, std::string verb, const Streams& streams,
           ShellSession* session = nullptr);
 
   [[nodiscard]] const Settings& settings() const { return settings_; }
   [[nodiscard]] const std::string& verb() const { return verb_; }
   [[nodiscard]] std::ostream& out() const { return streams_.out; }
-  /// For messages that are not results.
+  /// The stream for messages that are not results.
   [[nodiscard]] std::ostream& err() { return is_quiet() ? nowhere_ : streams_.err; }
-  /// The width of the terminal behind out(), 0 if it is not a terminal.
+  /// The width of the terminal behind out(); 0 if there is none.
   [[nodiscard]] int columns() const { return streams_.columns; }
   [[nodiscard]] const Streams& streams() const { return streams_; }
-  /// True if the output is a terminal that can redraw a picture.
+  /// Returns true if out() is a terminal that can redraw a picture.
   [[nodiscard]] bool has_screen() const;
-  /// Null outside a session.
+  /// The session; null if there is none.
   [[nodiscard]] ShellSession* session() const { return session_; }
-  /// How tables are printed.
+  /// Returns how tables are printed.
   [[nodiscard]] Layout layout() const;
 
-  /// Sends a request through the client and waits for the answer, 500 ms longer than the client
-  /// does, because the client's own time-out error gives the best reason. `start(client, handler)`
-  /// calls one of the client's functions, which may take `times` times the time-out.
+  /// Sends a request through the client, and waits for the answer. `start(client, handler)` calls
+  /// one of the client's functions, which may take `times` times the time-out. The wait is 500 ms
+  /// longer than that of the client, because the client's own time-out error gives the best reason.
   template <typename T, typename Start>
   tendon::Result<T> Ask(Start start, int times = 1) {
     constexpr std::chrono::milliseconds kLonger(500);
@@ -65,17 +66,18 @@ class Context {
                            [&](auto handler) { start(**client, std::move(handler)); });
   }
 
-  /// Returns a client that has received the catalogue; the first call creates it, with `listener`.
+  /// Returns a client that has received the catalogue. The first call creates the client, with this
+  /// `listener`.
   tendon::Result<tendon::GcmClient*> Client(
       std::shared_ptr<tendon::GcmListener> listener = nullptr);
 
-  /// Prints that the GCM was lost and is back.
+  /// Prints that the GCM was lost and is available again.
   void PrintGcmReturn();
 
   void Print(const Table& table) const { table.Print(out(), layout()); }
-  /// Prints one JSON document, with "schema": 1 as its first key.
+  /// Prints one JSON document; its first key is "schema": 1.
   void PrintJson(const nlohmann::ordered_json& content) const;
-  /// The same in one line, for a stream of documents.
+  /// Prints a JSON document in one line, for a stream of documents.
   void PrintJsonLine(const nlohmann::ordered_json& content) const;
 
  private:

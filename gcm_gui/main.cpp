@@ -48,11 +48,11 @@ void AddOptions(CLI::App& app, Options& options) {
   auto* gcm =
       program::AddGcmOption(app, options.gcm, "; with this option, the window never hosts a GCM");
   app.add_option("--listen", options.listen, "host a GCM at this address")->excludes(gcm);
-  app.add_option("file", options.file, "system file to apply, after you have seen its plan");
+  app.add_option("file", options.file, "system file to apply; the window first shows its plan");
   app.add_flag("--read-only", options.read_only,
                "connect with the role viewer, which cannot change anything");
   app.add_option("--layout", options.layout,
-                 "initial layout of the plots, a file that the window has saved")
+                 "layout of the plots at the start: a file that the window has saved")
       ->check(CLI::ExistingFile)
       ->type_name("FILE");
   app.add_flag("--no-tour", options.no_tour,
@@ -62,7 +62,7 @@ void AddOptions(CLI::App& app, Options& options) {
       ->capture_default_str();
   program::AddNetworkOptions(app, options.network);
   app.add_option("--describe-ui", options.describe_ui,
-                 "write the positions of things on the screen to this file, for UI tests");
+                 "write the positions of objects on the screen to this file, for UI tests");
 }
 
 tendon::gui::Theme::Choice ThemeChoice(const std::string& name) {
@@ -76,18 +76,19 @@ int Fail(const tendon::Error& error) {
   return program::ExitCodeOf(error.code);
 }
 
-/// Qt aborts without a display. QT_QPA_PLATFORM may name a platform that needs none.
+/// Returns false if there is no display, because Qt would then abort. QT_QPA_PLATFORM may name a
+/// platform that needs no display.
 bool HasDisplay() {
   return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
          qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
 }
 
-/// Restores the last layout and saves changes from now on.
+/// Restores the layout of the last run, and saves changes from now on.
 void KeepLayout(tendon::gui::MainWindow& window, tendon::gui::SavedSettings& kept) {
   const auto geometry = QStringLiteral("geometry");
   const auto panels = QStringLiteral("panels");
   const auto columns = QStringLiteral("catalogueColumns");
-  // Broken saved values must not keep the window from opening.
+  // Invalid saved values must not prevent the window from opening.
   const auto restore = [&](QWidget& view, auto&& part) {
     tendon::gui::ExceptionGuard::run(&view, tendon::gui::ViewWork::kHandling, part);
   };
@@ -105,13 +106,14 @@ void KeepLayout(tendon::gui::MainWindow& window, tendon::gui::SavedSettings& kep
       });
 }
 
-/// Relative to the programs, both in the build and when installed.
+/// Returns the path of the demo. It is relative to the programs, in the build as well as when
+/// installed.
 QString DemoFile() {
   const auto prefix = tendon::os::ProgramFolder().parent_path();
   return QString::fromStdString((prefix / "share/tendon/systems/demo.json").string());
 }
 
-/// Starts the tour for a new user, only once.
+/// Starts the tour if this user has never seen it.
 void ShowAroundOnce(tendon::gui::MainWindow& window, tendon::gui::SavedSettings& kept) {
   const auto seen = QStringLiteral("shownAround");
   if (!kept.value(seen).isEmpty()) return;
@@ -119,8 +121,8 @@ void ShowAroundOnce(tendon::gui::MainWindow& window, tendon::gui::SavedSettings&
   kept.set(seen, "yes");
 }
 
-/// The command for a GCM that this window can use. Empty for a read-only window, and under TLS,
-/// where a GCM needs its own certificate.
+/// Returns the command that starts a GCM for this window. Empty for a read-only window, and under
+/// TLS, because a GCM needs a certificate of its own.
 QStringList GcmCommand(const Options& options) {
   if (options.read_only || !options.network.certificate.empty()) return {};
   QStringList command{QString::fromStdString((tendon::os::ProgramFolder() / "gcm").string())};
@@ -131,7 +133,7 @@ QStringList GcmCommand(const Options& options) {
 }
 
 int Run(const Options& options) {
-  std::optional<tendon::ConnectCancellation> end;  // outlives everything that opens links
+  std::optional<tendon::ConnectCancellation> end;  // must outlive everything that opens links
   const auto middleware = program::MakeMiddleware(options.network);
   if (!middleware) return Fail(middleware.error());
 
@@ -173,7 +175,9 @@ int Run(const Options& options) {
   if (!options.no_tour && options.file.empty()) ShowAroundOnce(window, values);
   if (!options.file.empty()) window.files().bringUp(QString::fromStdString(options.file));
   const int code = tendon::gui::GuardedApplication::exec();
-  end.emplace();  // a hanging process must not delay the end of the program
+  // Cancels connection attempts, so that a process that hangs does not delay the end of the
+  // program.
+  end.emplace();
   return code;
 }
 
@@ -181,7 +185,7 @@ int Run(const Options& options) {
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app("Shows and steers a running system.", "gcm-gui");
+  CLI::App app("Shows and controls a running system.", "gcm-gui");
   AddOptions(app, options);
   try {
     app.parse(argc, argv);
@@ -194,7 +198,7 @@ int main(int argc, char** argv) {
                  "use gcm, and host a GCM with: gcm serve"});
   }
   tendon::gui::WatchedApplication application(argc, argv);
-  tendon::gui::ExceptionGuard::instance();  // before threads that may need it
+  tendon::gui::ExceptionGuard::instance();  // created before any thread that may need it
   QApplication::setApplicationName("gcm-gui");
   QApplication::setOrganizationName("tendon");
   tendon::gui::SpeakAs(QLocale::system());

@@ -17,11 +17,11 @@ bool FitsAny(const std::vector<std::string>& patterns, const std::string& text) 
   });
 }
 
-/// The reason why a pattern matches no event.
+/// Returns the reason why a pattern matches no event.
 Error Misfit(const tendon::Catalogue& catalogue, const std::string& pattern) {
   if (pattern.find('*') != std::string::npos) {
     return {ErrorCode::kNotFound,
-            "no event fits '" + pattern + "'; list them with: gcm ls -R --type event"};
+            "no event matches '" + pattern + "'; list them with: gcm ls -R --type event"};
   }
   const auto target = FindTarget(catalogue, pattern);
   if (!target) return target.error();

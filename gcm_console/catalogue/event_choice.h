@@ -9,13 +9,13 @@
 
 namespace console {
 
-/// The events that match any of `patterns`, in the catalogue's order, grouped by interface. A
-/// pattern names an interface or an event and may contain `*` and `**`.
+/// Returns the events that match any of `patterns`, grouped by interface, in the order of the
+/// catalogue. A pattern names an interface or an event, and may contain `*` and `**`.
 std::vector<tendon::EventSubscription> MatchingEvents(const tendon::Catalogue& catalogue,
                                                       const std::vector<std::string>& patterns);
 
-/// Fails if a pattern matches no event: kNotFound suggests similar names; kInvalid if the pattern
-/// matches something else, which the error names.
+/// Returns an error if a pattern matches no event. kNotFound suggests similar names. kInvalid means
+/// that the pattern matches something other than an event; the error names it.
 tendon::Result<void> CheckEventPatterns(const tendon::Catalogue& catalogue,
                                         const std::vector<std::string>& patterns);
 

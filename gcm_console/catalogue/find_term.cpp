@@ -17,7 +17,7 @@ using tendon::ErrorCode;
 
 re2::StringPiece PieceOf(std::string_view text) { return {text.data(), text.size()}; }
 
-/// The wrong part of an expression, which RE2 appends to its message after a colon.
+/// Returns the mistake in an expression. RE2 appends the wrong part to its message after a colon.
 std::string MistakeIn(const re2::RE2& expression) {
   const std::string& part = expression.error_arg();
   std::string mistake = expression.error();
@@ -28,7 +28,7 @@ std::string MistakeIn(const re2::RE2& expression) {
   return mistake + "; expected an expression such as Get|Set";
 }
 
-/// "/.../".
+/// Returns true for "/.../".
 bool IsExpression(const std::string& text) {
   return text.size() > 1 && text.starts_with('/') && text.ends_with('/');
 }
@@ -83,7 +83,7 @@ tendon::Result<FindTerm> FindTerm::Parse(const std::string& word) {
       return tendon::Error{tendon::ErrorCode::kInvalid,
                            "'" + word + "': there is no '" + name + ":'" + near +
                                (near.empty() ? "; " : " ") +
-                               "known are type:, state:, host: and proc:"};
+                               "the known keys are type:, state:, host: and proc:"};
     }
     term.kind_ = key->kind;
     text.erase(0, colon + 1);
@@ -107,15 +107,16 @@ tendon::Result<FindTerm> FindTerm::Parse(const std::string& word) {
 
 bool FindTerm::Fits(const SystemItem& item) const { return Holds(item) != is_negated_; }
 
-/// A word with a star is a pattern for the whole text; any other word must be a part of the text.
-/// Ignores case.
+/// A word with a star must match the whole text; any other word must occur in the text. Ignores
+/// case.
 bool FindTerm::IsIn(const std::string& text) const {
   if (expression_) return expression_->IsIn(text);
   if (text_.find('*') != std::string::npos) return tendon::MatchesGlob(text_, text);
   return tendon::InLowerCase(text).find(tendon::InLowerCase(text_)) != std::string::npos;
 }
 
-/// Accepts "command", "required interface", or the short form of `ls --type`: "req".
+/// Accepts the kind, such as "command" or "required interface", and its code for `ls --type`, such
+/// as "req".
 bool FindTerm::IsKind(const SystemItem& item) const {
   if (expression_) return expression_->IsIn(item.kind);
   const auto is_code = [&](const SystemItemKind& kind) {
@@ -125,7 +126,7 @@ bool FindTerm::IsKind(const SystemItem& item) const {
          std::ranges::any_of(kSystemItemKinds, is_code);
 }
 
-/// Accepts the whole of "arm.LinkId -> geometry_msgs.Pose" or one of the two.
+/// The word may match the whole of "arm.LinkId -> geometry_msgs.Pose", or one of the two types.
 bool FindTerm::IsType(const std::string& type) const {
   constexpr std::string_view kArrow = " -> ";
   if (type.empty()) return false;

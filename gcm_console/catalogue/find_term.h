@@ -16,17 +16,18 @@ class RE2;
 
 namespace console {
 
-/// A regular expression in RE2 syntax that ignores upper and lower case. Matching takes linear time
-/// in the text and at most kMostMemory.
+/// A regular expression in RE2 syntax that ignores case. The time for a match is linear in the
+/// length of the text, and its memory is limited to kMostMemory.
 class Expression {
  public:
   static constexpr std::size_t kLongest = 200;
   static constexpr std::size_t kMostMemory = std::size_t{1} << 20U;
 
-  /// The error, kInvalid, says what is wrong and in which part.
+  /// Parses an expression. The error kInvalid says what is wrong, and in which part of the
+  /// expression.
   static tendon::Result<Expression> Parse(std::string_view text);
 
-  /// True if a part of the text matches.
+  /// Returns true if the expression matches the text or a part of it.
   [[nodiscard]] bool IsIn(std::string_view text) const;
 
  private:
@@ -35,13 +36,14 @@ class Expression {
   std::shared_ptr<const re2::RE2> compiled_;
 };
 
-/// One search word: part of a path (ignoring case), a whole path with stars, or a regular
-/// `/expression/` that matches a part of the path. `type:` searches the kind ("command", "req"),
-/// payload type or class; `state:`, `host:` and `proc:` work likewise. `!` before a word or after
-/// the colon negates it.
+/// One search word: a part of a path (ignoring case), a whole path with stars, or a regular
+/// `/expression/` that matches a part of the path. With `type:` before it, the word is compared
+/// with the kind ("command", "req"), the payload type or the class instead. `state:`, `host:` and
+/// `proc:` work in the same way. A `!` before the word or after the colon negates the test.
 class FindTerm {
  public:
-  /// The error, kInvalid, names an unknown key and the known ones, or the mistake in an expression.
+  /// Parses a word. The error kInvalid names an unknown key and all known keys, or the mistake in
+  /// an expression.
   static tendon::Result<FindTerm> Parse(const std::string& word);
 
   [[nodiscard]] bool Fits(const SystemItem& item) const;
@@ -56,7 +58,7 @@ class FindTerm {
 
   Kind kind_ = Kind::kPath;
   std::string text_;
-  std::optional<Expression> expression_;  // the parsed regular expression, if the word is one
+  std::optional<Expression> expression_;  // set if the word is a regular expression
   bool is_negated_ = false;
 };
 

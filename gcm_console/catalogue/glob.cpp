@@ -10,7 +10,7 @@ using tendon::Error;
 using tendon::ErrorCode;
 using tendon::Result;
 
-/// True if `path` is one of `paths` or is below one of them.
+/// Returns true if `path` is one of `paths`, or is below one of them.
 bool IsIn(const std::set<std::string>& paths, std::string path) {
   while (!paths.contains(path)) {
     const std::size_t end = path.find_last_of("/.");
@@ -29,7 +29,7 @@ Result<std::vector<SystemItem>> MatchingItems(const tendon::Catalogue& catalogue
   auto items = ItemsIn(catalogue);
   std::erase_if(items, [&](const SystemItem& one) { return !tendon::MatchesGlob(glob, one.path); });
   if (!items.empty()) return items;
-  return Error{ErrorCode::kNotFound, "nothing fits '" + glob + "'; gcm ls -R lists all names"};
+  return Error{ErrorCode::kNotFound, "nothing matches '" + glob + "'; gcm ls -R lists all names"};
 }
 
 Result<std::vector<SystemItem>> MatchingItemsAndContents(const tendon::Catalogue& catalogue,
@@ -44,7 +44,7 @@ Result<std::vector<SystemItem>> MatchingItemsAndContents(const tendon::Catalogue
 }
 
 Error NoGlobAllowed(const std::string& command, const std::string& glob) {
-  return {ErrorCode::kInvalid, "'" + glob + "' may match several things, but " + command +
+  return {ErrorCode::kInvalid, "'" + glob + "' may match several objects, but " + command +
                                    " needs exactly one name; list the matches with: gcm find '" +
                                    glob + "'"};
 }

@@ -8,18 +8,20 @@
 
 namespace console {
 
-/// True if the path contains a `*` and so may name several things.
+/// Returns true if the path contains a `*`, so that it may match several objects.
 [[nodiscard]] bool IsGlob(const std::string& path);
 
-/// All things that the glob matches, in the catalogue's order; kNotFound if there are none.
+/// Returns all objects that the glob matches, in the order of the catalogue; kNotFound if there are
+/// none.
 tendon::Result<std::vector<SystemItem>> MatchingItems(const tendon::Catalogue& catalogue,
                                                       const std::string& glob);
 
-/// The same, with everything inside those things.
+/// Returns the matches together with everything that they contain.
 tendon::Result<std::vector<SystemItem>> MatchingItemsAndContents(const tendon::Catalogue& catalogue,
                                                                  const std::string& glob);
 
-/// The error for a verb that takes one path and got a glob: its text says how to list the matches.
+/// Returns the error for a verb that accepts only one path but got a glob. The text says how to
+/// list the matches.
 [[nodiscard]] tendon::Error NoGlobAllowed(const std::string& command, const std::string& glob);
 
 }  // namespace console

@@ -7,22 +7,23 @@
 
 namespace console {
 
-/// The target of a path in a catalogue, and the things above it; those below it are
-/// null. The pointers are valid until the catalogue changes.
+/// The object that a path names in a catalogue, and the objects that contain it. Pointers to
+/// objects below it are null. The pointers are valid until the catalogue changes.
 struct PathTarget {
   const tendon::ProcessEntry* process = nullptr;
   const tendon::ComponentDescription* component = nullptr;
   const tendon::ProvidedDescription* provided = nullptr;
   const tendon::RequiredDescription* required = nullptr;
   const tendon::MemberDescription* member = nullptr;  ///< a command, event, function or handler
-  std::string noun;                                   ///< the kind of the member, one of these four
+  std::string noun;  ///< kind of the member: "command", "event", "function" or "event handler"
 };
 
-/// Finds "process/component/interface.member" or the beginning of such a path. kNotFound suggests
-/// similar names; kInvalid if the path continues into a value.
+/// Finds "process/component/interface.member", or an object that the first parts of such a path
+/// name. kNotFound suggests similar names. kInvalid means that the path continues into a value.
 tendon::Result<PathTarget> FindTarget(const tendon::Catalogue& catalogue, const std::string& path);
 
-/// "arm.LinkId -> geometry_msgs.Pose", "double[7]"; empty without argument and result.
+/// Returns the types of a member: "arm.LinkId -> geometry_msgs.Pose", "double[7]". Empty if it has
+/// neither an argument nor a result.
 std::string TypesOf(const tendon::MemberDescription& member);
 bool HasAnswer(const tendon::MemberDescription& member);
 

@@ -22,7 +22,7 @@ void AddField(const std::string& name, const Schema::Field& field, Table& table)
   for (const auto& inner : field.schema.fields()) AddField(name + "." + inner.name, inner, table);
 }
 
-/// For integer fields, which accept neither fraction nor exponent.
+/// Returns a number for an integer field, which accepts neither a fraction nor an exponent.
 ordered_json WholeNumber(double nearest) {
   constexpr double kEnd = 0x1p63;
   const double whole = nearest > 0.0 ? std::ceil(nearest) : std::floor(nearest);

@@ -7,12 +7,12 @@
 
 namespace console {
 
-/// One row per field of a payload: type, unit, range and help. A payload that is not a structure is
-/// one row.
+/// Returns one row for each field of a payload, with type, unit, range and help. If the payload is
+/// not a structure, returns one row.
 Table FieldsOf(const tendon::Schema& schema);
 
-/// A JSON value of the type as a template for the user: each field is zero, or the nearest value
-/// within its range.
+/// Returns a JSON value of the type, as a template for the user. Each field is zero or, if its
+/// range does not contain zero, the nearest value in the range.
 std::string JsonSkeleton(const tendon::Schema& schema);
 
 }  // namespace console

@@ -14,7 +14,7 @@ namespace {
 using tendon::Catalogue;
 using tendon::InterfaceName;
 
-/// The clients of each provided interface, collected once so that long lists stay fast.
+/// The clients of each provided interface. They are collected once, so that long lists are fast.
 using Users = std::map<InterfaceName, std::vector<InterfaceName>>;
 
 std::string TextOf(const std::vector<InterfaceName>& users) {
@@ -23,7 +23,7 @@ std::string TextOf(const std::vector<InterfaceName>& users) {
   return "<- " + ToString(users[0]) + (more == 0 ? "" : " and " + std::to_string(more) + " more");
 }
 
-/// The problem of a component, or the reason why it cannot work.
+/// Returns the problem of a component, or the reason why it waits.
 std::string DetailOf(const tendon::ProcessEntry& entry,
                      const tendon::ComponentDescription& component) {
   if (!component.fault.empty()) return component.fault;

@@ -9,19 +9,19 @@
 
 namespace console {
 
-/// One thing of a system, as a row of a mixed list.
+/// One object of a system, as a row of a list of different objects.
 struct SystemItem {
   std::string path;
   std::string_view kind;  ///< one of kSystemItemKinds
-  std::string type;       ///< class of a component, types of a member
-  std::string state;      ///< of a process or component; "connected" of an interface
-  std::string detail;     ///< its connections, or its problem
-  std::string host;       ///< the host of its process
+  std::string type;       ///< class of a component, or types of a member
+  std::string state;   ///< state of a process or component; for an interface "connected" or empty
+  std::string detail;  ///< connections of the object, or its problem
+  std::string host;    ///< host of the process to which the object belongs
 
   bool operator==(const SystemItem&) const = default;
 };
 
-/// A kind of thing, and its name for `--type`.
+/// A kind of object, and its code for the option `--type`.
 struct SystemItemKind {
   std::string_view name;
   std::string_view code;
@@ -36,19 +36,20 @@ inline constexpr SystemItemKind kSystemItemKinds[] = {{"process", "proc"},
                                                       {"event handler", "handler"},
                                                       {"column", "state"}};
 
-/// All things, parents before their children; only those below `path` unless it is empty.
+/// Returns all objects, parents before their children. If `path` is not empty, returns only the
+/// objects below it.
 std::vector<SystemItem> ItemsIn(const tendon::Catalogue& catalogue, const std::string& path = "");
 
-/// Prints a table, or one JSON document.
+/// Prints the items as a table, or as one JSON document with --json.
 void PrintItems(Context& context, const std::vector<SystemItem>& items);
 
-/// The depth of a path: 1 for a process, 4 for a member.
+/// Returns the number of names in a path: 1 for a process, 4 for a member.
 [[nodiscard]] int DepthOf(const std::string& path);
 
-/// The peer of a required interface: "-> robot/arm/Control", "not connected".
+/// Returns the peer of a required interface: "-> robot/arm/Control", "not connected".
 [[nodiscard]] std::string ProviderOf(const tendon::Catalogue& catalogue,
                                      const tendon::InterfaceName& required);
-/// The clients of a provided interface: "<- desk/supervisor/Robot and 2 more".
+/// Returns the clients of a provided interface: "<- desk/supervisor/Robot and 2 more".
 [[nodiscard]] std::string UsersOf(const tendon::Catalogue& catalogue,
                                   const tendon::InterfaceName& provided);
 

@@ -17,7 +17,7 @@ using tendon::Error;
 using tendon::ErrorCode;
 using tendon::Result;
 
-/// The columns of an existing table, or the error if the path names no table.
+/// Returns the names of the columns of a table, or an error if the path names no table.
 Result<std::vector<std::string>> ColumnsOf(const tendon::Catalogue& catalogue,
                                            const tendon::Path& path) {
   const std::string text = ToString(path);
@@ -59,7 +59,8 @@ Result<void> CheckColumn(const tendon::Path& path, const std::vector<std::string
                                          tendon::DidYouMean(path.member, columns)};
 }
 
-/// Splits a glob into its columns and the part within them: "**.Joints" and ".position[0]".
+/// Splits a glob into the part that matches columns and the part within them: "**.Joints" and
+/// ".position[0]".
 std::pair<std::string, std::string> SplitField(const std::string& pattern) {
   const std::size_t slash = pattern.rfind('/');
   const std::size_t dot = pattern.find('.', slash == pattern.npos ? 0 : slash);
@@ -69,7 +70,7 @@ std::pair<std::string, std::string> SplitField(const std::string& pattern) {
   return {pattern.substr(0, end), pattern.substr(end)};
 }
 
-/// The paths that match a glob, in the catalogue's order.
+/// Returns the paths that match a glob, in the order of the catalogue.
 Result<std::vector<std::string>> Expand(const tendon::Catalogue& catalogue,
                                         const std::string& pattern) {
   const auto [glob, field] = SplitField(pattern);
@@ -95,7 +96,7 @@ Result<std::vector<std::string>> Expand(const tendon::Catalogue& catalogue,
   }
   if (paths.empty()) {
     return Error{ErrorCode::kNotFound,
-                 "no column fits '" + pattern + "'; list them with: gcm ls -R --type state"};
+                 "no column matches '" + pattern + "'; list them with: gcm ls -R --type state"};
   }
   return paths;
 }
@@ -104,7 +105,8 @@ tendon::InterfaceName TableOf(const TableChoice& choice) {
   return {choice.subscription.process, choice.subscription.component, choice.subscription.table};
 }
 
-/// Adds the path to its table once. A path that was also given without a glob is never left out.
+/// Adds the path to its table, unless it was added before. If the user has also given the path
+/// without a glob, it is never left out.
 void Add(const tendon::Path& path, bool is_found, ColumnChoice& choice) {
   auto& tables = choice.tables;
   const tendon::InterfaceName name = path.interface_name();
@@ -125,7 +127,7 @@ void Add(const tendon::Path& path, bool is_found, ColumnChoice& choice) {
   if (place == columns.end()) columns.push_back(path.member);
 }
 
-/// Waits for the write time of the newest row of a table.
+/// Waits for the newest row of a table, and returns the time at which it was written.
 class NewestRow final : public tendon::RowSink {
  public:
   void OnSubscribed(const std::vector<tendon::Schema>& /*columns*/) override {}

@@ -14,52 +14,55 @@
 
 namespace console {
 
-/// True if a provided interface of this name is a state table.
+/// Returns true if a provided interface with this name is a state table.
 [[nodiscard]] bool IsTable(const std::string& interface);
 
-/// The wanted columns of one table.
+/// The columns of one table that the user wants.
 struct TableChoice {
   tendon::TableSubscription subscription;
   std::vector<RowInbox::Wanted> wanted;
 };
 
-/// The wanted columns, or parts of them, of any number of tables.
+/// The columns, or parts of columns, that the user wants, from any number of tables.
 struct ColumnChoice {
-  std::vector<std::string> paths;  ///< no duplicates; within a table in the order of its `wanted`
+  std::vector<std::string> paths;  ///< no duplicates; for one table, in the order of `wanted`
   std::vector<TableChoice> tables;
 };
 
-/// The columns that `patterns` name, in that order. A pattern may contain `*` and `**`, and may
-/// continue into a part of a column. Errors say what is missing and, for a table, which columns it
-/// has.
+/// Returns the columns that `patterns` name, in the order of the patterns. A pattern may contain
+/// `*` and `**`, and may continue into a part of a column. An error says what is missing; if a
+/// column is missing, it also lists the columns of the table.
 tendon::Result<ColumnChoice> MatchingColumns(const tendon::Catalogue& catalogue,
                                              const std::vector<std::string>& patterns);
 
-/// Subscribes to a table by its path (first column) or by the path of a column (that column).
+/// Returns the subscription for a path: the first column if it names a table, otherwise the column
+/// that it names.
 tendon::Result<tendon::TableSubscription> WholeTable(const tendon::Catalogue& catalogue,
                                                      const std::string& path);
 
-/// The time on this machine's steady clock at which the newest row of the batch was written. The
-/// batch must have rows.
+/// Returns the time, on this machine's steady clock, at which the newest row of the batch was
+/// written. The batch must contain rows.
 [[nodiscard]] std::chrono::nanoseconds NewestTimeOf(const tendon::RowBatch& batch);
 
-/// The time since a row was written; never negative, though clock offsets are estimates.
+/// Returns the time since a row was written. Never negative, although clock offsets are only
+/// estimates.
 [[nodiscard]] std::chrono::nanoseconds AgeOf(std::chrono::nanoseconds written);
 
-/// Says that the values of a component are old, and how old if known.
+/// The information that the values of a component are old and, if known, how old.
 struct StaleValues {
   std::string component;  ///< "robot/arm"
   tendon::StaleReason why = tendon::StaleReason::kNone;
   std::optional<std::chrono::nanoseconds> age;
 };
 
-/// The age of the values of the component that `path` belongs to; empty while the component runs.
-/// Measures the newest row of the table, or of the component's first table if the path names none.
-/// Waits for that row up to half a second, unless the component was not started.
+/// Returns how old the values of a component are; empty if the component runs. `path` names the
+/// component or an object in it. The age is that of the newest row in the table that the path
+/// names, otherwise in the component's first table. Waits at most half a second for this row, and
+/// not at all if the component was not started.
 [[nodiscard]] std::optional<StaleValues> StaleValuesOf(tendon::GcmClient& client,
                                                        const tendon::Path& path);
 
-/// "robot/arm is suspended: 12 s old".
+/// Returns "robot/arm is suspended: 12 s old".
 [[nodiscard]] std::string ToText(const StaleValues& values);
 
 }  // namespace console

@@ -24,7 +24,7 @@ std::vector<std::string> NamesOf(const Schema& structure) {
   return names;
 }
 
-/// "arm.JointGoal has position, duration".
+/// Returns the fields of a structure: "arm.JointGoal has position, duration".
 std::string FieldsText(const Schema& structure) {
   std::string text = structure.TypeName() + " has ";
   for (const std::string& name : NamesOf(structure)) {
@@ -33,7 +33,7 @@ std::string FieldsText(const Schema& structure) {
   return text;
 }
 
-/// The name before the '=' of a word, if it can be a field's name.
+/// Returns the name before the '=' of a word, if it can be the name of a field.
 std::optional<std::string> NameIn(const std::string& word) {
   const std::size_t end = word.find('=');
   if (end == std::string::npos || end == 0) return std::nullopt;
@@ -45,7 +45,7 @@ std::optional<std::string> NameIn(const std::string& word) {
   return word.substr(0, end);
 }
 
-/// Assigns words to the fields of a structure, one by one.
+/// Assigns words to the fields of a structure, one after another.
 class FieldsByWords {
  public:
   explicit FieldsByWords(const Schema& schema) : schema_(schema) {}
@@ -67,7 +67,7 @@ class FieldsByWords {
     value_[field->name] = *std::move(value);
     return {};
   }
-  /// The next field without a word; null if all have one.
+  /// Returns the next field without a word; null if all fields have one.
   [[nodiscard]] const Schema::Field* NextFree() const {
     for (const Schema::Field& field : schema_.fields()) {
       if (!IsGiven(field)) return &field;
@@ -140,7 +140,7 @@ std::vector<std::string> NextWords(const Schema& schema, const std::vector<std::
   if (schema.kind() != Schema::Kind::kStructure) {
     return words.empty() ? ValuesOf(schema) : std::vector<std::string>();
   }
-  if (!words.empty() && words[0].starts_with('{')) return {};  // all fields as JSON
+  if (!words.empty() && words[0].starts_with('{')) return {};  // all fields are in one JSON word
   FieldsByWords fields(schema);
   for (const std::string& word : words) {
     if (!fields.Take(word)) return {};

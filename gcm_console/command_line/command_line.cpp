@@ -19,7 +19,7 @@ using tendon::Error;
 using tendon::ErrorCode;
 using tendon::Result;
 
-/// The command whose help is suggested: `gcm`, with the verb if one was given.
+/// Returns the command whose help the error suggests: `gcm`, followed by the verb if one was given.
 std::string HelpCommand(const CLI::App& app) {
   std::string command = app.get_name();
   for (const CLI::App* verb : app.get_subcommands()) command += " " + HelpCommand(*verb);
@@ -32,7 +32,8 @@ std::vector<std::string> VerbsOf(const CLI::App& app) {
   return names;
 }
 
-/// The option named by a word like "--gcm", in a part or in its parents; null if there is none.
+/// Returns the option for a word such as "--gcm", declared by the part or one of its parents; null
+/// if there is none.
 const CLI::Option* OptionOf(const CLI::App* part, const std::string& word) {
   for (; part != nullptr; part = part->get_parent()) {
     if (const CLI::Option* option = part->get_option_no_throw(word)) return option;
@@ -40,15 +41,15 @@ const CLI::Option* OptionOf(const CLI::App* part, const std::string& word) {
   return nullptr;
 }
 
-/// "-inf", "-Infinity", "-NaN".
+/// Returns true for "-inf", "-Infinity" and "-NaN".
 bool IsNegativeName(const std::string& word) {
   const std::string name = tendon::InLowerCase(word);
   return name == "-inf" || name == "-infinity" || name == "-nan";
 }
 
-/// Protects a word from CLI11, which would split a word in brackets if several words are allowed,
-/// and would read "-inf" as options of one letter. A blank between the first and second character
-/// prevents this; AsTyped() removes it.
+/// Protects a word from CLI11. If an option accepts several words, CLI11 would split a word in
+/// brackets; and it would read "-inf" as options of one letter. A blank at the beginning or at the
+/// end of the word prevents this; AsTyped() removes it.
 std::string KeptWhole(const std::string& word) {
   const bool is_in_brackets = word.starts_with('[') && word.ends_with(']');
   if (is_in_brackets || word.ends_with(' ')) return word + ' ';
@@ -64,7 +65,7 @@ std::string AsTyped(std::string& word) {
   return {};
 }
 
-/// Must come before all other transformations.
+/// Restores the words as typed. Must be added before all other transformations.
 void TakeAsTyped(CLI::App& app) {
   for (CLI::Option* option : app.get_options()) {
     const bool is_flag = option->get_items_expected_max() == 0;
@@ -75,8 +76,9 @@ void TakeAsTyped(CLI::App& app) {
   }
 }
 
-/// "no verb 'conect'; did you mean 'connect'? gcm --help lists them", for the first word that is
-/// not an option or the value of one. Empty if that word is a verb, or follows an unknown option.
+/// Returns an error such as "no verb 'conect'; did you mean 'connect'? gcm --help lists them". It
+/// concerns the first word that is neither an option nor the value of an option. Empty if that word
+/// is a verb, or follows an unknown option.
 std::string UnknownVerb(const std::vector<std::string>& words, const CLI::App& app) {
   const CLI::App* part = &app;
   std::string command = app.get_name();
@@ -101,12 +103,13 @@ std::string UnknownVerb(const std::vector<std::string>& words, const CLI::App& a
   return "";
 }
 
-/// "--gcm needs a value", for the first option that ends with '=', for example because of an unset
-/// variable; CLI11 would take the next word as the value. Empty if there is no such option.
+/// Returns "--gcm needs a value" for the first option that ends with '=', for example because a
+/// variable is not set. Without this check, CLI11 would take the next word as the value. Empty if
+/// there is no such option.
 std::string EmptyValue(const std::vector<std::string>& words, const CLI::App& app) {
   const CLI::App* part = &app;
   for (const std::string& word : words) {
-    if (word == "--") break;  // no options follow
+    if (word == "--") break;  // the words after it are no options
     if (word.starts_with("--") && word.ends_with('=')) {
       const std::string name = word.substr(0, word.size() - 1);
       const CLI::Option* option = OptionOf(part, name);
@@ -119,7 +122,8 @@ std::string EmptyValue(const std::vector<std::string>& words, const CLI::App& ap
   return "";
 }
 
-/// "--long is given 2 times": for a repeated flag; CLI11 only counts options with a value.
+/// Returns "--long is given 2 times" for a repeated flag. CLI11 itself counts only options with a
+/// value.
 std::string RepeatedFlag(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
     const bool is_flag = option->get_items_expected_max() == 0;
@@ -133,8 +137,8 @@ std::string RepeatedFlag(const CLI::App& app) {
   return "";
 }
 
-/// Refuses a glob for a verb that takes one name, with a better text than the usual check, which
-/// only says that '*' is not allowed in a name.
+/// Refuses a glob for a verb that accepts only one name. The usual check would only say that '*' is
+/// not allowed in a name.
 Result<void> CheckGlobs(const CLI::App& app) {
   static const std::set<std::string> kTakeOne = {"call",    "candidates", "classes", "create",
                                                  "explain", "hz",         "load"};
@@ -175,7 +179,7 @@ void CommandLine::AddSettings() {
   timeout_ms_ = static_cast<int>(settings_.timeout.count());
   app_.add_option(
           "--timeout", timeout_ms_,
-          "longest time to wait for an answer: 500ms, 5s, 2min or a number of ms (default: 2s)")
+          "maximum time to wait for an answer: 500ms, 5s, 2min or a number of ms (default: 2s)")
       ->type_name("TIME")
       ->transform(CLI::Validator(&program::TransformMilliseconds, ""));
   app_.add_flag("--json,--jsonl", settings_.json,
@@ -210,7 +214,7 @@ void CommandLine::AddVerb(const Verb& verb) {
   if (settings_.in_session) Resolve(*part);
 }
 
-/// Makes relative paths begin at `at`.
+/// Makes the paths of the verb's options absolute. Relative paths are relative to `at`.
 void CommandLine::Resolve(CLI::App& part) const {
   for (CLI::Option* option : part.get_options()) {
     if (!IsPath(KindOf(*option))) continue;
@@ -274,7 +278,7 @@ std::string ResolvedPath(const std::string& at, const std::string& typed) {
       }
     }
   }
-  constexpr std::size_t kInterface = 3;  // after it, a dot separates the member
+  constexpr std::size_t kInterface = 3;  // after the interface, a dot separates the member
   std::string path;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     path += (i == 0 ? "" : i == kInterface ? "." : "/") + parts[i];

@@ -12,31 +12,31 @@
 
 namespace console {
 
-/// The command line of `gcm`, built from the table of verbs. After Parse(), it holds the parsed
-/// line.
+/// The command line of `gcm`, built from the table of verbs. After Parse(), it contains the
+/// settings, the verb and its arguments.
 class CommandLine {
  public:
-  /// Turns a typed path into an absolute one. The user may abbreviate names and give a relative
-  /// path; see PathFrom() and WholePath().
+  /// Converts a path as typed to an absolute path. The user may abbreviate names and may type a
+  /// relative path; see PathFrom() and WholePath().
   using Complement = std::function<std::string(WordKind kind, const std::string& typed)>;
 
-  /// `usual` holds the default settings of a line. `complement` completes paths on lines that a
-  /// person types in a session.
+  /// `usual` contains the default settings. `complement` completes the paths of lines that a person
+  /// types in a session.
   explicit CommandLine(Settings usual, Complement complement = nullptr);
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;
 
-  /// The error, kInvalid, is one sentence. Throws CLI::Success if the line asks for help or the
-  /// version.
+  /// Parses the words of a line. The error kInvalid is one sentence. Throws CLI::Success if the
+  /// line asks for help or for the version.
   tendon::Result<void> Parse(const std::vector<std::string>& words);
 
   [[nodiscard]] const Settings& settings() const { return settings_; }
   [[nodiscard]] const std::string& verb() const { return verb_; }
   [[nodiscard]] const Verb::Run& run() const { return run_; }
 
-  /// The page of `gcm`, with a part for each verb.
+  /// Returns the help page of `gcm`, with a part for each verb.
   [[nodiscard]] Page page() const { return PageOf(app_); }
-  /// The page of the chosen verb or subcommand; else the page of `gcm`.
+  /// Returns the help page of the chosen verb or subcommand; without a verb, that of `gcm`.
   [[nodiscard]] Page chosen_page() const;
 
  private:
@@ -56,10 +56,11 @@ class CommandLine {
   Verb::Run run_;
 };
 
-/// The absolute path of `typed` relative to `at`: "/robot" begins at the top, ".." goes up.
+/// Returns the absolute path of `typed` relative to `at`. "/robot" begins at the top, ".." goes one
+/// level up.
 std::string ResolvedPath(const std::string& at, const std::string& typed);
 
-/// "gcm 0.1.0".
+/// Returns "gcm 0.1.0".
 std::string VersionLine();
 
 }  // namespace console

@@ -13,7 +13,7 @@ std::string Upper(std::string text) {
   return text;
 }
 
-/// The choices in "TEXT:{debug,info}": both words.
+/// Returns the choices of an option: both words of "TEXT:{debug,info}".
 std::vector<std::string> ChoicesOf(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   const auto begin = type.find('{');

@@ -11,8 +11,8 @@ class App;
 
 namespace console {
 
-/// The description of one verb, or of `gcm` itself: the source of help, manual and completion. It
-/// is read from the command-line parser itself, so the two always agree.
+/// The description of one verb, or of `gcm` itself. Help, manual pages and completion are made from
+/// it. It is read from the command-line parser, so that it always agrees with the parser.
 struct Page {
   /// A positional argument.
   struct Argument {
@@ -31,7 +31,7 @@ struct Page {
     std::vector<std::string> choices;
   };
 
-  std::string name;  ///< as typed: "gcm cert issue"
+  std::string name;  ///< the words that the user types: "gcm cert issue"
   std::string summary;
   std::string group;  ///< the group in the list of verbs
   std::vector<Argument> arguments;
@@ -39,17 +39,17 @@ struct Page {
   std::vector<std::string> examples;
   std::vector<Page> parts;  ///< verbs of `gcm`, subcommands of `gcm cert`
 
-  /// The part with this name; null if there is none.
+  /// Returns the part with this name; null if there is none.
   [[nodiscard]] const Page* Find(const std::string& part) const;
-  /// The last part of the name: "issue".
+  /// Returns the last word of the name: "issue".
   [[nodiscard]] std::string last_word() const;
 };
 
-/// The page of a part of a command line. `command` is the name of its parent with a trailing blank,
-/// or empty.
+/// Returns the page of a part of the command line. `command` is the name of the part that contains
+/// it, with a blank at the end; or empty.
 Page PageOf(const CLI::App& app, const std::string& command = "");
 
-/// "gcm connect INTERFACE PROVIDED [OPTIONS]".
+/// Returns the usage line: "gcm connect INTERFACE PROVIDED [OPTIONS]".
 std::string UsageOf(const Page& page);
 
 }  // namespace console

@@ -20,7 +20,8 @@ std::size_t WidthOf(int columns) {
   return std::clamp(static_cast<std::size_t>(columns), kNarrowest, kWidest);
 }
 
-/// Wraps words to lines of at most `width`; indents all lines except the first by `indent`.
+/// Wraps a text to lines of at most `width` characters. All lines except the first are indented by
+/// `indent`.
 std::string Wrapped(const std::string& text, std::size_t indent, std::size_t width) {
   std::istringstream words(text);
   std::string lines;
@@ -38,7 +39,7 @@ std::string Wrapped(const std::string& text, std::size_t indent, std::size_t wid
   return lines + "\n";
 }
 
-/// A list of terms with aligned explanations.
+/// Formats a list of terms with aligned explanations.
 std::string Listed(const std::vector<Row>& rows, std::size_t width) {
   std::size_t widest = 0;
   for (const Row& row : rows) {
@@ -82,7 +83,7 @@ std::vector<Row> RowsOf(const std::vector<Page::Option>& options) {
   return rows;
 }
 
-/// The verbs by group, in the order in which the groups first appear.
+/// Returns the verbs by group. The groups are in the order in which they first appear.
 std::vector<std::pair<std::string, std::vector<Row>>> GroupsOf(const std::vector<Page>& parts) {
   std::vector<std::pair<std::string, std::vector<Row>>> groups;
   for (const Page& part : parts) {
@@ -108,7 +109,7 @@ std::vector<Row> RowsOf(const std::vector<std::string>& examples) {
 
 bool IsWhole(const Page& page) { return page.name.find(' ') == std::string::npos; }
 
-/// The sections of a page with their titles.
+/// Returns the sections of a page, each with its title.
 std::vector<std::pair<std::string, std::vector<Row>>> SectionsOf(const Page& page) {
   auto sections = GroupsOf(page.parts);
   sections.insert(sections.begin(), {"arguments", RowsOf(page.arguments)});
@@ -118,7 +119,7 @@ std::vector<std::pair<std::string, std::vector<Row>>> SectionsOf(const Page& pag
   return sections;
 }
 
-/// Escapes a text for `man`, also at the beginning of lines.
+/// Escapes a text for `man`, including characters at the beginning of a line.
 std::string Roff(const std::string& text) {
   std::string plain;
   for (const char letter : text) {
@@ -217,7 +218,7 @@ const std::vector<Topic>& Topics() {
         {"In patterns, * matches any characters except / and '.', and ** matches any characters."},
         {"Verbs that need exactly one name do not accept patterns; gcm find lists the names that "
          "match a pattern."},
-        {"In gcm shell, paths are relative to the place that cd has set; /robot/arm begins at the "
+        {"In gcm shell, paths are relative to the path that cd has set; /robot/arm begins at the "
          "top, .. goes one level up."}}},
       {"prompt",
        "the commands of gcm shell besides the verbs",

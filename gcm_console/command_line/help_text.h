@@ -11,19 +11,21 @@ namespace console {
 struct Topic {
   std::string name;
   std::string summary;
-  /// A line has two cells; a paragraph is a line with one cell.
+  /// Each line is a list of cells: two cells for a term and its explanation, one cell for a
+  /// paragraph.
   std::vector<std::vector<std::string>> lines;
 };
 
 const std::vector<Topic>& Topics();
 
-/// Formats the page for a terminal of this width; 0 stands for 80 columns.
+/// Formats the page for a terminal of this width; with a width of 0, for 80 columns.
 std::string HelpText(const Page& page, int columns);
 std::string HelpText(const Topic& topic, int columns);
 
-/// The name of the manual page: "gcm-watch".
+/// Returns the name of the manual page: "gcm-watch".
 [[nodiscard]] std::string ManualName(const Page& page);
-/// The page as a manual page for `man`, section 1. The page of `gcm` itself includes the topics.
+/// Returns the page as a manual page of section 1 for `man`. The page of `gcm` itself includes the
+/// topics.
 std::string ManualPage(const Page& page, const std::string& version);
 
 }  // namespace console

@@ -11,7 +11,8 @@ namespace {
 using tendon::Error;
 using tendon::ErrorCode;
 
-/// True if a read error ended the input. The C++ library hides read errors of standard input.
+/// Returns true if the input has ended because of a read error. For standard input, the C++ library
+/// does not report read errors.
 bool IsBroken(const std::istream& in) {
   return in.bad() || (&in == &std::cin && std::ferror(stdin) != 0);
 }

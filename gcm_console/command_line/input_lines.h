@@ -8,13 +8,13 @@
 
 namespace console {
 
-/// Reads the lines of a stream, at most 1 MiB each. After the last line, error() distinguishes the
-/// end of the stream from a read error.
+/// Reads the lines of a stream; a line may have at most 1 MiB. After the last line, error() tells
+/// whether the stream has ended or could not be read.
 class InputLines {
  public:
   explicit InputLines(std::istream& in) : in_(in) {}
 
-  /// Returns false if there are no more lines.
+  /// Reads the next line. Returns false if there are no more lines.
   bool Next(std::string& line);
   [[nodiscard]] const std::optional<tendon::Error>& error() const { return error_; }
 
@@ -23,7 +23,7 @@ class InputLines {
   std::optional<tendon::Error> error_;
 };
 
-/// Reads the whole stream; kInvalid above 16 MiB or on a read error.
+/// Reads the whole stream. Returns kInvalid if it has more than 16 MiB or cannot be read.
 tendon::Result<std::string> AllOf(std::istream& in);
 
 }  // namespace console

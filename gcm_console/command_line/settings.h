@@ -8,10 +8,10 @@
 
 namespace console {
 
-/// When to colour text. `kAuto`: on a terminal, unless $NO_COLOR is set.
+/// When text is coloured. kAuto means: on a terminal, unless $NO_COLOR is set.
 enum class ColorChoice { kAuto, kAlways, kNever };
 
-/// How many messages to print beside the results.
+/// Which messages are printed in addition to the results.
 enum class Verbosity { kNormal, kQuiet, kVerbose };
 
 /// The settings that every verb shares, from the command line.
@@ -21,12 +21,12 @@ struct Settings {
   std::chrono::milliseconds timeout = tendon::GcmClient::Options().timeout;
   bool json = false;
   bool read_only = false;
-  bool titles = true;  ///< of tables on a terminal
+  bool titles = true;  ///< print the titles of tables on a terminal
   Verbosity verbosity = Verbosity::kNormal;
   ColorChoice color = ColorChoice::kAuto;
-  bool in_session = false;  ///< a line of a session, whose paths may begin with / or ..
-  std::string at = {};      ///< where relative paths begin; empty: at the top
-  int scripts = 0;          ///< the nesting depth of scripts that run this line
+  bool in_session = false;  ///< true for a line of a session; its paths may begin with / or ..
+  std::string at = {};      ///< the path to which relative paths are relative; if empty, the top
+  int scripts = 0;          ///< how many scripts, each run by the one before, have led to this line
 };
 
 }  // namespace console

@@ -7,7 +7,7 @@
 namespace console {
 namespace {
 
-/// The names in the help, in the order of the enumerators.
+/// The names of the kinds in the help, in the order of the enumerators.
 constexpr std::array<std::string_view, 17> kNames = {
     "TEXT",     "FILE",    "VERB",    "PARAMETER", "SETTING", "ARGUMENT",
     "CLASS",    "PLUGIN",  "PROCESS", "COMPONENT", "PATH",    "INTERFACE",
@@ -20,7 +20,8 @@ CLI::Option* WithKind(CLI::Option* option, WordKind kind) {
 }
 
 WordKind KindOf(const CLI::Option& option) {
-  const std::string all = option.get_type_name();  // checks follow after a colon
+  // A colon may follow, with the checks of the option.
+  const std::string all = option.get_type_name();
   const std::string name = all.substr(0, all.find(':'));
   for (std::size_t i = 0; i < kNames.size(); ++i) {
     if (kNames.at(i) == name) return static_cast<WordKind>(i);

@@ -8,37 +8,37 @@ class Option;
 
 namespace console {
 
-/// The kind of thing that a word of a command line names. Used by help, completion and relative
-/// paths.
+/// The kind of object that a word of a command line names. Used for help, for completion, and to
+/// find relative paths.
 enum class WordKind {
   kText,
   kFile,
   kVerb,
-  kParameter,  ///< of the component in the word before
-  kSetting,    ///< of the parameter in the word before
-  kArgument,   ///< of the command in the word before, or one of its fields
+  kParameter,  ///< a parameter of the component that the word before names
+  kSetting,    ///< a value of the parameter that the word before names
+  kArgument,   ///< an argument of the command that the word before names, or one of its fields
   kClass,
   kPlugIn,
   kProcess,    ///< this and all later kinds are paths of a system
   kComponent,  ///< completion also offers processes
-  kPath,       ///< of anything
+  kPath,       ///< path of any object
   kRequired,   ///< a required interface
   kProvided,
   kCommand,
   kReadable,  ///< a read command or a column
-  kColumn,    ///< of a state table
-  kEvent,     ///< or a provided interface with events
+  kColumn,    ///< a column of a state table
+  kEvent,     ///< an event, or a provided interface with events
 };
 
-/// Declares the kind of the words of an option or argument.
+/// Declares which kind of words an option or argument accepts.
 CLI::Option* WithKind(CLI::Option* option, WordKind kind);
 
-/// The declared kind; kText if there is none.
+/// Returns the declared kind; kText if none was declared.
 WordKind KindOf(const CLI::Option& option);
 
 [[nodiscard]] bool IsPath(WordKind kind);
 
-/// True if only the processes know the words.
+/// Returns true if words of this kind are known only to the processes.
 [[nodiscard]] bool IsLive(WordKind kind);
 
 }  // namespace console

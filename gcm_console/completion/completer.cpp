@@ -21,11 +21,12 @@ const Page::Option* FindOption(const Page& gcm, const Page& verb, const std::str
   return nullptr;
 }
 
-/// The state of a command line after the words before the last one.
+/// The state of a command line before its last word.
 struct CompletionContext {
-  const Page* page = nullptr;               // the verb, or `gcm` before the verb
-  const Page::Option* option = nullptr;     // the option that expects a value next
-  std::vector<std::string> arguments = {};  // the verb's arguments so far
+  const Page* page = nullptr;  // the verb, or `gcm` before the verb
+  // The option whose value is the last word; null if there is none.
+  const Page::Option* option = nullptr;
+  std::vector<std::string> arguments = {};  // the arguments of the verb so far
 };
 
 CompletionContext CompletionContextOf(const Page& gcm, const std::vector<std::string>& words) {
@@ -50,7 +51,7 @@ class Collector {
   Collector(std::string word, const SystemQueries& system, std::string at)
       : word_(std::move(word)), system_(system), at_(std::move(at)) {}
 
-  /// Adds a complete word.
+  /// Adds a suggestion that is a complete word.
   void Offer(const std::string& text, const std::string& help) {
     if (text.starts_with(word_)) found_.suggestions.push_back({text + " ", help});
   }
@@ -65,7 +66,7 @@ class Collector {
   void OfferParts(const Page& page) {
     for (const Page& part : page.parts) Offer(part.last_word(), part.summary);
   }
-  /// `before` holds the verb's earlier arguments.
+  /// `before` contains the verb's arguments before this word.
   void OfferValues(WordKind kind, const std::vector<std::string>& choices, const Page& gcm,
                    const std::vector<std::string>& before) {
     for (const std::string& choice : choices) Offer(choice, "");
@@ -77,8 +78,8 @@ class Collector {
   WordCompletion Take() { return std::move(found_); }
 
  private:
-  /// Adds words from the live system. Completes structures one level at a time, like paths, and a
-  /// field's name before its value.
+  /// Adds words from the live system. Names with dots are completed one level at a time, as paths
+  /// are; and the name of a field is completed before its value.
   void OfferLive(WordKind kind, std::vector<std::string> before) {
     if (!system_.words) return;
     if (!before.empty()) before[0] = ResolvedPath(at_, before[0]);
@@ -91,7 +92,7 @@ class Collector {
     }
     for (const std::string& step : steps) found_.suggestions.push_back({step, ""});
   }
-  /// Adds paths: keeps the typed part and appends to its end.
+  /// Adds paths. The typed part stays, and the rest is appended.
   void OfferPaths(WordKind kind) {
     const bool goes_deeper = word_.empty() || word_.ends_with('/');
     std::string prefix = ResolvedPath(at_, word_);
@@ -111,7 +112,8 @@ class Collector {
   WordCompletion found_;
 };
 
-/// Completes the value of "--color=", of which `value` is typed.
+/// Completes the value of an option such as "--color="; `value` is the part of the value that was
+/// typed.
 WordCompletion ValuesBehind(const std::string& begin, const std::string& value, const Page& gcm,
                             const CompletionContext& context, const SystemQueries& system,
                             const std::string& at) {
@@ -126,7 +128,7 @@ WordCompletion ValuesBehind(const std::string& begin, const std::string& value, 
 
 namespace fs = std::filesystem;
 
-/// The names in a folder that begin with the last part of `word`.
+/// Returns the files in a folder whose names begin with the last part of `word`.
 std::vector<WordCompletion::Suggestion> Files(const std::string& word) {
   const auto slash = word.rfind('/');
   const std::string folder = slash == std::string::npos ? "" : word.substr(0, slash + 1);

@@ -9,9 +9,10 @@
 
 namespace console {
 
-/// The possible endings of a command line.
+/// The possible completions of a command line.
 struct WordCompletion {
-  /// Replaces the last word: "robot/arm/" is incomplete, "robot/arm/Control " is complete.
+  /// A replacement for the last word. "robot/arm/" is to be continued, "robot/arm/Control " is
+  /// complete.
   struct Suggestion {
     std::string text;
     std::string help;
@@ -19,27 +20,28 @@ struct WordCompletion {
     bool operator==(const Suggestion&) const = default;
   };
   std::vector<Suggestion> suggestions;
-  bool is_file = false;  ///< the word is a file name, which the caller completes
+  bool is_file = false;  ///< the word is the name of a file; the caller must complete it
 };
 
-/// The sources of words from the live system. Each function is called only if needed.
+/// Functions that return words from the live system. Each function is called only if its words are
+/// needed.
 struct SystemQueries {
   std::function<tendon::Catalogue()> catalogue;
-  /// The words of a kind that is not a path. `before` holds the verb's earlier arguments, with
-  /// complete paths.
+  /// Returns the words of a kind that is not a path. `before` contains the verb's arguments before
+  /// this word; paths in it are absolute.
   std::function<std::vector<std::string>(WordKind kind, const std::vector<std::string>& before)>
       words = nullptr;
 };
 
-/// Completes the last of `words`, which may be empty. `gcm` is the page of the whole program;
-/// relative paths begin at `at`.
+/// Completes the last of `words`, which may be empty. `gcm` is the page of the whole program.
+/// Relative paths are relative to `at`.
 WordCompletion Complete(const Page& gcm, const std::vector<std::string>& words,
                         const SystemQueries& system, const std::string& at = "");
 
-/// If the completion needs a file, adds the files that begin with `word`. Reads the disk.
+/// If the word is the name of a file, adds the files that begin with `word`. Reads the disk.
 void AddFiles(WordCompletion& completion, const std::string& word);
 
-/// The common prefix of all suggestions; there must be at least one.
+/// Returns the common beginning of all suggestions; there must be at least one.
 std::string CommonBegin(const std::vector<WordCompletion::Suggestion>& suggestions);
 
 }  // namespace console

@@ -17,11 +17,11 @@ using tendon::Schema;
 using tendon::message::Classes;
 using Clock = std::chrono::steady_clock;
 
-/// Older answers are requested again.
+/// After this time, an answer is requested again.
 constexpr std::chrono::seconds kFresh(2);
 
-/// Returns the answer that has arrived by `deadline`; returns at once if there is an earlier one.
-/// `start` sends the request, with a handler for the answer.
+/// Returns the answer if it arrives before `deadline`. If an earlier answer is known, returns that
+/// one at once. `start` sends the request; it is called with a handler for the answer.
 template <typename T, typename Start>
 const T* Ask(CachedAnswer<T>& cached, std::uint64_t instance, Clock::time_point deadline,
              Start start) {
@@ -49,7 +49,8 @@ const ClassDescription* FindClass(const Classes& all, const tendon::ComponentDes
   return found == all.classes.end() ? nullptr : &*found;
 }
 
-/// The type of "gain.x", a field of a configuration; empty if it does not exist.
+/// Returns the type of a field of a configuration, such as "gain.x"; empty if the field does not
+/// exist.
 std::optional<Schema> TypeOf(const ClassDescription& of, const std::string& parameter) {
   const auto whole = Schema::Parse(of.configuration);
   if (!whole) return std::nullopt;
@@ -66,7 +67,8 @@ std::optional<Schema> TypeOf(const ClassDescription& of, const std::string& para
   return part;
 }
 
-/// All named values; otherwise the present value.
+/// Returns the names of all values of the parameter; if the values have no names, its present
+/// value.
 std::vector<std::string> ValuesFor(const ClassDescription& of, const std::string& told,
                                    const std::string& parameter) {
   const auto type = TypeOf(of, parameter);

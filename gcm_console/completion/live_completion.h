@@ -13,24 +13,25 @@
 
 namespace console {
 
-/// A request to a process, and its latest reply.
+/// A request to a process, and the latest answer to it.
 template <typename T>
 struct CachedAnswer {
-  std::uint64_t instance = 0;  ///< of the process
+  std::uint64_t instance = 0;  ///< instance id of the process
   std::chrono::steady_clock::time_point since;
-  std::future<tendon::Result<T>> answer = {};  ///< valid while a reply is awaited
+  std::future<tendon::Result<T>> answer = {};  ///< valid while an answer is expected
   std::optional<T> known = std::nullopt;
 };
 
-/// Words that only the processes know: parameters and their values, arguments of commands, classes,
-/// plug-ins. Returns cached words at once and refreshes them in the background; a reply that is too
-/// late for one call is used in the next. For one thread.
+/// Returns words that only the processes know: parameters and their values, arguments of commands,
+/// classes, plug-ins. Cached words are returned at once and are requested again in the background.
+/// If an answer arrives too late for one call, the next call uses it. For one thread.
 class LiveCompletion {
  public:
-  /// `patience` is the total time that one call may wait.
+  /// `patience` is the maximum time that one call may wait in total.
   explicit LiveCompletion(std::chrono::milliseconds patience) : patience_(patience) {}
 
-  /// The words of a kind that is not a path, after the verb's arguments `before` (complete paths).
+  /// Returns the words of a kind that is not a path. `before` contains the verb's arguments before
+  /// this word; paths in it are absolute.
   std::vector<std::string> Of(tendon::GcmClient& client, WordKind kind,
                               const std::vector<std::string>& before);
 

@@ -9,7 +9,7 @@
 namespace console {
 namespace {
 
-/// Collects the next name of each path that begins with a prefix.
+/// Collects the paths that begin with a prefix, each up to its next name.
 class NextNames {
  public:
   explicit NextNames(std::string prefix) : prefix_(std::move(prefix)) {}
@@ -19,7 +19,7 @@ class NextNames {
     const auto end = path.find_first_of("/.", prefix_.size());
     steps_.insert(end == std::string::npos ? path : path.substr(0, end + 1));
   }
-  /// True if a path that begins with `way` may match.
+  /// Returns true if paths that begin with `way` may also begin with the prefix.
   [[nodiscard]] bool Leads(const std::string& way) const {
     return way.starts_with(prefix_) || prefix_.starts_with(way);
   }
@@ -71,7 +71,8 @@ void AddComponent(const std::string& path, const tendon::ComponentDescription& c
 
 constexpr const char* kSeparators = "/.";
 
-/// The only name below `way` that equals `begin` or begins with it; empty if none or several do.
+/// Returns the only name below `way` that equals `begin` or begins with it; empty if there is none
+/// or more than one.
 std::string CompletedName(const tendon::Catalogue& catalogue, WordKind kind, const std::string& way,
                           const std::string& begin) {
   std::set<std::string> names;

@@ -8,19 +8,19 @@
 
 namespace console {
 
-/// All paths of this kind, in order. Of their parents, only those one name longer than `prefix`:
-/// "robot/arm/" for "robot/a".
+/// Returns the paths of this kind that begin with `prefix`, in order. Of a longer path, only the
+/// part up to the next name after `prefix` is returned: "robot/arm/" for the prefix "robot/a".
 std::vector<std::string> PathsOf(const tendon::Catalogue& catalogue, WordKind kind,
                                  const std::string& prefix);
 
-/// Completes each name of a path to a thing of this kind: "robot/arm/Control.Stop" for "ro/a/C.S".
-/// Returns the path unchanged if a name matches no thing or several.
+/// Completes each name in a path of an object of this kind: "robot/arm/Control.Stop" for
+/// "ro/a/C.S". If a name matches no object or several, returns the path unchanged.
 std::string WholePath(const tendon::Catalogue& catalogue, WordKind kind, const std::string& path);
 
-/// The absolute path for `typed`. Usually `typed` is relative to `at`. A path of several names, or
-/// one name with a trailing /, is absolute if nothing below `at` matches its first name, but a
-/// process does. A single name is never absolute; otherwise a verb would act on a whole process
-/// instead of a component that is gone.
+/// Returns the absolute path for `typed`. Usually `typed` is relative to `at`. It is absolute if it
+/// has several names (or one name with a trailing /), its first name matches nothing below `at`,
+/// and its first name matches a process. A single name is never absolute. Otherwise a verb would be
+/// applied to a whole process if the component that the user means is gone.
 std::string PathFrom(const tendon::Catalogue& catalogue, const std::string& at,
                      const std::string& typed);
 

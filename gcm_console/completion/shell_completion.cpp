@@ -9,7 +9,7 @@
 namespace console {
 namespace {
 
-/// The longest wait after a key press.
+/// The maximum time that the user waits after pressing Tab.
 constexpr std::chrono::milliseconds kPatience(300);
 
 constexpr const char* kBash = R"(# bash completion of gcm
@@ -81,16 +81,16 @@ end
 complete -c gcm -f -a '(__gcm_complete)'
 )";
 
-/// The value of a global option in `words`: the next word, or the text after '='.
+/// Returns the value of a global option in `words`: the next word, or the text after '='.
 std::string Given(const std::vector<std::string>& words, const std::string& option) {
-  for (std::size_t i = 0; i + 1 < words.size(); ++i) {  // the last word is still being typed
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {  // the last word is not complete yet
     if (words[i] == option && i + 2 < words.size()) return words[i + 1];
     if (words[i].starts_with(option + "=")) return words[i].substr(option.size() + 1);
   }
   return "";
 }
 
-/// A client that has received the catalogue; null if there is no GCM.
+/// Returns a client that has received the catalogue; null if there is no GCM.
 std::shared_ptr<tendon::GcmClient> ClientFor(const std::vector<std::string>& words) {
   Settings settings;
   settings.timeout = kPatience;

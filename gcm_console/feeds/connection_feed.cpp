@@ -14,7 +14,7 @@ using tendon::ConnectionDescription;
 using tendon::ConnectionState;
 using tendon::SteadyClock;
 
-/// True if the process of the connection can answer.
+/// Returns true if the process of the connection can answer a request for its counters.
 bool CanTell(const tendon::Catalogue& catalogue, const ConnectionDescription& connection) {
   const auto* owner = catalogue.FindProcess(connection.required.process);
   return connection.state == ConnectionState::kActive && owner != nullptr &&
@@ -24,14 +24,14 @@ bool CanTell(const tendon::Catalogue& catalogue, const ConnectionDescription& co
 }  // namespace
 
 struct ConnectionFeed::LatestAnswer {
-  std::uint64_t id = 0;  // of the connection
+  std::uint64_t id = 0;  // id of the connection
   bool can_be_told = false;
 
   std::mutex mutex;  // guards the members below
   std::optional<ConnectionCounts> counts;
   double rate = -1.0;
 
-  /// Sets the known parts of `figures`.
+  /// Sets the figures that are known.
   void Fill(ConnectionFigures& figures) {
     const std::scoped_lock lock(mutex);
     figures.is_known = figures.state == ToString(ConnectionState::kActive) && counts && rate >= 0.0;
@@ -46,7 +46,7 @@ struct ConnectionFeed::LatestAnswer {
     figures.capacity = counts->capacity;
   }
 
-  /// Stores an answer. Computes the rate with the clock of the process that counts.
+  /// Stores an answer. The rate is computed with the clock of the process that counts.
   void OnAnswer(const tendon::Result<ConnectionCounts>& answer) {
     const std::scoped_lock lock(mutex);
     if (!answer) {
@@ -93,7 +93,8 @@ void ConnectionFeed::AskSome() const {
     if (latest->can_be_told) there.push_back(required);
   }
   for (const auto& required : throttle_->Begin(there, SteadyClock().Now())) {
-    // Calls End() when the last copy of the handler is destroyed, even if no answer arrives.
+    // End() is called when the last copy of the handler is destroyed, so it is called even if no
+    // answer arrives.
     const std::shared_ptr<void> query(
         nullptr, [throttle = throttle_, required](void* /*nothing*/) { throttle->End(required); });
     client_.GetCounts(required, [query, latest = latest_.at(required)](const auto& answer) {

@@ -17,22 +17,22 @@ struct ConnectionFigures {
   std::string provided;
   std::string state;
   double rate = 0.0;          ///< calls and events per second, averaged since the previous request
-  double round_trip = -1.0;   ///< s; below 0 within one process, or if unknown
-  std::uint64_t lost = 0;     ///< calls refused or replaced, and events lost
-  std::uint64_t waiting = 0;  ///< calls waiting at the server
+  double round_trip = -1.0;   ///< s; below 0 if unknown, or if the connection is within one process
+  std::uint64_t lost = 0;     ///< calls that were refused or replaced, and events that were lost
+  std::uint64_t waiting = 0;  ///< calls in the mailbox of the server
   std::uint64_t capacity = 0;
-  bool is_known = false;    ///< true once there are two replies
-  bool is_awaited = false;  ///< true if replies may still arrive soon
+  bool is_known = false;    ///< true after two answers
+  bool is_awaited = false;  ///< true if answers may still arrive soon
 };
 
-/// Polls the processes for the health of their connections while Look() is called, within the
-/// limits of QueryThrottle. A process that does not answer does not delay the others.
+/// Requests the health of connections from their processes while Look() is called regularly.
+/// QueryThrottle limits the requests. A process that does not answer does not delay the others.
 class ConnectionFeed {
  public:
   explicit ConnectionFeed(tendon::GcmClient& client) : client_(client) {}
 
-  /// The present connections that contain `filter` in "REQUIRED PROVIDED", with the latest figures;
-  /// others are not polled. Never waits.
+  /// Returns the present connections, with their latest figures. With a `filter`, returns and polls
+  /// only the connections whose text "REQUIRED PROVIDED" contains it. Never blocks.
   [[nodiscard]] std::vector<ConnectionFigures> Look(const std::string& filter = "");
 
  private:

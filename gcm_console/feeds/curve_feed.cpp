@@ -8,13 +8,13 @@ namespace {
 using tendon::NumericField;
 using tendon::Result;
 
-/// True if `path` is equal to `whole` or below it.
+/// Returns true if `path` is equal to `whole` or is a part of it.
 bool IsWithin(const std::string& path, const std::string& whole) {
   return path.starts_with(whole) &&
          (path.size() == whole.size() || path[whole.size()] == '.' || path[whole.size()] == '[');
 }
 
-/// The number at this path, or all numbers below it.
+/// Returns the number at this path; if it is not a number, all numbers below it.
 Result<std::vector<NumericField>> NumbersOf(const tendon::Schema& schema, const std::string& path) {
   auto one = tendon::FindNumericField(schema, path);
   if (one) return std::vector{*std::move(one)};
@@ -63,7 +63,7 @@ void CurveFeed::OnRows(const tendon::RowBatch& batch) {
     const double time = static_cast<double>(batch.times[row]) * kNanosecond;
     for (std::size_t i = 0; i < curves_.size(); ++i) {
       auto& samples = curves_[i].samples;
-      // If the clock went back, the source was restarted.
+      // If the time has gone back, the source was restarted.
       if (!samples.empty() && time < samples.back().time) samples.clear();
       samples.push_back(
           {time, ReadExactly(sources_[i].field, batch.cell(row, sources_[i].column))});

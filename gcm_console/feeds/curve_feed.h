@@ -12,28 +12,28 @@
 
 namespace console {
 
-/// One number over the last seconds.
+/// The values of one number during the last seconds.
 struct Curve {
   struct Sample {
-    double time = 0.0;                          ///< s on the source's clock
+    double time = 0.0;                          ///< s, on the clock of the source
     std::optional<tendon::NumericValue> value;  ///< empty if the row has no value
   };
   std::string title;
   std::string unit;
-  tendon::Schema schema;       ///< of the number
-  std::deque<Sample> samples;  ///< in the order of time
+  tendon::Schema schema;       ///< schema of the number
+  std::deque<Sample> samples;  ///< sorted by time
 };
 
-/// Receives the chosen numbers of one table. A path that names several numbers, such as a vector,
-/// gives several curves. Thread-safe.
+/// Receives the chosen numbers of one table. If a path names several numbers, such as a vector,
+/// each number has its own curve. Thread-safe.
 class CurveFeed final : public tendon::RowSink {
  public:
-  /// Further curves are dropped.
+  /// The maximum number of curves; further curves are left out.
   static constexpr std::size_t kMostCurves = 16;
-  /// Per curve; when it is full, the oldest samples are dropped.
+  /// The maximum number of samples of each curve; above it, the oldest samples are dropped.
   static constexpr std::size_t kMostSamples = std::size_t{1} << 17U;
 
-  /// `window` is the kept time span in s.
+  /// `window` is the time span in s for which samples are kept.
   CurveFeed(std::vector<RowInbox::Wanted> wanted, double window)
       : wanted_(std::move(wanted)), window_(window) {}
 
@@ -42,11 +42,12 @@ class CurveFeed final : public tendon::RowSink {
   void OnStale(const tendon::Error& reason) override;
 
   [[nodiscard]] std::vector<Curve> curves() const;
-  /// Set if a path that was not found by a glob is not a number.
+  /// Returns an error if a path that the user has typed without a glob does not name a number.
   [[nodiscard]] std::optional<tendon::Error> mistake() const;
-  /// True if every path is left out.
+  /// Returns true if all paths are left out.
   [[nodiscard]] bool is_empty() const;
-  /// The omitted paths with the reasons, then the reason of a present interruption.
+  /// Returns the paths that are left out, each with the reason; then the reason of a present
+  /// interruption.
   [[nodiscard]] std::vector<std::string> notes() const;
 
  private:
@@ -61,11 +62,11 @@ class CurveFeed final : public tendon::RowSink {
   mutable std::mutex mutex_;
   bool is_subscribed_ = false;
   std::vector<Source> sources_;
-  std::vector<Curve> curves_;  // curves of each source
+  std::vector<Curve> curves_;  // the curves of each source
   std::optional<tendon::Error> mistake_;
   std::vector<std::string> left_out_;
   std::string complaint_;
-  bool is_cut_ = false;  // the window holds more samples than kMostSamples
+  bool is_cut_ = false;  // true if the window contains more than kMostSamples samples
 };
 
 }  // namespace console

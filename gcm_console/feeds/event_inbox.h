@@ -14,14 +14,15 @@
 
 namespace console {
 
-/// An event that was raised.
+/// An event that a component has raised.
 struct ReceivedEvent {
-  /// ns since 1970 by this machine's clock, from the event's age on the steady clock.
+  /// The time in ns since 1970 by this machine's clock. It is computed from the age of the event,
+  /// which is measured on the steady clock.
   std::int64_t time_ns = 0;
-  std::int64_t uncertainty_ns = -1;  ///< the possible error of `time_ns`; below 0: unknown
+  std::int64_t uncertainty_ns = -1;  ///< maximum error of `time_ns`; below 0 if unknown
   std::string path;                  ///< "robot/arm/Control.GoalReached"
   tendon::MemberDescription description;
-  std::vector<std::byte> value;  ///< the CDR body of the event's type
+  std::vector<std::byte> value;  ///< value of the event, encoded as CDR
 };
 
 /// The number of lost events by path.
@@ -31,8 +32,8 @@ struct LostEvents {
   LostEvents& operator+=(const LostEvents& other);
 };
 
-/// Keeps the events of all interfaces until the printing thread takes them. The queue is bounded in
-/// events and bytes; when it is full, the oldest events are dropped and counted as lost here.
+/// Stores the events of all interfaces until the printing thread takes them. The queue is limited
+/// in events and bytes. When it is full, the oldest events are dropped and counted as lost.
 class EventInbox final : public tendon::GcmListener,
                          public std::enable_shared_from_this<EventInbox> {
  public:
@@ -41,18 +42,18 @@ class EventInbox final : public tendon::GcmListener,
   struct Content {
     bool is_catalog_new = false;
     std::vector<tendon::EventSubscription> begun;         ///< since the last Take()
-    std::vector<tendon::MemberDescription> descriptions;  ///< the events of `begun`
+    std::vector<tendon::MemberDescription> descriptions;  ///< descriptions of the events in `begun`
     std::deque<Events::Entry> events;
-    LostEvents lost;                        ///< after the last of `events`
-    std::vector<tendon::Error> complaints;  ///< kUnreachable: about the GCM; else a process
-    bool is_gcm_back = false;               ///< after a complaint about it
-    bool has_more = false;                  ///< more events are waiting
+    LostEvents lost;                        ///< events lost after the last of `events`
+    std::vector<tendon::Error> complaints;  ///< kUnreachable: of the GCM; others: of a process
+    bool is_gcm_back = false;               ///< true if the GCM was lost and has returned
+    bool has_more = false;                  ///< true if more events can be taken
   };
 
-  /// The sink that passes the events of one interface to this inbox.
+  /// Returns the sink that passes the events of one interface to this inbox.
   std::shared_ptr<tendon::EventSink> SinkOf(const tendon::EventSubscription& subscription);
 
-  /// Takes everything since the last call; the oldest events first.
+  /// Takes everything that has arrived since the last call; the oldest events come first.
   Content Take();
 
   void OnSnapshot(const tendon::Catalogue& catalogue) override;
@@ -65,7 +66,7 @@ class EventInbox final : public tendon::GcmListener,
   void Complain(const tendon::Error& complaint);
 
   std::mutex mutex_;
-  Content content_;  // without the events and what is lost
+  Content content_;  // without the events and the losses
   Events events_;
   bool is_gcm_lost_ = false;
 };

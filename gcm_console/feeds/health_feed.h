@@ -7,12 +7,14 @@
 
 namespace console {
 
-/// Polls the GCM every second for the health of its processes while Look() is called.
+/// Requests the health of the processes from the GCM, every second while Look() is called
+/// regularly.
 class HealthFeed {
  public:
   explicit HealthFeed(tendon::GcmClient& client);
 
-  /// The latest health, with its present age; empty if the GCM does not provide it. Never waits.
+  /// Returns the latest health, with its present age. Empty if the GCM does not provide it. Never
+  /// blocks.
   [[nodiscard]] tendon::message::SystemHealth Look();
 
  private:

@@ -8,27 +8,28 @@
 
 namespace console {
 
-/// The most that a verb keeps for its printing thread.
+/// The maximum that a verb stores for its printing thread.
 inline constexpr tendon::QueueBound kMostWaiting = {.elements = 100000,
                                                     .bytes = std::size_t{32} << 20U};
-/// The most bytes to take at a time, which a single larger element may exceed.
+/// The maximum number of bytes to take at a time. A single larger element is taken as well.
 inline constexpr std::size_t kMostTaken = std::size_t{1} << 20U;
 
-/// Keeps elements for the printing thread, and counts the losses between them. When it is full, the
-/// oldest elements are dropped and count as lost. `Lost` has `+=`, and counts nothing at first.
+/// Stores elements for the printing thread, and the losses between them. When the queue is full,
+/// the oldest elements are dropped and count as lost. `Lost` must have `+=`, and must be zero if
+/// created without arguments.
 ///
-/// Thread safety: one thread at a time.
+/// Thread safety: use it in one thread at a time.
 template <typename T, typename Lost>
 class InboxQueue {
  public:
   struct Entry {
     T element;
-    Lost lost_before{};  ///< between the previous element and this one
+    Lost lost_before{};  ///< losses between the previous element and this one
   };
 
   explicit InboxQueue(tendon::QueueBound bound = kMostWaiting) : queue_(bound) {}
 
-  /// `loss_of(const T&)` is the loss if an element is dropped.
+  /// Adds an element of this size. `loss_of(const T&)` returns the loss if an element is dropped.
   template <typename LossOf>
   void Push(T element, std::size_t bytes, LossOf&& loss_of) {
     Lost gap{};
@@ -39,12 +40,12 @@ class InboxQueue {
                 });
     queue_.front().lost_before += gap;
   }
-  /// Adds a loss after the newest element.
+  /// Adds a loss that occurred after the newest element.
   void AddLost(const Lost& lost) { lost_ += lost; }
 
-  /// Removes and returns the oldest elements, at most kMostTaken.
+  /// Removes and returns the oldest elements, at most kMostTaken bytes.
   [[nodiscard]] std::deque<Entry> Take() { return queue_.Take(kMostTaken); }
-  /// Removes and returns the losses after the last element; none while elements wait.
+  /// Removes and returns the losses after the last element. Returns none while there are elements.
   [[nodiscard]] Lost TakeLost() {
     return queue_.is_empty() ? std::exchange(lost_, Lost{}) : Lost{};
   }
@@ -52,7 +53,7 @@ class InboxQueue {
 
  private:
   tendon::DroppingQueue<Entry> queue_;
-  Lost lost_{};  // after the newest element
+  Lost lost_{};  // losses after the newest element
 };
 
 }  // namespace console

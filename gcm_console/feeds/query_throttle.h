@@ -11,20 +11,20 @@
 
 namespace console {
 
-/// Decides which connections to ask about now. Each required interface is asked at most once a
-/// second. The number of unanswered requests is limited, in total and per process; connections that
-/// disappear and return still count. Thread-safe.
+/// Decides for which connections a request is sent now. For each required interface, there is at
+/// most one request per second. The number of unanswered requests is limited, in total and for each
+/// process. A connection that disappears and returns keeps its place in these limits. Thread-safe.
 class QueryThrottle {
  public:
   static constexpr std::chrono::seconds kBetween{1};
   static constexpr std::size_t kMostAtOnce = 64;
   static constexpr std::size_t kMostOfOne = 8;
 
-  /// Returns the connections in `there` that are due, the longest waiting first. Call End() for
-  /// each of them.
+  /// Returns the connections in `there` for which a request is due; those that have waited longest
+  /// come first. The caller must call End() for each of them.
   [[nodiscard]] std::vector<tendon::InterfaceName> Begin(
       const std::vector<tendon::InterfaceName>& there, tendon::SteadyTime now);
-  /// Ends a request. Call it when the answer has arrived, or cannot arrive any more.
+  /// Called when the answer has arrived, or when it cannot arrive any more.
   void End(const tendon::InterfaceName& required);
 
  private:

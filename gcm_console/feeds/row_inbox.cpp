@@ -152,7 +152,8 @@ std::optional<tendon::Error> RowInbox::interruption() const {
   return interruption_;
 }
 
-/// The value at the path as JSON, usually a number; "null" if this row does not have it.
+/// Returns the value at the path as JSON, usually a number. Returns "null" if this row does not
+/// have the value.
 tendon::Result<std::string> RowInbox::Value(std::size_t index, const KeptRow& row) const {
   const auto& [path, column, is_found] = wanted_[index];
   const auto& cell = row.cells.at(column);

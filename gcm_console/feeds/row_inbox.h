@@ -18,27 +18,28 @@
 
 namespace console {
 
-/// One row for printing: the wanted values by path, as JSON text.
+/// One row to be printed, with the requested values by path as JSON text.
 struct PrintedRow {
   std::int64_t time_ns = 0;
   std::int64_t clock_offset_ns = 0;  ///< see RowBatch
   std::uint64_t tick = 0;
-  tendon::LostRows lost_before;  ///< between the previous row and this one
+  tendon::LostRows lost_before;  ///< rows lost between the previous row and this one
   std::vector<std::pair<std::string, std::string>> values;
 };
 
-/// Keeps the incoming rows of one table until the printing thread takes them as values of the
-/// wanted paths. The queue is bounded in rows and bytes; when it is full, the oldest rows are
-/// dropped and counted as lost here.
+/// Stores the rows of one table until the printing thread takes them as values of the requested
+/// paths. The queue is limited in rows and bytes. When it is full, the oldest rows are dropped and
+/// counted as lost.
 class RowInbox final : public tendon::RowSink {
  public:
   /// `column` is the index of the path's column in the subscription.
   struct Wanted {
     tendon::Path path;
     std::size_t column = 0;
-    bool is_found = false;  ///< found by a glob; left out if the part does not exist
+    bool is_found = false;  ///< found by a glob; left out if the column does not have this part
   };
-  /// RowDelivery::kNewest keeps only the newest row; replaced rows do not count as lost.
+  /// With RowDelivery::kNewest, stores only the newest row; rows that are replaced by it do not
+  /// count as lost.
   explicit RowInbox(std::vector<Wanted> wanted,
                     tendon::RowDelivery delivery = tendon::RowDelivery::kAll);
 
@@ -46,33 +47,35 @@ class RowInbox final : public tendon::RowSink {
   void OnRows(const tendon::RowBatch& batch) override;
   void OnStale(const tendon::Error& reason) override;
 
-  /// Takes the oldest waiting rows, at most kMostTaken. Call it in the printing thread only.
+  /// Removes and returns the oldest rows, at most kMostTaken bytes. Call it only in the printing
+  /// thread.
   std::deque<PrintedRow> Take();
   /// True if more rows can be taken.
   [[nodiscard]] bool has_more() const;
-  /// The size of the waiting rows.
+  /// Returns the size of the rows that were not taken yet.
   [[nodiscard]] std::size_t waiting_bytes() const;
-  /// Drops the waiting rows. Returns the number of rows lost after the last taken row, including
-  /// those dropped. Call it in the printing thread only.
+  /// Drops the rows that were not taken. Returns the number of rows lost after the last row that
+  /// was taken, including the dropped ones. Call it only in the printing thread.
   tendon::LostRows Rest();
-  /// Set if a path that was not found by a glob does not exist in its column; then there are no
-  /// rows.
+  /// Returns an error if a path that the user has typed without a glob does not exist in its
+  /// column. There are no rows then.
   [[nodiscard]] std::optional<tendon::Error> mistake() const;
-  /// True if every path is left out; then there are no rows.
+  /// Returns true if all paths are left out. There are no rows then.
   [[nodiscard]] bool is_empty() const;
-  /// New messages about omitted paths and interrupted rows; each change is reported once.
+  /// Returns the new messages about paths that are left out and about interruptions. Each change is
+  /// reported once.
   std::vector<std::string> TakeNotices();
-  /// The reason of the last interruption, even if rows arrive again.
+  /// Returns the reason of the last interruption, even if rows arrive again.
   [[nodiscard]] std::optional<tendon::Error> interruption() const;
 
  private:
-  /// How to read the columns of one subscription.
+  /// Describes how to read the columns of one subscription.
   struct Columns {
     std::vector<tendon::Schema> schemas;
-    std::vector<std::optional<tendon::NumericField>> numbers;  // set for numbers, the usual case
-    std::vector<bool> is_left_out;                             // by path; guarded by mutex_
+    std::vector<std::optional<tendon::NumericField>> numbers;  // set if the value is a number
+    std::vector<bool> is_left_out;  // one for each path; guarded by mutex_
   };
-  /// A received row.
+  /// A row as received.
   struct KeptRow {
     std::int64_t time_ns = 0;
     std::int64_t clock_offset_ns = 0;
@@ -85,7 +88,7 @@ class RowInbox final : public tendon::RowSink {
   };
   using Rows = tendon::DroppingQueue<KeptRow>;
 
-  /// Returns false if the row has nothing to print.
+  /// Fills `printed` with the requested values. Returns false if the row has nothing to print.
   bool Fill(const KeptRow& row, PrintedRow& printed);
   [[nodiscard]] tendon::Result<std::string> Value(std::size_t index, const KeptRow& row) const;
 
@@ -95,9 +98,9 @@ class RowInbox final : public tendon::RowSink {
   std::shared_ptr<Columns> columns_;
   std::optional<tendon::Error> mistake_;
   Rows rows_;
-  tendon::LostRows lost_;              // since the newest waiting row
-  tendon::LostRows gap_;               // since the last taken row; printing thread only
-  std::vector<std::string> left_out_;  // reasons since TakeNotices()
+  tendon::LostRows lost_;              // rows lost since the newest stored row
+  tendon::LostRows gap_;               // rows lost since the last taken row; printing thread only
+  std::vector<std::string> left_out_;  // paths left out since the last TakeNotices(), with reasons
   std::string complaint_;
   std::optional<tendon::Error> interruption_;
 };

@@ -32,7 +32,7 @@ bool HasColumns(const tendon::ComponentDescription& component) {
 
 }  // namespace
 
-/// Keeps the newest figures.
+/// Stores the newest figures of one task.
 class TaskFeed::Listener final : public tendon::RowSink {
  public:
   void OnSubscribed(const std::vector<tendon::Schema>& columns) override {
@@ -76,7 +76,7 @@ class TaskFeed::Listener final : public tendon::RowSink {
     const std::scoped_lock lock(mutex_);
     return figures_;
   }
-  /// The time since its newest row was written.
+  /// Returns the time since the newest row was written.
   std::optional<std::chrono::nanoseconds> age() {
     const std::scoped_lock lock(mutex_);
     return written_ ? std::optional(AgeOf(*written_)) : std::nullopt;

@@ -17,30 +17,31 @@ namespace console {
 struct TaskFigures {
   std::string path;  ///< of the component
   std::string state;
-  std::string detail;                           ///< "waiting for Robot"
-  double rate = 0.0;                            ///< cycles per second
-  double period = 0.0;                          ///< s, as configured; 0 if it has none
-  double late = 0.0;                            ///< s; the median lateness
-  double latest = 0.0;                          ///< s; the maximum lateness
-  double compute = 0.0;                         ///< s, mean
-  double load = 0.0;                            ///< the fraction of the time in which it computes
-  std::uint64_t skipped = 0;                    ///< cycles since its start
-  std::optional<std::chrono::nanoseconds> age;  ///< since the last cycle of a stopped task
-  bool is_known = false;    ///< true if the task runs and a whole second was received
-  bool is_awaited = false;  ///< true if a whole second may be received soon
+  std::string detail;         ///< "waiting for Robot"
+  double rate = 0.0;          ///< cycles per second
+  double period = 0.0;        ///< s, from the configuration; 0 if it has none
+  double late = 0.0;          ///< s; the median lateness
+  double latest = 0.0;        ///< s; the maximum lateness
+  double compute = 0.0;       ///< s, mean
+  double load = 0.0;          ///< fraction of the time during which the task computes
+  std::uint64_t skipped = 0;  ///< cycles that were skipped since the start
+  std::optional<std::chrono::nanoseconds> age;  ///< for a stopped task: time since its last cycle
+  bool is_known = false;    ///< true if the task runs and the values of a whole second have arrived
+  bool is_awaited = false;  ///< true if the values of a whole second may arrive soon
 };
 
-/// Receives the statistics of all tasks of a system, including tasks that are added later.
+/// Receives the statistics of all tasks of a system, also of tasks that are added later.
 class TaskFeed {
  public:
-  /// All tasks, or only the component at the path `only`.
+  /// Receives the statistics of all tasks. If `only` is not empty, receives only those of the
+  /// component with this path.
   explicit TaskFeed(tendon::GcmClient& client, std::string only = "")
       : client_(client), only_(std::move(only)) {}
   TaskFeed(const TaskFeed&) = delete;
   TaskFeed& operator=(const TaskFeed&) = delete;
   ~TaskFeed();
 
-  /// All tasks in the present catalogue, with their latest figures.
+  /// Returns all tasks in the present catalogue, with their latest figures.
   std::vector<TaskFigures> Look();
 
  private:

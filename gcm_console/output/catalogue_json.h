@@ -6,11 +6,11 @@
 
 namespace console {
 
-// The catalogue as JSON for scripts. Keys are stable within "schema": 1.
+// The catalogue as JSON for scripts. The keys do not change as long as "schema" is 1.
 
 nlohmann::ordered_json ToJson(const tendon::ProcessEntry& entry);
 nlohmann::ordered_json ToJson(const tendon::PluginDescription& plugin);
-/// `process` is the process of the component.
+/// `process` is the process to which the component belongs.
 nlohmann::ordered_json ToJson(const tendon::ComponentDescription& component,
                               const tendon::ProcessEntry& process);
 nlohmann::ordered_json ToJson(const tendon::ProvidedDescription& interface);
@@ -20,8 +20,8 @@ nlohmann::ordered_json ToJson(const tendon::ConnectionDescription& connection);
 nlohmann::ordered_json ToJson(const tendon::ConnectionCounts& counts);
 nlohmann::ordered_json ToJson(const tendon::MailboxFill& fill);
 
-/// The health of a process as the GCM reports it, with its age. Leaves out unknown values; empty if
-/// all are unknown.
+/// Returns the health of a process as the GCM reports it, with its age. Unknown values are left
+/// out; the result is empty if all are unknown.
 nlohmann::ordered_json HealthOf(const tendon::message::SystemHealth& health,
                                 const tendon::ProcessDescription& process);
 

@@ -14,12 +14,13 @@
 namespace console {
 namespace {
 
-constexpr int kFewestColumns = 8;          // of a curve, in characters
-constexpr std::size_t kFewestMargin = 12;  // of the scale beside it, including the gap
-constexpr std::size_t kScaleGap = 2;       // characters
-constexpr int kRowsOfALabel = 3;           // approximately
+constexpr int kFewestColumns = 8;  // minimum width of a curve, in characters
+// The minimum width of the scale beside a curve, including the gap.
+constexpr std::size_t kFewestMargin = 12;
+constexpr std::size_t kScaleGap = 2;  // characters
+constexpr int kRowsOfALabel = 3;      // one label for about this many rows
 
-/// A curve with its scale.
+/// A curve together with its scale.
 struct Drawing {
   const Curve& curve;
   tendon::NumericAxis axis;
@@ -38,7 +39,7 @@ std::string Aligned(const std::string& text, std::size_t width) {
          std::string(kScaleGap, ' ');
 }
 
-/// The same width for all labels, so that the curves are aligned.
+/// Returns the width of the scale. It is the same for all curves, so that they are aligned.
 std::size_t MarginOf(const std::vector<Drawing>& drawings) {
   std::size_t widest = kFewestMargin - kScaleGap;
   for (const Drawing& drawing : drawings) {
@@ -47,7 +48,7 @@ std::size_t MarginOf(const std::vector<Drawing>& drawings) {
   return widest;
 }
 
-/// The label beside each row; if labels overlap, the outer ones remain.
+/// Returns the label beside each row. If labels overlap, the outer ones are kept.
 std::vector<std::string> TextsOf(const tendon::NumericAxis& axis, int height) {
   std::vector<std::string> texts(static_cast<std::size_t>(height) / 4);
   const auto& labels = axis.labels();
@@ -92,7 +93,7 @@ BrailleCanvas CanvasOf(const Drawing& drawing, double window, int columns, int r
   return canvas;
 }
 
-/// "robot/arm/state.Joints.position[0] = 0.25 rad".
+/// Returns the title with the newest value: "robot/arm/state.Joints.position[0] = 0.25 rad".
 std::string TitleOf(const Curve& curve) {
   if (curve.samples.empty()) return curve.title + "  no values yet";
   const auto& newest = curve.samples.back().value;
@@ -109,8 +110,8 @@ BrailleCanvas::BrailleCanvas(int columns, int rows)
       cells_(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0U) {}
 
 void BrailleCanvas::Set(int x, int y) {
-  // The order of the dots in Unicode: left side from the top, right side from the top, then the
-  // lowest two.
+  // The bits of the dots in Unicode: the upper three dots of the left column come first, then those
+  // of the right column, then the lowest two.
   constexpr std::array<unsigned, 8> kBits = {0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80};
   if (x < 0 || y < 0 || x >= width() || y >= height()) return;
   const auto cell = static_cast<std::size_t>(y / 4 * columns_ + x / 2);

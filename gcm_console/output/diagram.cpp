@@ -46,7 +46,7 @@ std::string TitleOf(const Catalogue& catalogue) {
          tendon::Counted(catalogue.connections().size(), "connection", "connections");
 }
 
-/// The edges between blocks, without duplicates and loops.
+/// Collects the edges between blocks, without duplicates and without edges from a block to itself.
 class Edges {
  public:
   explicit Edges(const std::vector<ColumnLayout::Block>& blocks) {
@@ -69,7 +69,7 @@ class Edges {
   std::set<std::pair<std::size_t, std::size_t>> edges_;
 };
 
-/// The width of a node's first two lines.
+/// Returns the width of the first two lines of a node.
 double HeadWidth(const DiagramNode& node) {
   return std::max(TextWidth(node.name, diagram::kNameText),
                   diagram::kMark + TextWidth(node.detail, diagram::kSmallText)) +
@@ -81,7 +81,7 @@ double TitleWidth(const DiagramProcess& process) {
          TextWidth(process.detail, diagram::kSmallText);
 }
 
-/// The factor by which existing positions must be stretched if things need more room.
+/// The factors by which existing positions must be stretched if objects need more room.
 struct Stretch {
   double x = 1;
   double y = 1;
@@ -90,7 +90,7 @@ struct Stretch {
     if (shown.width > 0) x = std::max(x, needed.width / shown.width);
     if (shown.height > 0) y = std::max(y, needed.height / shown.height);
   }
-  /// Stretches as far as `other`, but only up to a multiple of this.
+  /// Stretches as far as `other`, but at most to kMost times the present factors.
   void FitMostly(const Stretch& other) {
     constexpr double kMost = 4;
     x = std::max(x, std::min(other.x, kMost * x));
@@ -135,7 +135,7 @@ class Placement {
     std::vector<ColumnLayout::Block> inner;
     for (const auto& [component, description] : entry.components) {
       DiagramNode node = NodeOf(name, description);
-      if (!IsPresent(entry.process)) {  // the last known state, now outdated
+      if (!IsPresent(entry.process)) {  // the last known state, which is now outdated
         node.detail.insert(0, "was ");
         node.condition = Condition::kResting;
         node.rect.width = std::max(node.rect.width, HeadWidth(node));
@@ -200,7 +200,7 @@ class Placement {
 
   Size PlaceAs(const Places& shown) {
     Stretch stretch;
-    Stretch insets;  // because `shown` may have almost no insets
+    Stretch insets;  // separate, because `shown` may have almost no insets
     Rect first{.x = HUGE_VAL, .y = HUGE_VAL};
     for (const DiagramProcess& process : diagram_.processes) {
       const Rect& box = shown.at(process.name);
@@ -309,7 +309,7 @@ double TextWidth(const std::string& text, double size) {
   double width = 0;
   for (const char letter : text) {
     const auto byte = static_cast<unsigned char>(letter);
-    if ((byte & 0xc0U) == 0x80U) continue;  // not the first byte of a character
+    if ((byte & 0xc0U) == 0x80U) continue;  // only the first byte of a character counts
     const bool is_narrow = std::string_view("iljtfrI.,:;|'/-() ").find(letter) != std::string::npos;
     const bool is_wide = std::string_view("mwMW@%").find(letter) != std::string::npos;
     const bool is_capital = std::isupper(byte) != 0;

@@ -9,7 +9,7 @@
 
 namespace console {
 
-/// The condition of a thing, which a picture shows as a colour.
+/// The condition of an object. The picture shows it by a colour.
 enum class Condition { kGood, kResting, kWarning, kBad };
 
 /// An interface in the picture, on the border of its component.
@@ -24,8 +24,8 @@ struct DiagramPort {
 struct DiagramNode {
   std::string path;
   std::string name;
-  std::string detail;  ///< "active · SimulatedArm"
-  std::string remark;  ///< its problem
+  std::string detail;  ///< state and class: "active · SimulatedArm"
+  std::string remark;  ///< the problem of the component
   Condition condition = Condition::kGood;
   tendon::graph::Rect rect;
   std::vector<DiagramPort> ports;
@@ -33,7 +33,7 @@ struct DiagramNode {
 
 struct DiagramProcess {
   std::string name;
-  std::string detail;  ///< "alive on robot-pc"
+  std::string detail;  ///< state and host: "alive on robot-pc"
   Condition condition = Condition::kGood;
   tendon::graph::Rect rect;
 };
@@ -55,34 +55,34 @@ struct Diagram {
   std::string title;
   std::vector<DiagramProcess> processes;
   std::vector<DiagramNode> nodes;
-  std::vector<DiagramWire> wires;  ///< only connections with both ends in the picture
+  std::vector<DiagramWire> wires;  ///< only connections whose interfaces are both in the picture
 };
 
-/// Lays out the system with providers to the left of their clients. Leaves out state tables without
-/// connections.
+/// Lays out the system. Providers are to the left of their clients. State tables without
+/// connections are left out.
 [[nodiscard]] Diagram DiagramOf(const tendon::Catalogue& catalogue);
 
-/// Existing positions, for example of a window: by the path of a component and by the name of a
-/// process, whose rectangle encloses its components. In any unit of length.
+/// Existing positions, for example those in a window: by path for a component, by name for a
+/// process. The rectangle of a process encloses its components. The unit of length does not matter.
 using Places = std::map<std::string, tendon::graph::Rect>;
 
-/// Keeps the arrangement of `shown`, stretched as far as necessary. If `shown` lacks a thing, the
-/// layout is that of DiagramOf(catalogue).
+/// Lays out the system as in `shown`, stretched as far as necessary. If an object is missing in
+/// `shown`, the layout is that of DiagramOf(catalogue).
 [[nodiscard]] Diagram DiagramOf(const tendon::Catalogue& catalogue, const Places& shown);
 
-/// The width of a text of this size in a common font, an approximation, too small rather than too
-/// large.
+/// Returns the approximate width of a text of this size in a common font. The result may be too
+/// small rather than too large.
 [[nodiscard]] double TextWidth(const std::string& text, double size);
 
 }  // namespace console
 
-/// The measures of a drawn system, in pixels.
+/// Sizes and distances in the drawn system, in pixels.
 namespace console::diagram {
 
 inline constexpr double kMargin = 24;
-inline constexpr double kLeastWidth = 360;  ///< of the space between the margins
-inline constexpr double kTop = 64;          ///< the room for the title
-inline constexpr double kBottom = 64;       ///< the room for the legend
+inline constexpr double kLeastWidth = 360;  ///< minimum width between the margins
+inline constexpr double kTop = 64;          ///< height for the title
+inline constexpr double kBottom = 64;       ///< height for the legend
 inline constexpr double kBetweenProcesses = 96;
 inline constexpr double kBelowProcesses = 28;
 inline constexpr double kBetweenNodes = 80;
@@ -96,7 +96,7 @@ inline constexpr double kLeastNode = 128;
 inline constexpr double kPortPitch = 22;
 inline constexpr double kPortRadius = 4.5;
 inline constexpr double kGap = 28;   ///< between two texts
-inline constexpr double kMark = 14;  ///< the room for a mark in front of a text
+inline constexpr double kMark = 14;  ///< width for a mark before a text
 inline constexpr double kTitleText = 16;
 inline constexpr double kNameText = 14;
 inline constexpr double kSmallText = 12;

@@ -14,12 +14,12 @@ using tendon::graph::Rect;
 
 std::string DotText(const std::string& text) { return "\"" + Plain(text) + "\""; }
 
-/// The name of a component's node.
+/// Returns the name of the node of a component.
 std::string NodeOf(const tendon::InterfaceName& end) {
   return DotText(end.process + "/" + end.component);
 }
 
-/// Converts positions for Graphviz: to points, with y upwards from the bottom.
+/// Converts positions for Graphviz: to points, with y measured upwards from the bottom.
 class Arrangement {
  public:
   Arrangement() = default;
@@ -29,7 +29,8 @@ class Arrangement {
     for (const DiagramNode& node : diagram.nodes) rects_.emplace(node.path, node.rect);
   }
 
-  /// The attributes of the graph: all nodes have positions, so Graphviz only draws the arrows.
+  /// Returns the attributes of the graph. If all nodes have positions, Graphviz must only draw the
+  /// arrows.
   [[nodiscard]] std::string OfGraph() const {
     return rects_.empty() ? "" : "  layout=nop;\n  splines=true;\n";
   }
@@ -51,7 +52,7 @@ class Arrangement {
   }
 
  private:
-  /// With a decimal point in every locale.
+  /// Formats a number with a decimal point in every locale.
   static std::string Text(double number) {
     std::ostringstream text;
     text.imbue(std::locale::classic());

@@ -7,11 +7,12 @@
 
 namespace console {
 
-/// Prints the system for Graphviz: a box per component inside the box of its process, and an arrow
-/// from each required interface to the interface it is connected to.
+/// Prints the system for Graphviz. Each component is a box inside the box of its process. An arrow
+/// leads from each required interface to the provided interface to which it is connected.
 void PrintDot(const tendon::Catalogue& catalogue, std::ostream& out);
 
-/// The same, with the positions of `arranged`, a diagram of the same catalogue.
+/// Prints the system with the positions of `arranged`, which must be a diagram of the same
+/// catalogue.
 void PrintDot(const tendon::Catalogue& catalogue, const Diagram& arranged, std::ostream& out);
 
 }  // namespace console

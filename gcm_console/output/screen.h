@@ -8,7 +8,7 @@
 
 namespace console {
 
-/// Takes over the whole screen of a terminal and restores it on destruction.
+/// Uses the whole screen of a terminal, and restores the screen when it is destroyed.
 class Screen {
  public:
   explicit Screen(std::ostream& out) : out_(out) { Take(); }
@@ -16,7 +16,7 @@ class Screen {
   Screen& operator=(const Screen&) = delete;
   ~Screen() { Restore(); }
 
-  /// Shows at most `rows` lines: as many lines of `text` as fit, and `footer` as the last one.
+  /// Shows at most `rows` lines: `text`, as far as it fits, and `footer` as the last line.
   void Show(const std::string& text, const std::string& footer, int rows) {
     std::istringstream lines(text);
     out_ << "\x1b[H";
@@ -27,7 +27,7 @@ class Screen {
     out_ << footer << "\x1b[K\x1b[J" << std::flush;
   }
 
-  /// After Ctrl-Z: restores the screen until the process continues.
+  /// If the user has pressed Ctrl-Z, restores the screen until the process continues.
   void PauseIfAsked(tendon::os::Keyboard& keyboard) {
     if (!keyboard.TakePause()) return;
     Restore();
@@ -36,7 +36,7 @@ class Screen {
   }
 
  private:
-  /// Takes the screen, and also turns line wrapping off.
+  /// Starts to use the screen, and turns line wrapping off.
   void Take() { out_ << "\x1b[?1049h\x1b[?25l\x1b[?7l" << std::flush; }
   void Restore() { out_ << "\x1b[?7h\x1b[?25h\x1b[?1049l" << std::flush; }
 

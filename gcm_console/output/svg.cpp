@@ -11,7 +11,7 @@ namespace {
 using tendon::ConnectionState;
 using tendon::graph::Rect;
 
-// The window's colours, in the light theme.
+// The colours of the window in the light theme.
 constexpr const char* kGround = "#f4f6f8";
 constexpr const char* kPanel = "#ffffff";
 constexpr const char* kRaised = "#f8fafc";
@@ -47,7 +47,7 @@ const char* DashesOf(ConnectionState state) {
                                             : " stroke-dasharray=\"2 4\"";
 }
 
-/// Escaped for use between tags and in attributes.
+/// Escapes a text so that it can be used between tags and in attributes.
 std::string Escaped(const std::string& text) {
   std::string escaped;
   for (const char letter : Plain(text)) {
@@ -127,7 +127,8 @@ void Print(std::ostream& out, const DiagramNode& node) {
   out << " </g>\n";
 }
 
-/// Bends like the window's line; a line that runs backwards bends more.
+/// Draws a connection with the same bends as in the window. A line that goes to the left bends
+/// more.
 void Print(std::ostream& out, const DiagramWire& wire) {
   constexpr double kLeastBend = 36;
   constexpr double kMostBend = 160;
@@ -143,7 +144,7 @@ void Print(std::ostream& out, const DiagramWire& wire) {
       << "</title></path>\n";
 }
 
-/// Explains the kinds of lines.
+/// Prints the legend with the kinds of lines.
 void PrintLegend(std::ostream& out, double y) {
   constexpr double kSample = 32;
   constexpr double kToText = 8;
@@ -164,7 +165,7 @@ void PrintLegend(std::ostream& out, double y) {
 
 void PrintSvg(const Diagram& diagram, std::ostream& out) {
   constexpr double kTitleLine = 40;
-  constexpr double kLegendLine = 28;  // above the lower edge
+  constexpr double kLegendLine = 28;  // distance from the lower edge
   const double width = std::ceil(diagram.size.width);
   const double height = std::ceil(diagram.size.height);
   out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width << "\" height=\"" << height

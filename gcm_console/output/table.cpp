@@ -14,7 +14,7 @@ namespace {
 using Row = std::vector<std::string>;
 
 constexpr std::size_t kGap = 2;
-constexpr std::size_t kIndent = 4;  // of continuation lines
+constexpr std::size_t kIndent = 4;  // indentation of continuation lines
 
 void PrintSeparated(const Row& row, const Layout& layout, std::ostream& out) {
   for (std::size_t i = 0; i < row.size(); ++i) {
@@ -29,14 +29,14 @@ constexpr const char* kGreen = "\x1b[32m";
 constexpr const char* kBold = "\x1b[1m";
 constexpr const char* kUsual = "\x1b[0m";
 
-/// The colours of words for states.
+/// The colours of the words for states.
 const std::map<std::string_view, const char*> kColours = {
     {"alive", kGreen},    {"active", kGreen},   {"ok", kGreen}, {"suspect", kYellow},
     {"pending", kYellow}, {"warning", kYellow}, {"lost", kRed}, {"faulted", kRed},
     {"failed", kRed},     {"error", kRed},      {"BAD", kRed},
 };
 
-/// The width in characters of a UTF-8 text.
+/// Returns the number of characters of a text in UTF-8.
 std::size_t WidthOf(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {
     return (static_cast<unsigned char>(byte) & 0xc0U) != 0x80U;
@@ -50,7 +50,7 @@ bool IsNumber(const std::string& text) {
 
 struct Column {
   std::size_t width = 0;
-  bool is_number = true;  // all cells are numbers; aligned to the right
+  bool is_number = true;  // all cells are numbers, so the column is aligned to the right
 };
 
 std::vector<Column> ColumnsOf(const Row& titles, const std::vector<Row>& rows) {
@@ -70,7 +70,7 @@ std::string Painted(const std::string& text, const char* paint, const Layout& la
   return layout.is_coloured ? paint + text + kUsual : text;
 }
 
-/// Prints a row in as many lines as necessary; aligned rows all break at the same cells.
+/// Prints a row in as many lines as necessary. All rows are wrapped before the same cells.
 void PrintAligned(const Row& row, const std::vector<Column>& columns, const Layout& layout,
                   const std::function<std::string(const std::string&)>& paint, std::ostream& out) {
   std::size_t used = 0;

@@ -9,18 +9,18 @@ namespace console {
 
 /// How a table is printed.
 struct Layout {
-  int columns = 0;  ///< the terminal's width, 0 if there is none
+  int columns = 0;  ///< width of the terminal; 0 if there is none
   bool is_coloured = false;
-  bool has_titles = true;  ///< titles on a terminal; there are none elsewhere
+  bool has_titles = true;  ///< print titles on a terminal; in a pipe there are never titles
 };
 
-/// Rows with a title per column. On a terminal, aligns the cells under their titles and wraps long
-/// rows; into a pipe, separates the cells with tabs, for scripts.
+/// Rows, with a title for each column. On a terminal, the cells are aligned below their titles, and
+/// long rows are wrapped. In a pipe, the cells are separated by tabs, for scripts.
 class Table {
  public:
   explicit Table(std::vector<std::string> titles) : titles_(std::move(titles)) {}
 
-  /// Must have as many cells as there are titles.
+  /// Adds a row, which must have as many cells as there are titles.
   void Add(std::vector<std::string> row);
   void Print(std::ostream& out, const Layout& layout) const;
   void Print(std::ostream& out, int columns) const { Print(out, Layout{.columns = columns}); }
@@ -30,14 +30,15 @@ class Table {
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// Adds the colour of a state to the text if it is a state word such as "active", "pending" or
-/// "lost".
+/// If the text is a word for a state, such as "active", "pending" or "lost", returns it with the
+/// colour of that state.
 std::string Coloured(const std::string& text, bool is_coloured);
 
-/// The text with escaped control characters, so that an untrusted name cannot control the terminal.
+/// Returns the text with its control characters escaped, so that a name from outside cannot control
+/// the terminal.
 std::string Plain(const std::string& text);
 
-/// Prints each sentence in a line of its own, as a message of this program.
+/// Prints each sentence in a separate line, as a message of this program.
 void PrintSentences(const std::vector<std::string>& sentences, std::ostream& err);
 
 }  // namespace console

@@ -12,7 +12,7 @@ using tendon::Result;
 
 bool IsBlank(char letter) { return std::isspace(static_cast<unsigned char>(letter)) != 0; }
 
-/// Removes the program's name before a verb, as in a line copied from a terminal.
+/// Removes `gcm` before a verb, which is there if the line was copied from a terminal.
 void PassOverName(Words& words) {
   while (words.size() > 1 && words.front() == "gcm") words.erase(words.begin());
 }
@@ -44,9 +44,9 @@ class Reader {
 
   [[nodiscard]] std::vector<ShellCommand>& commands() { return commands_; }
   [[nodiscard]] Words& words() { return words_; }
-  /// The start of the last word; the line's end if there is none.
+  /// Returns the start of the last word; if the line ends with a blank, the end of the line.
   [[nodiscard]] std::size_t begin() const { return is_open_ ? begin_ : line_.size(); }
-  /// The partial word so far.
+  /// Returns the part of the last word that was read so far.
   [[nodiscard]] const std::string& rest() const { return word_; }
 
  private:

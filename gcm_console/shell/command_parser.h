@@ -10,7 +10,7 @@ namespace console {
 
 using Words = std::vector<std::string>;
 
-/// A command to run: its words, and whether it runs in the background.
+/// A command to run: its words, and whether it must run in the background.
 struct ShellCommand {
   Words words;
   bool is_background = false;
@@ -18,18 +18,19 @@ struct ShellCommand {
   bool operator==(const ShellCommand&) const = default;
 };
 
-/// Splits a line into commands and their words. Blanks separate words; a `gcm` before a verb is
-/// skipped. `;` ends a command; `&` ends it and runs it in the background; `#` at the start of a
-/// word begins a comment. Inside '...' every character is literal; elsewhere \ makes the next one
-/// literal. A word, or the part of a word after =, that begins with { or [ is JSON and ends with
-/// its bracket, quotes included. kInvalid if a quote or a bracket is not closed.
+/// Splits a line into commands, and these into words. Blanks separate words. A `gcm` before a verb
+/// is skipped. `;` ends a command; `&` ends a command that must run in the background; `#` at the
+/// beginning of a word begins a comment. Inside '...' every character is literal; elsewhere, `\`
+/// makes the next character literal. If a word, or the part of a word after `=`, begins with { or
+/// [, it is JSON: it ends with the closing bracket, and its quotes are kept. Returns kInvalid if a
+/// quote or a bracket is not closed.
 tendon::Result<std::vector<ShellCommand>> ParseCommands(std::string_view line);
 
-/// Quotes a word so that ParseCommands() reads it as one.
+/// Quotes a word so that ParseCommands() reads it as one word.
 [[nodiscard]] std::string QuoteWord(std::string_view word);
 
-/// The words of the last command of an unfinished line. The last word is empty after a blank;
-/// `typed` is its original text in the line.
+/// The words of the last command in an unfinished line. The last word is empty if the line ends
+/// with a blank. `typed` is the last word as it was typed.
 struct PartialCommand {
   Words words;
   std::string typed;

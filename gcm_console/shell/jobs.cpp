@@ -19,7 +19,7 @@ using tendon::Error;
 using tendon::ErrorCode;
 using tendon::Result;
 
-/// Verbs that run until the user ends them.
+/// The verbs that run until the user ends them.
 constexpr std::array<std::string_view, 4> kLasting = {"watch", "events", "hz", "log"};
 
 std::string TextOf(const Words& words) {
@@ -86,7 +86,7 @@ class Jobs::Job {
   }
 
   [[nodiscard]] const std::string& number() const { return number_; }
-  /// "1  watch robot/arm/state.Joints".
+  /// Returns number and words: "1  watch robot/arm/state.Joints".
   [[nodiscard]] std::string text() const { return number_ + "  " + Plain(text_); }
   [[nodiscard]] bool has_ended() {
     const std::scoped_lock lock(mutex_);
@@ -112,7 +112,8 @@ class Jobs::Job {
     const std::scoped_lock lock(mutex_);
     has_ended_ = true;
   }
-  /// Returns false if the end was already requested.
+  /// Sets the object that interrupts the job. Returns false if the end of the job was already
+  /// requested.
   bool Listen(tendon::os::Interruption* interruption) {
     const std::scoped_lock lock(mutex_);
     interruption_ = interruption;
@@ -126,7 +127,7 @@ class Jobs::Job {
   tendon::os::Interruption* interruption_ = nullptr;
   bool is_unwanted_ = false;
   bool has_ended_ = false;
-  std::thread thread_;  // the last member: it uses the others
+  std::thread thread_;  // the last member, because it uses the other members
 };
 
 Jobs::Jobs() = default;

@@ -16,15 +16,15 @@
 
 namespace console {
 
-/// Collects the lines of several threads until they are printed. Counts the lines that do not fit.
-/// Thread-safe.
+/// Collects the lines of several threads until they are printed. If lines do not fit, they are only
+/// counted. Thread-safe.
 class JobLines {
  public:
   static constexpr std::size_t kMost = 1000;
 
-  /// `line` has no line end.
+  /// Adds a line, given without its line end.
   void Add(std::string line);
-  /// Takes all lines since the last call, each with its line end.
+  /// Returns all lines since the last call, each with its line end.
   std::string Take();
 
  private:
@@ -49,8 +49,8 @@ class JobStream final : public std::streambuf {
   std::string line_;
 };
 
-/// Background commands, each in its own thread and over its own link. They run until they end by
-/// themselves or this object is destroyed. For one thread.
+/// Commands in the background. Each runs in its own thread and over its own link, until it ends by
+/// itself or this object is destroyed. For one thread.
 class Jobs {
  public:
   Jobs();
@@ -59,17 +59,18 @@ class Jobs {
   /// Ends all jobs.
   ~Jobs();
 
-  /// Starts a job and prints its number. kInvalid if the verb does not run for long. `columns` is
-  /// the width of the terminal.
+  /// Starts a job and prints its number. Returns kInvalid if the verb is not one that can run for a
+  /// long time. `columns` is the width of the terminal.
   tendon::Result<void> Begin(const Words& words, const Settings& settings, int columns);
-  /// Ends the job with this number and waits for it; kNotFound if there is none.
+  /// Ends the job with this number, and waits for its end. Returns kNotFound if there is no such
+  /// job.
   tendon::Result<void> End(const std::string& number);
   void EndAll();
   /// Prints the number and the words of each running job.
   void Print(std::ostream& out);
 
-  /// Takes the complete lines that the jobs have written since the last call. Empty if no job runs
-  /// and all lines were taken.
+  /// Returns the complete lines that the jobs have written since the last call. Empty if no job is
+  /// running and all lines were taken.
   std::optional<std::string> TakeLines();
 
  private:

@@ -23,10 +23,10 @@ namespace fs = std::filesystem;
 
 constexpr int kRemembered = 1000;
 
-/// The first line of a history in the format of libedit.
+/// The first line of a history file in the format of libedit.
 constexpr const char* kHistoryMark = "_HiStOrY_V2_\n";
 
-/// Encodes a line of the history like strvis(): \ooo stands for any byte.
+/// Encodes a line of the history as strvis() does: \ooo stands for a byte with this octal number.
 std::string HistoryLine(const std::string& typed) {
   constexpr std::string_view kPlain = "/.,:;_-+=()[]{}<>\"'*?!#$%&@^|~";
   std::string line;
@@ -44,15 +44,15 @@ std::string HistoryLine(const std::string& typed) {
   return line + '\n';
 }
 
-/// Sets the user's character set. If it is unknown or plain ASCII, uses UTF-8, because no other
-/// letters could be typed.
+/// Uses the user's character set. If it is unknown or plain ASCII, uses UTF-8, because otherwise
+/// the user could not type other letters.
 void ChooseLetters() {
   const char* chosen = std::setlocale(LC_CTYPE, "");
   const std::string_view name = chosen == nullptr ? "C" : chosen;
   if (name == "C" || name == "POSIX") std::setlocale(LC_CTYPE, "C.UTF-8");
 }
 
-/// The number of characters in UTF-8.
+/// Returns the number of characters in a UTF-8 text.
 std::size_t Letters(std::string_view text) {
   return static_cast<std::size_t>(std::ranges::count_if(
       text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) != 0x80U; }));
@@ -80,7 +80,7 @@ class LineEditor final : public LineReader {
     EditLine* editor = editor_.get();
     el_set(editor, EL_CLIENTDATA, this);
     el_set(editor, EL_PROMPT, &Prompt);
-    el_set(editor, EL_SIGNAL, 1);  // restores the terminal before a signal ends the program
+    el_set(editor, EL_SIGNAL, 1);  // restores the terminal if a signal ends the program
     el_set(editor, EL_EDITOR, "emacs");
     el_set(editor, EL_HIST, &::history, history_.get());
     el_set(editor, EL_GETCFN, &OnLetter);
@@ -90,13 +90,14 @@ class LineEditor final : public LineReader {
     el_source(editor, nullptr);
     el_set(editor, EL_BIND, "^I", "gcm-complete", nullptr);
     el_set(editor, EL_BIND, "^C", "gcm-abandon", nullptr);
-    el_set(editor, EL_SETTY, "-d", "-isig", nullptr);  // while a line is edited
+    // With this setting, Ctrl-C is an ordinary key while a line is edited.
+    el_set(editor, EL_SETTY, "-d", "-isig", nullptr);
   }
 
   std::optional<std::string> Read(const std::string& prompt) override {
     prompt_ = prompt;
-    el_set(editor_.get(), EL_PREP_TERM, 1);  // before the prompt: from here on Ctrl-C is a key
-    tendon::os::ForgetInterrupt();           // an earlier Ctrl-C was for the previous command
+    el_set(editor_.get(), EL_PREP_TERM, 1);  // before the prompt: from now on Ctrl-C is a key
+    tendon::os::ForgetInterrupt();           // an earlier Ctrl-C concerned the previous command
     const tendon::os::TerminationUnblockScope while_typing;
     int count = 0;
     const char* typed = el_gets(editor_.get(), &count);
@@ -124,7 +125,7 @@ class LineEditor final : public LineReader {
     return CC_NEWLINE;
   }
 
-  /// Reads a character like libedit, and prints lines that arrive meanwhile.
+  /// Reads a character for libedit. While it waits, prints the lines that arrive.
   int ReadLetter(wchar_t* letter) {
     constexpr std::chrono::milliseconds kTurn(50);
     while (ShowLines() && !tendon::os::IsKeyPressed(kTurn)) {
@@ -134,7 +135,7 @@ class LineEditor final : public LineReader {
     el_set(editor_.get(), EL_GETCFN, &OnLetter);
     return count;
   }
-  /// Prints the lines of background jobs; returns false if there will be no more.
+  /// Prints the lines of background jobs. Returns false if there will be no more lines.
   bool ShowLines() {
     const auto lines = lines_();
     if (lines && !lines->empty()) {
@@ -144,7 +145,8 @@ class LineEditor final : public LineReader {
     }
     return lines.has_value();
   }
-  /// The text that erases the prompt and the typed line; a line break on a dumb terminal.
+  /// Returns the text that erases the prompt and the typed line. On a dumb terminal, this is a line
+  /// break.
   [[nodiscard]] std::string Erasure() const {
     if (IsDumbTerminal()) return "\n";
     const LineInfo* info = el_line(editor_.get());
@@ -155,7 +157,7 @@ class LineEditor final : public LineReader {
     return (rows > 0 ? "\x1b[" + std::to_string(rows) + "A" : "") + "\r\x1b[J";
   }
 
-  /// Removes old lines from the file from time to time.
+  /// Loads the history. If the file has become long, removes its oldest lines.
   void Load() {
     HistEvent event{};
     const int loaded = history(history_.get(), &event, H_LOAD, file_.c_str());
@@ -166,7 +168,7 @@ class LineEditor final : public LineReader {
     fs::permissions(file_, fs::perms::owner_read | fs::perms::owner_write, none);
   }
 
-  /// Appends to the file, because other shells write to it, too.
+  /// Appends the line to the file. The file is not replaced, because other shells write to it, too.
   void Remember(const std::string& line) {
     if (line.find_first_not_of(" \t") == std::string::npos) return;
     HistEvent event{};
@@ -191,7 +193,8 @@ class LineEditor final : public LineReader {
     return CC_REDISPLAY;
   }
 
-  /// Completes the last word of the line; keeps its typed beginning if possible.
+  /// Replaces the last word of the line by its completion. Keeps the part that the user has typed
+  /// if possible.
   void Replace(const PartialCommand& line, const std::string& common, bool is_only_one) {
     const std::string& word = line.words.back();
     const bool is_whole = is_only_one && common.ends_with(' ');

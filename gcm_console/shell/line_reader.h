@@ -14,11 +14,11 @@ namespace console {
 /// Returns the completions of an unfinished line.
 using AskCompletion = std::function<WordCompletion(const PartialCommand&)>;
 
-/// Returns the complete lines since the last call, to print above the prompt; empty if there will
-/// be no more.
+/// Returns the complete lines since the last call; they are printed above the prompt. Empty if
+/// there will be no more lines.
 using AskLines = std::function<std::optional<std::string>()>;
 
-/// The source of the lines that a person types.
+/// Reads the lines that a person types.
 class LineReader {
  public:
   LineReader() = default;
@@ -26,11 +26,12 @@ class LineReader {
   LineReader& operator=(const LineReader&) = delete;
   virtual ~LineReader() = default;
 
-  /// Reads the next line; empty at the end of the input.
+  /// Reads the next line; returns no value at the end of the input.
   virtual std::optional<std::string> Read(const std::string& prompt) = 0;
 };
 
-/// Creates a reader that keeps its history in a file and prints lines from `lines` as they arrive.
+/// Makes a reader that keeps its history in a file, and prints the lines of `lines` when they
+/// arrive.
 using MakeLineReader = std::unique_ptr<LineReader> (*)(const std::filesystem::path& history,
                                                        AskCompletion completion, AskLines lines);
 

@@ -13,10 +13,10 @@ using tendon::Error;
 using tendon::ErrorCode;
 using tendon::Result;
 
-/// The longest wait after a key press.
+/// The maximum time that the user waits after pressing Tab.
 constexpr std::chrono::milliseconds kLongestPause(100);
 
-/// Adds the shell's own commands, such as `cd`, to the verbs of `gcm`.
+/// Adds the commands of the shell itself, such as `cd`, to the verbs of `gcm`.
 Page WithOwnWords(Page page) {
   using Arguments = std::vector<Page::Argument>;
   const auto add = [&](const std::string& name, const std::string& summary,
@@ -33,11 +33,11 @@ Page WithOwnWords(Page page) {
   number.name = "number";
   add("jobs", "list the background jobs that were started with &", {});
   add("end", "end one background job, or all of them without a number", {number});
-  add("exit", "end this", {});
+  add("exit", "end this session", {});
   return page;
 }
 
-/// After a signal has ended a command: the next one may run and print.
+/// After a signal has ended a command, makes it possible for the next command to run and to print.
 void GoOn(const Streams& streams) {
   tendon::os::HoldTerminationSignals();
   streams.out.clear();
@@ -50,7 +50,7 @@ Shell::Shell(Settings settings)
     : session_(std::move(settings)),
       page_(WithOwnWords(CommandLine({}).page())),
       live_completion_(kLongestPause) {
-  tendon::os::HoldTerminationSignals();  // also in the link's threads
+  tendon::os::HoldTerminationSignals();  // also in the threads of the link
   static_cast<void>(session_.Client());
 }
 
@@ -62,13 +62,13 @@ int Shell::Run(const std::string& line, const Streams& streams, AfterFailure aft
   }
   int failure = program::kOk;
   for (const ShellCommand& command : *commands) {
-    // Also true for a signal during a command that could not be interrupted.
+    // A signal may also have arrived during a command that could not be interrupted.
     if (tendon::os::TerminationRequested(std::chrono::milliseconds(0))) {
       GoOn(streams);
       return program::kInterrupted;
     }
     const int exit_code = RunCommand(command, streams);
-    GoOn(streams);  // a command ends the hold when it gets a signal
+    GoOn(streams);  // because a command that gets a signal releases the held signals
     const bool is_interrupted = exit_code == program::kInterrupted;
     if (failure == program::kOk || is_interrupted) failure = exit_code;
     if (exit_code != program::kOk && (is_interrupted || after == AfterFailure::kStop)) break;
@@ -89,7 +89,8 @@ int Shell::RunCommand(const ShellCommand& command, const Streams& streams) {
   const int exit_code = RunCommandLine(words, streams, session_);
   const bool is_help = words == Words{"help"} || words == Words{"--help"};
   if (is_help) {
-    streams.out << "Here also: cd PATH, .., jobs, end and exit; see: help prompt.\n" << std::flush;
+    streams.out << "Also available here: cd PATH, .., jobs, end and exit; see: help prompt.\n"
+                << std::flush;
   }
   return exit_code;
 }

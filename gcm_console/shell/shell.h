@@ -13,8 +13,9 @@
 
 namespace console {
 
-/// Runs lines of text as commands of `gcm`, for `gcm shell`, `gcm run` and the window's console.
-/// Lines omit the word `gcm`; relative paths begin at the path of the last `cd`. For one thread.
+/// Runs lines of text as commands of `gcm`, for `gcm shell`, `gcm run` and the console of the
+/// window. The lines need not begin with `gcm`. Relative paths are relative to the path of the last
+/// `cd`. For one thread.
 class Shell {
  public:
   explicit Shell(Settings settings);
@@ -22,23 +23,24 @@ class Shell {
   /// What to do after a command of a line has failed.
   enum class AfterFailure { kGoOn, kStop };
 
-  /// Runs the commands of one line. Returns the exit code of the first that failed, 0 if none did.
+  /// Runs the commands of one line. Returns the exit code of the first command that has failed; 0
+  /// if none has failed.
   int Run(const std::string& line, const Streams& streams, AfterFailure after);
-  /// True after `exit`.
+  /// True after the command `exit`.
   [[nodiscard]] bool has_ended() const { return has_ended_; }
 
-  /// "robot/arm> ", with the start of relative paths.
+  /// Returns the prompt with the path to which relative paths are relative: "robot/arm> ".
   [[nodiscard]] std::string prompt() const;
-  /// The completions of a line, from the catalogue as known now. Waits only for words that only a
-  /// process knows, such as names of parameters: at most 100 ms, and only until the first reply.
+  /// Returns the completions of a line, from the catalogue as known now. Blocks only for words that
+  /// only a process knows, such as names of parameters: until the first answer, at most 100 ms.
   [[nodiscard]] WordCompletion Complete(const PartialCommand& line);
-  /// Takes the complete lines that background jobs have written since the last call; empty if there
-  /// are no jobs.
+  /// Returns the complete lines that background jobs have written since the last call; empty if
+  /// there are no jobs.
   std::optional<std::string> TakeLines() { return jobs_.TakeLines(); }
 
  private:
   int RunCommand(const ShellCommand& command, const Streams& streams);
-  /// Runs one of the shell's own commands; empty if `words` is not one.
+  /// Runs a command of the shell itself. Returns no value if `words` is no such command.
   std::optional<tendon::Result<void>> RunOwnWord(const Words& words, const Streams& streams);
   tendon::Result<void> BeginInBackground(const Words& words, const Streams& streams);
   std::vector<std::string> LiveCompletionsOf(WordKind kind, const Words& before);

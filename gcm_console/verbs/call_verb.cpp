@@ -23,7 +23,8 @@ struct CallWords {
   bool dry_run = false;
 };
 
-/// The argument as JSON; empty if none is given. The caller reports errors of the command itself.
+/// Returns the argument as JSON; empty if none is given. Mistakes in the command itself are
+/// reported by the caller.
 Result<std::string> ArgumentFor(Context& context, const CallWords& words) {
   if (words.argument.empty()) return std::string();
   if (words.argument == std::vector<std::string>{"-"}) {
@@ -41,7 +42,7 @@ Result<std::string> ArgumentFor(Context& context, const CallWords& words) {
   return ArgumentOf(*schema, words.path, words.argument);
 }
 
-/// Checks everything that is known before the call is sent to the process.
+/// Checks everything that can be checked before the call is sent to the process.
 Result<void> CheckCall(Context& context, const std::string& text, const std::string& argument) {
   if (auto allowed = CheckRole(context); !allowed) return allowed;
   const auto path = tendon::ParsePath(text);

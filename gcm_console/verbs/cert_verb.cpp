@@ -20,7 +20,7 @@ using program::ExitCode;
 using tendon::CertificateAuthority;
 using tendon::Result;
 
-/// The arguments of all `gcm cert` subcommands; each uses some of them.
+/// The arguments of all subcommands of `gcm cert`. Each subcommand uses some of them.
 struct CertArguments {
   std::string name;
   std::string file;
@@ -29,10 +29,10 @@ struct CertArguments {
   std::vector<std::string> hosts;
   int days = 365;
   bool is_process = false;
-  bool is_dry = false;  ///< only say what would be done
+  bool is_dry = false;  ///< only print what would be done
 };
 
-/// The folder of the CA.
+/// Returns the folder of the CA.
 fs::path Authority(const Context& context) {
   return program::AuthorityOf(context.settings().network);
 }
@@ -46,7 +46,7 @@ nlohmann::ordered_json CertificateJson(const tendon::Certificate& certificate) {
           {"not_after", tendon::DateText(certificate.not_after)}};
 }
 
-/// `more` is appended: titles and texts.
+/// Prints a certificate as a table. `more` contains further rows.
 void PrintText(Context& context, const tendon::Certificate& certificate,
                const std::vector<std::vector<std::string>>& more) {
   Table table({"WHAT", "VALUE"});
@@ -59,7 +59,7 @@ void PrintText(Context& context, const tendon::Certificate& certificate,
   context.Print(table);
 }
 
-/// The dry run of an `init` that would succeed.
+/// Checks whether `init` would succeed, and prints what it would do.
 Result<ExitCode> RehearseInit(Context& context) {
   const fs::path folder = Authority(context);
   if (auto good = CertificateAuthority::CheckInit(folder); !good) return good.error();
@@ -85,8 +85,8 @@ Result<ExitCode> Init(Context& context, const CertArguments& arguments) {
   return program::kOk;
 }
 
-/// The dry run of an `issue` that would succeed. Omits serial number and times, which exist only
-/// after the certificate is made.
+/// Checks whether `issue` would succeed, and prints what it would do. Serial number and times are
+/// not printed, because they exist only when the certificate is made.
 Result<ExitCode> RehearseIssue(Context& context, const CertificateAuthority& authority,
                                const CertificateAuthority::Request& request, const fs::path& out) {
   if (auto good = authority.CheckIssue(request, out); !good) return good.error();
@@ -198,7 +198,7 @@ void AddIssueOptions(CLI::App& app, CertArguments& arguments) {
   AddDryRun(app, arguments.is_dry);
 }
 
-/// One subcommand of `gcm cert`.
+/// A subcommand of `gcm cert`.
 struct CertVerb {
   const char* name;
   const char* summary;

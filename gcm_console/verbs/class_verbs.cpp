@@ -45,7 +45,7 @@ struct ClassArguments {
   bool dry_run = false;
 };
 
-/// The named process; otherwise the only present one.
+/// Returns the process that the user has named; otherwise the only process that is present.
 Result<std::string> ProcessOf(const Catalogue& catalogue, const std::string& named) {
   if (!named.empty()) return named;
   std::vector<std::string> present;
@@ -62,7 +62,7 @@ Result<std::string> ProcessOf(const Catalogue& catalogue, const std::string& nam
                "there are several processes: give one of " + Joined(present, ", ")};
 }
 
-/// The configuration from the command line or a file; empty if neither is given.
+/// Returns the configuration from the command line or from a file; empty if neither is given.
 Result<std::string> ConfigurationOf(const ClassArguments& arguments) {
   if (arguments.file.empty()) return arguments.json;
   auto text = tendon::ReadSystemText(arguments.file);
@@ -76,8 +76,8 @@ Result<std::string> ConfigurationOf(const ClassArguments& arguments) {
   return text;
 }
 
-/// The file from which the process has loaded the library; empty if the process does not report it.
-/// An empty library name means the library with the class.
+/// Returns the file from which the process has loaded the library of `order`; empty if the process
+/// does not report it. If the order names no library, the library that contains the class is meant.
 std::optional<tendon::PluginDescription> AskForPlugin(Context& context,
                                                       const LifecycleOrder& order) {
   const auto known = AskClasses(context, order.process);
@@ -91,7 +91,8 @@ std::optional<tendon::PluginDescription> AskForPlugin(Context& context,
   return loaded == nullptr ? std::nullopt : std::optional(*loaded);
 }
 
-/// Warns that the file differs from the running code. Also printed with --quiet.
+/// Warns if the file of the plug-in differs from the running code. The warning is printed even with
+/// --quiet.
 void WarnOfOld(const Context& context, const std::string& process,
                const tendon::PluginDescription& plugin) {
   const std::string old = tendon::OutdatedPluginText(process, plugin);
@@ -100,7 +101,7 @@ void WarnOfOld(const Context& context, const std::string& process,
   context.streams().err << "gcm: " << Plain(old) << '\n';
 }
 
-/// Checks in advance, as far as possible, that the order would succeed.
+/// Checks as far as possible whether the order would succeed.
 Result<void> Check(Context& context, tendon::GcmClient& client, const LifecycleOrder& order) {
   if (auto allowed = CheckRole(context); !allowed) return allowed;
   if (auto checked = CheckLifecycleOrder(client.catalogue(), order); !checked) return checked;
@@ -116,7 +117,8 @@ Result<void> Check(Context& context, tendon::GcmClient& client, const LifecycleO
                                             : tendon::CheckCreation(*known, order);
 }
 
-/// Executes the order, or prints what it would do; `object` and `done` are words for the user.
+/// Executes the order, or prints what the order would do. `object` and `done` are words for the
+/// message.
 Result<ExitCode> Execute(Context& context, const LifecycleOrder& order, const std::string& object,
                          const std::string& done, bool is_dry) {
   const auto client = context.Client();
@@ -164,7 +166,7 @@ Result<ExitCode> Create(Context& context, const ClassArguments& arguments) {
     return Error{ErrorCode::kInvalid,
                  "'" + arguments.component +
                      "' does not name a component: expected process/component, or "
-                     "its name alone with --in process"};
+                     "only its name together with --in process"};
   }
   const auto process =
       ProcessOf((*client)->catalogue(), is_whole ? path->process : arguments.process);
@@ -208,7 +210,7 @@ Result<ExitCode> Configure(Context& context, const ClassArguments& arguments) {
   return Execute(context, order, ToString(found->front()), "configured", arguments.dry_run);
 }
 
-/// "arm.Configuration", or "-" if the class has none.
+/// Returns the type of a class's configuration: "arm.Configuration", or "-" if it has none.
 std::string ConfigurationType(const ClassDescription& one) {
   const auto schema = tendon::Schema::Parse(one.configuration);
   if (!schema) return "?";
@@ -219,7 +221,7 @@ void PrintJson(const Context& context, const std::string& process, const Classes
   using Json = nlohmann::ordered_json;
   auto classes = Json::array();
   for (const ClassDescription& one : all.classes) {
-    const Json defaults = tendon::JsonOrText(one.defaults);  // may not be an object
+    const Json defaults = tendon::JsonOrText(one.defaults);  // need not be an object
     classes.push_back({{"class", one.name},
                        {"library", one.library},
                        {"configuration", one.configuration},
@@ -235,7 +237,7 @@ void PrintJson(const Context& context, const std::string& process, const Classes
 
 void Print(const Context& context, const ClassDescription& one) {
   context.out() << Plain(one.library) << '/' << Plain(one.name) << '\n';
-  std::string line;  // a schema text has several lines, which are untrusted
+  std::string line;  // the schema has several lines, and its text cannot be trusted
   for (const char letter : one.configuration + "\n") {
     if (letter != '\n') {
       line += letter;
@@ -246,7 +248,7 @@ void Print(const Context& context, const ClassDescription& one) {
   context.out() << "defaults: " << Plain(one.defaults) << '\n';
 }
 
-/// Keeps only the class of that name, the first of several.
+/// Removes all classes except the first one with that name.
 Result<void> Choose(Classes& all, const std::string& class_name) {
   std::vector<std::string> names;
   for (const ClassDescription& one : all.classes) names.push_back(one.name);

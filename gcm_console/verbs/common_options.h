@@ -7,20 +7,20 @@ namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
 class App;
 }
 
-/// Options that several verbs have.
+/// Options that several verbs have. Each function adds one of them.
 namespace console {
 
-/// --dry-run.
+/// Adds --dry-run.
 void AddDryRun(CLI::App& app, bool& is_dry);
 
-/// --count NUMBER, above 0.
+/// Adds --count NUMBER, which must be above 0.
 void AddCount(CLI::App& app, std::uint64_t& count, const std::string& help);
 
-/// --for TIME, in seconds.
+/// Adds --for TIME; `seconds` receives the time in s.
 void AddDuration(CLI::App& app, double& seconds,
                  const std::string& help = "end after this time: 10s, 500ms, 2min");
 
-/// --no-reconnect.
+/// Adds --no-reconnect.
 void AddNoReconnect(CLI::App& app, bool& ends_with_link);
 
 }  // namespace console

@@ -13,12 +13,13 @@ namespace console {
 
 /// A component with the description of its class and its own configuration.
 struct ConfiguredComponent {
-  tendon::ClassDescription description;  ///< of its class
-  std::string configuration;             ///< its own, as JSON, or empty
-  std::uint64_t instance = 0;            ///< the instance id of its process
+  tendon::ClassDescription description;  ///< description of the class
+  std::string configuration;             ///< configuration of the component, as JSON; may be empty
+  std::uint64_t instance = 0;            ///< instance id of the process
 };
 
-/// Asks the component's process; waits at most `patience`. kFailed if it has no class.
+/// Requests the data from the component's process, and waits at most `patience`. Returns kFailed if
+/// the component was not created from a class.
 tendon::Result<ConfiguredComponent> FindConfigured(tendon::GcmClient& client,
                                                    std::chrono::milliseconds patience,
                                                    const tendon::Path& component);

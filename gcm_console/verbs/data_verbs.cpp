@@ -38,14 +38,14 @@ ordered_json StaleValuesJson(const StaleValues& old) {
   return json;
 }
 
-/// Prints one message for each component that does not run.
+/// Prints a message for each component that does not run.
 class StaleComponents {
  public:
   explicit StaleComponents(Context& context, tendon::GcmClient& client)
       : context_(context), client_(client) {}
 
-  /// Returns the age of the values if the component of the path does not run; prints a message the
-  /// first time.
+  /// If the component of the path does not run, returns the age of its values and, the first time,
+  /// prints a message.
   const std::optional<StaleValues>& Of(const std::string& text) {
     const auto path = tendon::ParsePath(text);
     const std::string component = path ? path->process + "/" + path->component : text;
@@ -63,7 +63,7 @@ class StaleComponents {
   std::map<std::string, std::optional<StaleValues>> known_;
 };
 
-/// Prints one value and nothing else to the output; its age goes to the messages.
+/// Prints one value to the output, and nothing else. Its age is printed as a message.
 Result<ExitCode> GetOne(Context& context, const std::string& text) {
   const auto path = tendon::ParsePath(text);
   if (!path) return path.error();
@@ -95,7 +95,7 @@ Result<ExitCode> GetOne(Context& context, const std::string& text) {
   return program::kOk;
 }
 
-/// The read commands and columns, or parts of columns, that a glob matches.
+/// Returns the read commands and the columns (or parts of columns) that a glob matches.
 Result<std::vector<std::string>> MatchingReadables(const tendon::Catalogue& catalogue,
                                                    const std::string& glob) {
   std::vector<std::string> paths;
@@ -115,7 +115,7 @@ Result<std::vector<std::string>> MatchingReadables(const tendon::Catalogue& cata
                                          "' lists the matches"};
 }
 
-/// Prints one line per value. Reports values that cannot be read, and reads the others.
+/// Prints one line per value. If a value cannot be read, reports this and reads the others.
 Result<ExitCode> GetAll(Context& context, const std::string& glob) {
   const auto client = context.Client();
   if (!client) return client.error();
@@ -146,14 +146,14 @@ Result<ExitCode> GetAll(Context& context, const std::string& glob) {
 
 struct WatchOptions {
   std::vector<std::string> paths;
-  double rate = 0.0;        // rows per second, 0: all
-  bool is_latest = false;   // skip waiting rows
-  std::uint64_t count = 0;  // rows, 0: no end
-  double seconds = 0.0;     // 0: no end
+  double rate = 0.0;        // rows per second; 0: all
+  bool is_latest = false;   // print only the newest row
+  std::uint64_t count = 0;  // number of rows; 0: no limit
+  double seconds = 0.0;     // 0: no limit
   bool ends_with_link = false;
 };
 
-/// Remembers that a GCM was lost after it had been found.
+/// Records that a GCM was found and then lost.
 class GcmLossListener final : public tendon::GcmListener {
  public:
   void OnSnapshot(const tendon::Catalogue& /*catalogue*/) override {
@@ -187,7 +187,7 @@ tendon::RowChoice ChoiceOf(const WatchOptions& options) {
   return rows;
 }
 
-/// The watched tables, each with its own rows.
+/// The tables that are watched. Each table has its own queue of rows.
 class WatchedTables {
  public:
   WatchedTables(tendon::TelemetryClient& telemetry, const std::vector<TableChoice>& tables,
@@ -205,7 +205,7 @@ class WatchedTables {
   WatchedTables& operator=(const WatchedTables&) = delete;
   ~WatchedTables() { End(); }
 
-  /// No more rows come after this.
+  /// Ends the subscriptions; no more rows arrive after this call.
   void End() {
     if (std::exchange(has_ended_, true)) return;
     for (const Table& table : tables_) telemetry_.Unsubscribe(table.id);
@@ -215,8 +215,8 @@ class WatchedTables {
     const std::string* table = nullptr;
     PrintedRow content;
   };
-  /// Takes the next rows of all tables: in order within a table, in the order of arrival between
-  /// tables.
+  /// Returns the next rows of all tables. The rows of one table are in order; rows of different
+  /// tables are in the order of their arrival.
   std::vector<Row> Take() {
     std::vector<Row> all;
     for (const Table& table : tables_) {
@@ -231,13 +231,13 @@ class WatchedTables {
   [[nodiscard]] bool has_more() const {
     return std::ranges::any_of(tables_, [](const Table& one) { return one.inbox->has_more(); });
   }
-  /// The size of the waiting rows of all tables.
+  /// Returns the size of the rows of all tables that were not taken yet.
   [[nodiscard]] std::size_t waiting_bytes() const {
     std::size_t all = 0;
     for (const Table& table : tables_) all += table.inbox->waiting_bytes();
     return all;
   }
-  /// The rows lost after the last printed row of each table.
+  /// Returns the number of rows that were lost in each table after the last printed row.
   std::vector<std::pair<const std::string*, tendon::LostRows>> Rest() {
     std::vector<std::pair<const std::string*, tendon::LostRows>> all;
     for (const Table& table : tables_) all.emplace_back(&table.name, table.inbox->Rest());
@@ -252,7 +252,7 @@ class WatchedTables {
     if (is_any_left) return std::nullopt;
     return Error{tendon::ErrorCode::kNotFound, "none of the matching columns has this part"};
   }
-  /// The reason of an interruption, from the first table that has one.
+  /// Returns the reason of an interruption, from the first table that has one.
   [[nodiscard]] std::optional<Error> interruption() const {
     for (const Table& table : tables_) {
       if (auto reason = table.inbox->interruption()) return reason;
@@ -280,8 +280,8 @@ std::string LostText(const tendon::LostRows& lost) {
          " on the network, " + std::to_string(lost.viewer) + " in gcm";
 }
 
-/// Prints rows; on a terminal with titles. A row has "-" in the columns of other tables. Reports
-/// lost rows as JSON records of their own; otherwise as messages, at most one a second.
+/// Prints rows, on a terminal with titles. In the columns of other tables, a row has "-". Lost rows
+/// are reported: with --json as separate records, otherwise as messages, at most one per second.
 class RowWriter {
  public:
   RowWriter(Context& context, const WatchOptions& options, std::vector<std::string> paths)
@@ -293,7 +293,7 @@ class RowWriter {
     context.out() << '\n';
   }
 
-  /// Prints a row. Returns false if the requested number of rows is printed, or the output is
+  /// Prints a row. Returns false if the requested number of rows was printed, or if the output is
   /// closed.
   bool Write(const std::string& table, const PrintedRow& row) {
     Miss(table, row.lost_before);
@@ -301,12 +301,12 @@ class RowWriter {
     Print(row);
     return !is_full() && context_.out().good();
   }
-  /// Counts rows that are not printed.
+  /// Counts rows that were lost and are not printed.
   void Miss(const std::string& table, const tendon::LostRows& rows) {
     if (rows.all() > 0) ReportGap(table, rows);
     lost_ += rows;
   }
-  /// True if the requested number of rows is printed.
+  /// True if the requested number of rows was printed.
   [[nodiscard]] bool is_full() const { return options_.count > 0 && printed_ >= options_.count; }
   /// True if only the newest row is requested.
   [[nodiscard]] bool is_latest() const { return options_.is_latest; }
@@ -333,7 +333,7 @@ class RowWriter {
     }
   }
 
-  /// Writes the values unchanged: they are already JSON, perhaps many megabytes.
+  /// Writes the values unchanged, because they are JSON already and may have many megabytes.
   void PrintAsJson(const PrintedRow& row) {
     std::ostream& out = context_.out();
     out << R"({"schema":1,"time_ns":)" << row.time_ns << R"(,"clock_offset_ns":)"
@@ -348,7 +348,7 @@ class RowWriter {
   void Print(const PrintedRow& row) {
     if (context_.settings().json) return PrintAsJson(row);
     context_.out() << row.time_ns << '\t' << row.tick;
-    auto next = row.values.begin();  // in the order of the paths
+    auto next = row.values.begin();  // the values are in the order of the paths
     for (const std::string& path : paths_) {
       const bool is_ours = next != row.values.end() && next->first == path;
       context_.out() << '\t' << (is_ours ? (next++)->second : "-");
@@ -366,9 +366,9 @@ class RowWriter {
   std::chrono::steady_clock::time_point last_report_;
 };
 
-/// Reports once when a watched component stops running, and once when it runs again. If it had to
-/// wait for the age of a component's values, continues with the next component in the next Look(),
-/// so that signals are noticed in time.
+/// Reports when a watched component stops running, and when it runs again, once each. If Look() had
+/// to wait for the age of a component's values, it returns and continues with the next component in
+/// the next call, so that signals are handled in time.
 class StandstillNotices {
  public:
   StandstillNotices(Context& context, tendon::GcmClient& client,
@@ -404,10 +404,10 @@ class StandstillNotices {
     StaleReason reported = StaleReason::kNone;
   };
 
-  /// Checks one component. Returns true if it may have waited.
+  /// Checks one component. Returns true if this may have taken some time.
   bool LookAt(const tendon::Catalogue& catalogue, Watched& watched) {
     const StaleReason why = StaleReasonOf(catalogue, watched.path.process, watched.path.component);
-    // For a lost process, the end of its rows is reported instead.
+    // If the process is lost, the end of its rows is reported instead.
     if (why == watched.reported || why == StaleReason::kLost) return false;
     if (why == StaleReason::kNone) {
       context_.err() << "gcm: " << Plain(watched.name) << " runs again\n";
@@ -436,8 +436,8 @@ void Summarize(const RowWriter& writer, std::ostream& err) {
   err << '\n';
 }
 
-/// Returns false if no more rows are requested. After a signal, a write that would block fails, and
-/// the rows after it are lost.
+/// Prints the rows. Returns false if no more rows are requested. After a signal, a write that would
+/// block fails, and the rows after it count as lost.
 bool WriteRows(RowWriter& writer, const std::vector<WatchedTables::Row>& rows) {
   std::map<std::string, tendon::LostRows> missed;
   bool wants_more = true;
@@ -450,12 +450,13 @@ bool WriteRows(RowWriter& writer, const std::vector<WatchedTables::Row>& rows) {
     missed[*table].viewer += writer.is_latest() ? 0 : 1;
   }
   const bool is_left = !wants_more && !tendon::os::WasTerminationRequested();
-  if (writer.is_full() || is_left) return wants_more;  // closed by the reader: no loss
+  // If the reader has closed the output, the remaining rows do not count as lost.
+  if (writer.is_full() || is_left) return wants_more;
   for (const auto& [table, lost] : missed) writer.Miss(table, lost);
   return wants_more;
 }
 
-/// Prints the remaining rows if they are few; otherwise counts them as lost.
+/// Prints the rows that were not taken yet if they are few. Otherwise they count as lost.
 void WriteRest(WatchedTables& tables, RowWriter& writer, Context& context) {
   constexpr std::size_t kFew = std::size_t{64} << 10U;  // bytes
   if (writer.is_full()) return;
@@ -491,13 +492,13 @@ Result<ExitCode> Watch(Context& context, const WatchOptions& options) {
     context.out().flush();
     interrupted = interrupted || tendon::os::TerminationRequested(0ms);
     if (wants_more && !interrupted) notices.Look();
-    const auto mistake = tables.mistake();  // the cause was already reported
+    const auto mistake = tables.mistake();  // the reason of a mistake was already reported
     if (!broken) tables.Complain(context.err());
     if (mistake) return *mistake;
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
     if (options.seconds > 0.0 && passed.count() >= options.seconds) wants_more = false;
   }
-  // Otherwise the reader has closed the output, or is blocked and the user has interrupted.
+  // If this is false, the reader has closed the output.
   if (context.out().good() || interrupted) {
     WriteRest(tables, writer, context);
     Summarize(writer, context.err());

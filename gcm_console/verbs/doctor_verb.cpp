@@ -30,18 +30,18 @@ using tendon::ErrorCode;
 using tendon::Result;
 using namespace std::chrono_literals;
 
-/// A check: its subject and its result.
+/// The result of a check: what was checked, the verdict, and a text.
 struct Finding {
   enum class Verdict { kGood, kBad, kUnknown };
 
   std::string what;
   Verdict verdict = Verdict::kGood;
   std::string text;
-  std::string fix = {};  ///< kBad: the remedy
+  std::string fix = {};  ///< the remedy, if the verdict is kBad
 };
 using Findings = std::vector<Finding>;
 
-/// The clock offset of a process, from the first rows of any of its tables.
+/// Receives the clock offset of a process with the first rows of one of its tables.
 class ClockListener final : public tendon::RowSink {
  public:
   struct Clock {
@@ -86,7 +86,7 @@ class Doctor {
     ExamineGcm(**client);
     const tendon::Catalogue catalogue = (*client)->catalogue();
     if (catalogue.processes().empty()) {
-      Bad("processes", "none has joined this GCM",
+      Bad("processes", "no process has joined this GCM",
           "lcm --name NAME --gcm " + context_.settings().gcm);
     }
     health_ = AskHealth(context_);
@@ -123,7 +123,7 @@ class Doctor {
     if (network.certificate.empty()) {
       const auto cookie = tendon::LoopbackCookie();
       if (cookie) {
-        Good("cookie", "read in " + tendon::os::RuntimeFolder().string());
+        Good("cookie", "read from " + tendon::os::RuntimeFolder().string());
       } else {
         Bad("cookie", cookie.error().message, "as the owner of the file: chmod 600");
       }
@@ -141,7 +141,7 @@ class Doctor {
                               tendon::DateText(checked->certificate.not_after));
     }
   }
-  /// Checks the port of a local GCM that does not answer.
+  /// If a local GCM does not answer, checks which program uses its port.
   void ExaminePort() {
     const std::string& gcm = context_.settings().gcm;
     const auto place = tendon::ParseAddress(gcm, 1);
@@ -170,7 +170,7 @@ class Doctor {
             std::to_string(client.catalogue().revision()),
         "restart the GCM with gcm serve of this release; the system keeps running meanwhile");
   }
-  /// Returns true if the process answers.
+  /// Checks a process. Returns true if it answers.
   bool ExamineProcess(tendon::GcmClient& client, const tendon::ProcessEntry& entry) {
     const auto& process = entry.process;
     const std::string what = "process " + process.name;
@@ -225,13 +225,13 @@ class Doctor {
                "build the process with this release, or use a gcm of its release");
     return true;
   }
-  /// The version of a process, or of the GCM if `process` is empty.
+  /// Requests the version of a process; if `process` is empty, the version of the GCM.
   Result<tendon::message::ProgramVersion> AskForVersion(const std::string& process) {
     return context_.Ask<tendon::message::ProgramVersion>(
         [&](tendon::GcmClient& asked, auto handler) { asked.GetVersion(process, handler); });
   }
-  /// Reports the version of a program. Two compatible releases work together, but the limits of the
-  /// older one may explain a problem.
+  /// Reports the version of a program. Another release than that of `gcm` is reported as a problem:
+  /// compatible releases work together, but the limits of the older one may explain a problem.
   void AddVersion(const std::string& what, const Result<tendon::message::ProgramVersion>& told,
                   const std::string& text, const std::string& fix) {
     const auto [version, is_own] = tendon::CompareVersion(told, own_);
@@ -241,13 +241,14 @@ class Doctor {
       Bad(what, text + ", " + version, fix);
     }
   }
-  /// ", cpu 12.5 %, memory 34.1 MiB"; empty if unknown.
+  /// Returns ", cpu 12.5 %, memory 34.1 MiB"; empty if unknown.
   [[nodiscard]] std::string UsageText(const tendon::ProcessDescription& process) const {
     const auto* health = FindHealth(health_, process);
     if (health == nullptr) return "";
     return ", cpu " + tendon::CpuText(health) + ", memory " + tendon::MemoryText(health);
   }
-  /// ", clock 0.0 ms off (+-0.1 ms)"; empty if no table shows it.
+  /// Returns ", clock 0.0 ms off (+-0.1 ms)"; empty if the process has no table from which this is
+  /// known.
   static std::string ClockText(tendon::GcmClient& client, const tendon::ProcessEntry& entry) {
     for (const auto& [name, component] : entry.components) {
       if (component.tables.empty() || component.tables[0].columns.empty()) continue;
@@ -267,14 +268,14 @@ class Doctor {
     }
     return "";
   }
-  /// The plug-ins with the present state of their files; from the catalogue if the process does not
-  /// answer.
+  /// Returns the plug-ins with the present state of their files. If the process does not answer,
+  /// returns those in the catalogue.
   std::vector<tendon::PluginDescription> AskForPlugins(const tendon::ProcessDescription& process) {
     const auto known = AskClasses(context_, process.name);
     return known ? known->loaded : process.plugins;
   }
-  /// Checks that the process runs the code in its plug-ins' files.
-  /// Without `answers`, the plug-ins are those that the process has reported last.
+  /// Checks whether the process runs the code that is in the files of its plug-ins. If `answers` is
+  /// false, the plug-ins are those that the process has reported last.
   void ExaminePlugins(const std::string& process,
                       const std::vector<tendon::PluginDescription>& plugins, bool answers) {
     for (const tendon::PluginDescription& plugin : plugins) {

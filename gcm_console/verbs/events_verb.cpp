@@ -30,12 +30,13 @@ using namespace std::chrono_literals;
 
 struct EventsOptions {
   std::vector<std::string> patterns;
-  std::uint64_t count = 0;  // events, 0: no end
-  double seconds = 0.0;     // 0: no end
+  std::uint64_t count = 0;  // number of events; 0: no limit
+  double seconds = 0.0;     // 0: no limit
   bool ends_with_link = false;
 };
 
-/// Prints events as they come, at most `count` if it is not 0; on a terminal with titles.
+/// Prints events when they arrive, on a terminal with titles. If `count` is not 0, prints at most
+/// this many.
 class EventWriter {
  public:
   EventWriter(Context& context, tendon::GcmClient& client, std::uint64_t count)
@@ -45,7 +46,7 @@ class EventWriter {
     context.out() << "TIME                   \tEVENT\tVALUE\n";  // as wide as a time
   }
 
-  /// Requests unknown types while the process can still answer.
+  /// Requests unknown types as soon as events are subscribed, while the process can still answer.
   void Learn(const EventInbox::Content& content) {
     std::size_t next = 0;
     for (const tendon::EventSubscription& one : content.begun) {
@@ -66,8 +67,8 @@ class EventWriter {
     }
   }
 
-  /// Prints the events, and the losses between them, until enough are printed. Returns false at a
-  /// signal: the rest is not printed, and its losses are not counted.
+  /// Prints the events, and the losses between them, until the requested number is printed. After a
+  /// signal, returns false: the rest is not printed, and its losses are not counted.
   bool Write(const EventInbox::Content& content) {
     for (const auto& [event, lost_before] : content.events) {
       if (is_full()) return true;
@@ -78,7 +79,7 @@ class EventWriter {
     if (!is_full()) WriteLost(content.lost);
     return true;
   }
-  /// True once the wanted number of events is printed.
+  /// True if the requested number of events was printed.
   [[nodiscard]] bool is_full() const { return count_ > 0 && printed_ >= count_; }
   [[nodiscard]] std::uint64_t printed() const { return printed_; }
   [[nodiscard]] std::uint64_t lost() const { return lost_; }
@@ -110,7 +111,7 @@ class EventWriter {
     if (event.uncertainty_ns < 0) return nullptr;
     return event.uncertainty_ns;
   }
-  /// As JSON; "null" if the event has no value or its type is unknown.
+  /// Returns the value as JSON; "null" if the event has no value or its type is unknown.
   [[nodiscard]] std::string ValueOf(const ReceivedEvent& event) const {
     const auto schema = schemas_.find(event.description.signature.in);
     if (schema == schemas_.end()) return "null";
@@ -121,12 +122,12 @@ class EventWriter {
   Context& context_;
   tendon::GcmClient& client_;
   std::map<tendon::Fingerprint, tendon::Schema> schemas_;
-  const std::uint64_t count_;  // events, 0: no end
+  const std::uint64_t count_;  // number of events; 0: no limit
   std::uint64_t printed_ = 0;
   std::uint64_t lost_ = 0;
 };
 
-/// Listens to all events that match, including later ones.
+/// Subscribes to all events that match, including events that are added later.
 class EventListeners {
  public:
   EventListeners(tendon::GcmClient& client, const std::shared_ptr<EventInbox>& inbox)
@@ -205,7 +206,7 @@ Result<ExitCode> PrintEvents(Context& context, const EventsOptions& options) {
     is_interrupted = is_interrupted || !writer.Write(content);
     context.out().flush();
     if (options.ends_with_link && !content.complaints.empty()) {
-      broken = content.complaints.front();  // reported at the end
+      broken = content.complaints.front();  // it is reported at the end
     } else {
       Complain(content, context);
     }

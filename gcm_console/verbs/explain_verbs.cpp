@@ -25,7 +25,7 @@ using tendon::InterfaceName;
 using tendon::ProviderCandidate;
 using tendon::Result;
 
-/// For example "7 of 9".
+/// Returns the matched and the needed members: "7 of 9".
 std::string Share(const ProviderCandidate& candidate) {
   return std::to_string(candidate.compatibility.matched) + " of " +
          std::to_string(candidate.compatibility.needed);
@@ -65,8 +65,8 @@ Result<ExitCode> Candidates(Context& context, const std::string& text) {
   return program::kOk;
 }
 
-/// The provided interface to explain if the user names none: the connected one, otherwise the best
-/// candidate.
+/// Returns the provided interface to explain if the user has named none: the connected one; if
+/// there is none, the best candidate.
 Result<InterfaceName> LikelyProvider(const Catalogue& catalogue, const InterfaceName& required) {
   if (const auto* connection = catalogue.FindConnection(required)) return connection->provided;
   const auto candidates = RankCandidates(catalogue, required);
@@ -76,18 +76,19 @@ Result<InterfaceName> LikelyProvider(const Catalogue& catalogue, const Interface
                ToString(required) + " is not connected, and no available interface fits it"};
 }
 
-/// Measures a request to the process that does not involve a component's thread.
+/// Measures the time of a request that the process answers without a thread of a component.
 Result<std::chrono::microseconds> RoundTrip(Context& context, const std::string& process) {
   const auto begin = std::chrono::steady_clock::now();
   const auto answer = context.Ask<tendon::message::ProgramVersion>(
       [&](tendon::GcmClient& client, auto handler) { client.GetVersion(process, handler); });
-  const bool is_older = !answer && answer.error().code == ErrorCode::kDenied;  // but it answers
+  // An older process refuses the request, but this is an answer, too.
+  const bool is_older = !answer && answer.error().code == ErrorCode::kDenied;
   if (!answer && !is_older) return answer.error();
   return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() -
                                                                begin);
 }
 
-/// The flaws of a working connection, from the counts of its process in two requests.
+/// Returns the problems of a working connection, found by comparing two answers of its process.
 std::vector<tendon::ConnectionFlaw> AskForFlaws(Context& context, const InterfaceName& required) {
   constexpr std::chrono::milliseconds kBetween(500);
   const auto counts = [&] {
@@ -152,7 +153,7 @@ ordered_json DiagnosisJson(const Diagnosis& diagnosis) {
           {"rolled_back", std::move(remnants)}};
 }
 
-/// The exit code of a lost process must differ from that of a missing GCM, kUnreachable.
+/// A lost process must not have the exit code of a missing GCM, which is that of kUnreachable.
 ExitCode DiagnosisExitCode(const Diagnosis& diagnosis) {
   if (!diagnosis.failure) return program::kOk;
   const ErrorCode code = diagnosis.failure->code;

@@ -31,16 +31,16 @@ using tendon::Error;
 using tendon::ErrorCode;
 using tendon::Result;
 
-/// The number of things in each state.
+/// Counts the objects and the problems of a system.
 struct Health {
   std::size_t processes = 0;
   std::size_t connections = 0;
   std::size_t wrong = 0;
-  std::set<std::string> at_rest{};  ///< components with connections that do not run
-  std::set<std::string> verbs{};    ///< verbs that show more, or help
+  std::set<std::string> at_rest{};  ///< components that have connections but do not run
+  std::set<std::string> verbs{};    ///< verbs that show details or help to solve the problem
 };
 
-/// "3 active, 1 faulted".
+/// Returns the number of components in each state: "3 active, 1 faulted".
 std::string StatesOf(const tendon::ProcessEntry& entry) {
   std::map<std::string, int> states;
   for (const auto& [name, component] : entry.components) {
@@ -53,11 +53,11 @@ std::string StatesOf(const tendon::ProcessEntry& entry) {
   return text.empty() ? "no components" : "components: " + text;
 }
 
-/// The reason why each connection does not work, and for how long, as its process reports it.
+/// For each connection that does not work, its reason and duration as its process reports them.
 using Waits = std::map<tendon::InterfaceName, std::string>;
 
-/// Asks processes for the reasons, up to the number of requests allowed at once, and waits only
-/// briefly.
+/// Requests the reasons from the processes. Sends only as many requests as are allowed at once, and
+/// waits only briefly for the answers.
 Waits AskForWaits(tendon::GcmClient& client, const Catalogue& catalogue) {
   constexpr std::chrono::milliseconds kSoon(500);
   struct Answers {
@@ -89,7 +89,7 @@ Waits AskForWaits(tendon::GcmClient& client, const Catalogue& catalogue) {
   return answers->waits;
 }
 
-/// A row of the table of all things with problems.
+/// A row in the table of all objects with problems.
 struct StatusRow {
   std::string kind;
   std::string name;
@@ -97,7 +97,7 @@ struct StatusRow {
   std::string detail;
 };
 
-/// Adds plug-ins whose files differ from the running code.
+/// Adds the plug-ins whose files differ from the running code.
 void AddPlugins(const tendon::ProcessDescription& process, std::vector<StatusRow>& rows,
                 Health& health) {
   for (const tendon::PluginDescription& plugin : process.plugins) {
@@ -109,7 +109,8 @@ void AddPlugins(const tendon::ProcessDescription& process, std::vector<StatusRow
   }
 }
 
-/// Adds a component that is faulted, late or waiting. Failed connections have their own rows.
+/// Adds a component that is faulted, late or waiting. A failed connection is not added here,
+/// because it has its own row.
 void AddComponent(const tendon::ProcessEntry& entry, const tendon::ComponentDescription& component,
                   std::vector<StatusRow>& rows, Health& health) {
   const auto add = [&](const std::string& what) {
@@ -127,7 +128,7 @@ void AddComponent(const tendon::ProcessEntry& entry, const tendon::ComponentDesc
   add(WaitingReasons(waits));
   if (std::ranges::all_of(waits, &tendon::UnsatisfiedInterface::has_connection)) return;
   ++health.wrong;
-  health.verbs.insert("gcm doctor");  // it names the interface
+  health.verbs.insert("gcm doctor");  // because this verb names the interface
 }
 
 std::vector<StatusRow> StatusRows(const Catalogue& catalogue, const Waits& waits, Health& health) {
@@ -171,10 +172,10 @@ std::vector<StatusRow> StatusRows(const Catalogue& catalogue, const Waits& waits
   return rows;
 }
 
-/// "all is well", or the problems.
+/// Returns "all is well", or a sentence about the problems.
 std::string VerdictOn(const Health& health) {
   if (health.wrong > 0) {
-    return tendon::Counted(health.wrong, "thing", "things") + " with a problem: see " +
+    return tendon::Counted(health.wrong, "object", "objects") + " with a problem: see " +
            Joined(health.verbs, ", ");
   }
   if (health.at_rest.empty()) return "all is well";
@@ -223,13 +224,13 @@ Result<ExitCode> Find(Context& context, const std::vector<std::string>& words) {
   });
   if (items.empty()) {
     return Error{ErrorCode::kNotFound,
-                 "nothing fits '" + Joined(words, " ") + "'; gcm ls -R lists all names"};
+                 "nothing matches '" + Joined(words, " ") + "'; gcm ls -R lists all names"};
   }
   PrintItems(context, items);
   return program::kOk;
 }
 
-/// Prints each component with its connections, and the unconnected interfaces.
+/// Prints each component with its connections and its unconnected interfaces.
 void PrintText(const Catalogue& catalogue, std::ostream& out) {
   for (const auto& [name, entry] : catalogue.processes()) {
     for (const auto& [component, description] : entry.components) {

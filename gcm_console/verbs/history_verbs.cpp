@@ -46,7 +46,7 @@ ordered_json StepJson(const HistoryEntry& step) {
   return json;
 }
 
-/// "configure robot/arm: noise 0.001 -> 0.5".
+/// Returns the step with its changes: "configure robot/arm: noise 0.001 -> 0.5".
 std::string WhatOf(const HistoryEntry& step) {
   const std::string changes = tendon::ChangesText(step);
   return tendon::ToString(step) + (changes.empty() ? "" : ": " + changes);
@@ -59,11 +59,11 @@ struct UndoWords {
   bool dry_run = false;
 };
 
-/// The result of an undo of several steps.
+/// The result of undoing several steps.
 struct UndoResult {
   std::vector<HistoryEntry> steps;
   std::vector<HistoryEntry> passed_over;
-  std::optional<Error> error;  ///< the error that ended the undo
+  std::optional<Error> error;  ///< the error that has ended the undo
 };
 
 Result<HistoryEntry> AskForUndo(Context& context, std::uint64_t step) {
@@ -72,8 +72,8 @@ Result<HistoryEntry> AskForUndo(Context& context, std::uint64_t step) {
       tendon::GcmClient::kUndoTimeouts);
 }
 
-/// Undoes one step; if that is not possible, may skip it. Returns the error of the undo if it
-/// cannot be skipped either.
+/// Undoes one step. If this is impossible, skips the step if the user allows it. If it cannot be
+/// skipped either, returns the error of the undo.
 Result<HistoryEntry> UndoOne(Context& context, const UndoWords& words, UndoResult& undone) {
   auto step = AskForUndo(context, words.step);
   const bool may_pass = words.skip && undone.passed_over.empty();
@@ -109,7 +109,7 @@ void Print(Context& context, const UndoResult& undone, bool is_dry) {
   }
 }
 
-/// True if the process may return with its state, so that the step must not be skipped.
+/// Returns true if the process may return with its state. The step must not be skipped then.
 bool MayComeBack(const tendon::Catalogue& catalogue, const HistoryEntry& step) {
   const auto* owner = catalogue.FindProcess(tendon::ProcessOf(step));
   return owner != nullptr && owner->process.state == tendon::ProcessState::kLost &&
@@ -121,8 +121,8 @@ Result<tendon::message::History> AskForHistory(Context& context) {
       [](tendon::GcmClient& client, auto handler) { client.GetHistory(handler); });
 }
 
-/// Checks that the newest step can be undone, or may be skipped. Cannot check older steps, which
-/// depend on the result.
+/// Checks whether the newest step can be undone or skipped. Older steps cannot be checked, because
+/// they depend on the result of this one.
 Result<void> CheckNewest(const tendon::Catalogue& catalogue,
                          const tendon::message::History& history, const UndoWords& words,
                          UndoResult& undone) {

@@ -40,21 +40,21 @@ struct LifecycleArguments {
   bool is_strict = false;
 };
 
-/// The words of a verb, "stop", "stopped".
+/// A verb in its forms for messages: "stop", "stopped".
 struct LifecycleVerbForms {
   LifecycleVerb verb;
   std::string_view infinitive;
   std::string_view done;
 };
 
-/// The selected components or processes, and the number of glob matches to which the verb does not
-/// apply.
+/// The selected components or processes, and the number of matches of a glob that were left out
+/// because the verb does not apply to them.
 struct Targets {
   std::vector<Path> paths;
   std::size_t left_out = 0;
   bool has_glob = false;
 
-  /// A name without a glob is always a target, whatever its state.
+  /// Adds a path. A path that was given without a glob is always added, whatever its state.
   void Add(const Path& path, bool is_of_glob, bool is_of_use) {
     if (std::ranges::find(paths, path) != paths.end()) return;
     if (is_of_glob && !is_of_use) {
@@ -65,7 +65,8 @@ struct Targets {
   }
 };
 
-/// Sorts as in `order`; elements that are not in it come last.
+/// Sorts `paths` by the position of their names in `order`. Names that are not in `order` come
+/// last.
 template <typename Name, typename NameOf>
 void PutInOrder(const std::vector<Name>& order, NameOf name_of, std::vector<Path>& paths) {
   std::map<Name, std::size_t> places;
@@ -76,14 +77,15 @@ void PutInOrder(const std::vector<Name>& order, NameOf name_of, std::vector<Path
   });
 }
 
-/// Sorts clients before their servers, so that servers still execute the clients' last commands.
+/// Sorts clients before their servers, so that a server can still execute the last commands of its
+/// clients.
 void PutClientsFirst(const Catalogue& catalogue, std::vector<Path>& paths) {
   PutInOrder(
       tendon::EndOrder(tendon::SystemOf(catalogue, "").file),
       [](const Path& path) { return tendon::ComponentPath(path.process, path.component); }, paths);
 }
 
-/// The same for whole processes.
+/// Does the same for whole processes.
 void PutClientProcessesFirst(const Catalogue& catalogue, std::vector<Path>& paths) {
   PutInOrder(
       tendon::ProcessEndOrder(tendon::SystemOf(catalogue, "").file),
@@ -127,7 +129,8 @@ void PrintLeftOut(Context& context, const Targets& targets, std::string_view don
                 << " in " << (is_one ? "its" : "their") << " current state\n";
 }
 
-/// Asks a user at a terminal before a glob changes several things; `what` describes them.
+/// If a glob matches several objects, asks a user at a terminal for confirmation. `what` describes
+/// the objects.
 bool IsConfirmed(const Context& context, std::string_view infinitive, std::string_view what,
                  const Targets& targets, const LifecycleArguments& arguments) {
   if (!targets.has_glob || targets.paths.size() < 2 || arguments.yes || arguments.dry_run) {
@@ -184,13 +187,13 @@ Verb LifecycleVerbOf(std::string name, std::string summary, LifecycleVerbForms f
 
 using Ours = std::optional<tendon::message::Children>;
 
-/// A verb for whole processes.
+/// A verb that applies to whole processes.
 struct ProcessVerbForms {
   std::string_view infinitive;
   std::string_view done;
   bool needs_ours;
-  /// Checks if the action is possible; `ours` are the processes started by the GCM, if the GCM
-  /// reports them.
+  /// Checks whether the action is possible. `ours` are the processes that the GCM has started;
+  /// empty if the GCM does not report them.
   Result<void> (*check)(const Catalogue& catalogue, const Ours& ours, const std::string& process);
   Result<void> (*carry)(Context& context, const std::string& process);
 };
@@ -200,7 +203,7 @@ Result<void> CheckKill(const Catalogue& catalogue, const Ours& ours, const std::
   if (!entry) return entry.error();
   const bool is_ours =
       ours && std::ranges::count(ours->processes, process, &tendon::message::Child::process) > 0;
-  // Possible in any state: the process may hang, or wait for a restart.
+  // This is possible in any state, because the process may hang or may wait for a restart.
   if (is_ours) return {};
   if (auto present = RequirePresent((*entry)->process); !present || !ours) return present;
   return Error{ErrorCode::kFailed, "process '" + process + "' was not started by this GCM"};
@@ -235,8 +238,8 @@ Result<void> Forget(Context& context, const std::string& process) {
       [&](tendon::GcmClient& client, auto handler) { client.Forget(process, std::move(handler)); });
 }
 
-/// Keeps unknown names, and processes that the GCM has not started; the GCM refuses them with a
-/// reason.
+/// Finds the processes that match. Unknown names, and processes that the GCM has not started, are
+/// kept: the GCM refuses them and gives the reason.
 Result<Targets> FindProcesses(const Catalogue& catalogue, const Ours& ours,
                               const ProcessVerbForms& forms, const LifecycleArguments& arguments) {
   Targets targets;
@@ -250,21 +253,21 @@ Result<Targets> FindProcesses(const Catalogue& catalogue, const Ours& ours,
     for (const auto& [name, entry] : catalogue.processes()) {
       if (!tendon::MatchesGlob(pattern, name)) continue;
       is_found = true;
-      // Keeps a present process that this GCM has not started, because the GCM's error says where
-      // to end it.
+      // A present process that this GCM has not started is kept, because the error of the GCM says
+      // where to end it.
       const bool is_of_use =
           forms.check(catalogue, ours, name).ok() || forms.check(catalogue, {}, name).ok();
       targets.Add({.process = name}, true, is_of_use);
     }
     if (is_found) continue;
     return Error{ErrorCode::kNotFound,
-                 "no process fits '" + pattern + "'; gcm ls lists all processes"};
+                 "no process matches '" + pattern + "'; gcm ls lists all processes"};
   }
   if (targets.paths.size() > 1) PutClientProcessesFirst(catalogue, targets.paths);
   return targets;
 }
 
-/// The processes started by the GCM; empty if the GCM is too old to report them.
+/// Returns the processes that the GCM has started; empty if the GCM is too old to report them.
 Result<Ours> AskForOurs(Context& context) {
   auto children = context.Ask<tendon::message::Children>(
       [](tendon::GcmClient& client, auto handler) { client.GetChildren(handler); });

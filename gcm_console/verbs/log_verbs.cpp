@@ -32,8 +32,8 @@ using namespace std::chrono_literals;
 
 struct LogOptions {
   bool follow = false;
-  std::string level = "debug";  // this level and above
-  std::string from{};           // empty: all sources
+  std::string level = "debug";  // the lowest level
+  std::string from{};           // if empty, all sources
 };
 
 std::vector<std::string> LevelNames() {
@@ -42,7 +42,7 @@ std::vector<std::string> LevelNames() {
   return names;
 }
 
-/// The level with this name.
+/// Returns the level with this name.
 LogLevel LevelOf(const std::string& name) {
   for (const auto& one : tendon::kPayload<LogLevel>.enumerators) {
     if (one.name == name) return one.value;
@@ -50,17 +50,17 @@ LogLevel LevelOf(const std::string& name) {
   return LogLevel::kDebug;
 }
 
-/// Keeps records until the printing thread takes them. Limited in records and bytes: when it is
-/// full, the oldest records are dropped and counted as lost.
+/// Stores records until the printing thread takes them. The queue is limited in records and bytes.
+/// When it is full, the oldest records are dropped and counted as lost.
 class LogInbox final : public tendon::GcmListener {
  public:
   using Records = InboxQueue<LogRecord, std::uint64_t>;
 
   struct Content {
     std::deque<Records::Entry> records;
-    std::uint64_t lost = 0;  // after the last of `records`
+    std::uint64_t lost = 0;  // records lost after the last of `records`
     bool is_current = false;
-    bool has_more = false;  // more records are waiting
+    bool has_more = false;  // more records can be taken
     bool is_gcm_back = false;
     std::string complaint;
   };
@@ -86,7 +86,7 @@ class LogInbox final : public tendon::GcmListener {
     }
   }
 
-  /// Takes everything since the last call; the oldest records first.
+  /// Returns everything since the last call; the oldest records come first.
   Content Take() {
     const std::scoped_lock lock(mutex_);
     const bool is_current = content_.is_current;
@@ -100,7 +100,7 @@ class LogInbox final : public tendon::GcmListener {
 
  private:
   std::mutex mutex_;
-  Content content_;  // without the records and what is lost
+  Content content_;  // without the records and the losses
   Records records_;
   bool is_gcm_lost_ = false;
 };
@@ -139,7 +139,8 @@ void PrintNotices(const LogInbox::Content& content, Context& context) {
   if (content.is_gcm_back) context.PrintGcmReturn();
 }
 
-/// Prints that no kept record matches; kNotFound if there is no such process.
+/// Called if no stored record matches. Prints this, or returns kNotFound if there is no such
+/// process.
 Result<void> CheckFrom(const LogOptions& options, const std::set<std::string>& processes,
                        Context& context) {
   const std::string name = options.from.substr(0, options.from.find('/'));
@@ -155,14 +156,14 @@ Result<void> CheckFrom(const LogOptions& options, const std::set<std::string>& p
   return {};
 }
 
-/// The records that the GCM had when it was asked.
+/// The records that the GCM had stored when it was asked.
 struct KeptRecords {
   std::deque<LogRecord> records;
-  std::uint64_t lost = 0;  // between them
+  std::uint64_t lost = 0;  // records lost between the stored ones
 };
 
-/// Sorts by time: records arrive in the order in which the GCM received them. Prints all losses
-/// first: sorted records have no place for them.
+/// Sorts the records by time, because they arrive in the order in which the GCM has received them.
+/// All losses are printed first, because they have no position among the sorted records.
 Result<void> PrintKept(KeptRecords kept, const LogOptions& options, Context& context) {
   auto& records = kept.records;
   std::set<std::string> processes;
@@ -175,7 +176,7 @@ Result<void> PrintKept(KeptRecords kept, const LogOptions& options, Context& con
                                             : Result<void>();
 }
 
-/// Prints the records and the losses between them. Returns false at a signal: the rest is not
+/// Prints the records and the losses between them. After a signal, returns false: the rest is not
 /// printed, and its losses are not counted.
 bool PrintNew(const LogInbox::Content& content, const LogOptions& options, Context& context) {
   for (const auto& [record, lost_before] : content.records) {
@@ -233,7 +234,7 @@ struct LevelOrder {
   bool dry_run = false;
 };
 
-/// Checks that the process can be told.
+/// Checks whether the log level of the process can be set.
 Result<void> CheckLevelOrder(Context& context, const LevelOrder& order) {
   if (auto allowed = CheckRole(context); !allowed) return allowed;
   const auto client = context.Client();
@@ -250,7 +251,7 @@ Result<void> SetOneLevel(Context& context, const LevelOrder& order) {
   });
 }
 
-/// Sets the level of all present processes that match a glob.
+/// Sets the log level of all present processes that match a glob.
 Result<ExitCode> SetLevels(Context& context, const LevelOrder& order) {
   const auto client = context.Client();
   if (!client) return client.error();
@@ -262,7 +263,7 @@ Result<ExitCode> SetLevels(Context& context, const LevelOrder& order) {
   }
   if (outcomes.empty()) {
     return Error{ErrorCode::kNotFound,
-                 "no available process fits '" + order.process + "'; gcm ls lists them"};
+                 "no available process matches '" + order.process + "'; gcm ls lists them"};
   }
   PrintOutcomes(context, {"log-level", "set to log " + order.level + " and above", order.dry_run},
                 outcomes);
@@ -290,7 +291,8 @@ std::vector<Verb> LogVerbs() {
        "print what the processes log: time, level, process/source, text",
        [](CLI::App& app) -> Verb::Run {
          auto options = std::make_shared<LogOptions>();
-         app.add_flag("-f,--follow", options->follow, "then print new records when they arrive");
+         app.add_flag("-f,--follow", options->follow,
+                      "keep running, and print new records when they arrive");
          app.add_option("--level", options->level, "the lowest level to print (default: all)")
              ->check(CLI::IsMember(LevelNames()));
          app.add_option("--from", options->from,
@@ -298,7 +300,7 @@ std::vector<Verb> LogVerbs() {
          return [options](Context& context) { return ShowLog(context, *options); };
        },
        {"gcm log --follow --level warning", "gcm log --from 'robot/**'"}},
-      {"log-level", "set the lowest level that a process logs, until it ends",
+      {"log-level", "set the lowest level that a process logs; this lasts until the process ends",
        [](CLI::App& app) -> Verb::Run {
          auto order = std::make_shared<LevelOrder>();
          WithKind(app.add_option("process", order->process, "process, or a pattern such as r*"),

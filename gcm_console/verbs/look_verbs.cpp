@@ -30,7 +30,7 @@ struct ListOptions {
   std::vector<std::string> types;  ///< codes of kSystemItemKinds
 };
 
-/// Adds processor and memory use to processes that have no other detail.
+/// Adds processor and memory use to the processes that have no other detail.
 void AddHealth(Context& context, const Catalogue& catalogue, std::vector<SystemItem>& items) {
   const auto lacks_detail = [&](const SystemItem& item) {
     return item.kind == "process" && item.detail.empty();
@@ -45,8 +45,8 @@ void AddHealth(Context& context, const Catalogue& catalogue, std::vector<SystemI
   }
 }
 
-/// Everything below a path, or only its direct content. For a glob, the matches, or also everything
-/// in them.
+/// Returns the contents of a path; if `is_deep`, at all depths. For a glob, returns the matches; if
+/// `is_deep`, also everything that they contain.
 Result<std::vector<SystemItem>> ListedItems(const Catalogue& catalogue,
                                             const ListOptions& options) {
   const bool is_deep = options.is_recursive || !options.types.empty();
@@ -61,7 +61,7 @@ Result<std::vector<SystemItem>> ListedItems(const Catalogue& catalogue,
   return items;
 }
 
-/// Lists things by their full path, perhaps only of some kinds.
+/// Prints objects by their full paths. If types were given, prints only these.
 Result<ExitCode> ListItems(Context& context, const Catalogue& catalogue,
                            const ListOptions& options) {
   auto found = ListedItems(catalogue, options);
@@ -142,7 +142,7 @@ Verb::Run PrepareList(CLI::App& app) {
                           "process/component/interface.member, or the first parts of it; or a "
                           "pattern that matches several"),
            WordKind::kPath);
-  app.add_flag("-R,--recursive", options->is_recursive, "list all contents too, as paths");
+  app.add_flag("-R,--recursive", options->is_recursive, "also list all contents, as paths");
   app.add_flag("-l,--long", options->is_long, "list paths with type, state and connections");
   std::vector<std::string> codes;
   for (const SystemItemKind& kind : kSystemItemKinds) codes.emplace_back(kind.code);
@@ -159,7 +159,7 @@ Verb::Run PrepareList(CLI::App& app) {
 std::vector<Verb> LookVerbs() {
   return {
       {"ls",
-       "list processes, or the contents of one thing",
+       "list processes, or the contents of one object",
        &PrepareList,
        {"gcm ls robot/arm", "gcm ls 'robot/*'", "gcm ls -R -l", "gcm ls robot --type cmd,event"}},
       {"tree", "show the whole catalogue", [](CLI::App&) -> Verb::Run { return &Tree; }},

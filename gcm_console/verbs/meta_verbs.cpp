@@ -17,8 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct HelpOptions {
-  std::vector<std::string> words;  // a topic, or a verb and its subcommand
-  std::string manual;              // a folder for all manual pages
+  std::vector<std::string> words;  // a topic, or a verb with its subcommand
+  std::string manual;              // the folder into which all manual pages are written
 };
 
 Error NoTopic(const std::string& word, const Page& page) {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-/// The results of a verb that changes several things.
+/// The results of a verb that changes several objects.
 namespace console {
 
 struct Outcome {
@@ -19,24 +19,27 @@ struct Outcome {
 struct VerbForms {
   std::string_view verb;        ///< "stop"
   std::string_view participle;  ///< "stopped"
-  bool is_dry = false;          ///< a dry run: nothing is changed
+  bool is_dry = false;          ///< true for a dry run, in which nothing is changed
 };
 
-/// Prints one line per thing to the output, and failures to the messages; with JSON, one document.
+/// Prints one line per object to the output, and failures as messages. With --json, prints one
+/// document.
 void PrintOutcomes(const Context& context, const VerbForms& forms,
                    const std::vector<Outcome>& outcomes);
 
-/// The exit code of the first failure; kPartial if some things succeeded.
+/// Returns the exit code of the first failure; kPartial if the change has succeeded for some
+/// objects.
 [[nodiscard]] program::ExitCode ExitCodeOf(const std::vector<Outcome>& outcomes);
 
-/// Checks that the real run would be allowed too: kDenied with --read-only, as the GCM would
-/// answer.
+/// For a dry run: checks whether the user may execute the verb. Returns kDenied with --read-only,
+/// as the GCM would.
 [[nodiscard]] tendon::Result<void> CheckRole(const Context& context);
 
-/// Asks "QUESTION? [y/N]" at a terminal. True without a terminal; false in a window.
+/// Asks "QUESTION? [y/N]" at a terminal. If there is no terminal, returns true; in a window,
+/// returns false.
 [[nodiscard]] bool Confirm(const Context& context, const std::string& question);
 
-/// The error after the user has said no.
+/// Returns the error to report after the user has answered no.
 [[nodiscard]] tendon::Error Declined();
 
 }  // namespace console

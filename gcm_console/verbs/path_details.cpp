@@ -120,8 +120,8 @@ ordered_json JsonOf(Context& context, const Catalogue& catalogue, const PathTarg
 
 std::string ExpiryText(double seconds) {
   constexpr double kMilliseconds = 1e3;     // per second
-  constexpr double kRoundsToOne = 0.99995;  // with four digits
-  constexpr double kManyDigits = 1e4;       // which would be written with an exponent
+  constexpr double kRoundsToOne = 0.99995;  // rounds to 1 with four digits
+  constexpr double kManyDigits = 1e4;       // such a number would be written with an exponent
   if (seconds < kRoundsToOne) return Short(seconds * kMilliseconds) + " ms";
   return (seconds < kManyDigits ? Short(seconds) : std::to_string(std::llround(seconds))) + " s";
 }

@@ -8,18 +8,19 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-/// The listing and the details of the target of a path, for `ls` and `show`.
+/// The list of contents and the details of an object, for `ls` and `show`.
 namespace console {
 
-/// One line for each part of the target.
+/// Returns one line for each part of the target.
 [[nodiscard]] Table ListingOf(const tendon::Catalogue& catalogue, const PathTarget& target);
 
-/// Everything about the target, with details from its process or the GCM that are not in the
-/// catalogue.
+/// Returns everything about the target as JSON. Details that are not in the catalogue are requested
+/// from its process or from the GCM.
 [[nodiscard]] nlohmann::ordered_json JsonOf(Context& context, const tendon::Catalogue& catalogue,
                                             const PathTarget& target);
 
-/// "62.5 ms", "2.5 s": milliseconds below one second, with four significant digits.
+/// Formats a time: "62.5 ms", "2.5 s". Uses milliseconds below one second, and four significant
+/// digits.
 [[nodiscard]] std::string ExpiryText(double seconds);
 
 }  // namespace console

@@ -27,11 +27,11 @@ using namespace std::chrono_literals;
 
 struct PlotOptions {
   std::vector<std::string> paths;
-  double window = 10.0;  // visible seconds
-  double seconds = 0.0;  // 0: no end on a terminal, otherwise the window
+  double window = 10.0;  // visible time span in s
+  double seconds = 0.0;  // 0: without limit on a terminal, otherwise as long as the window
 };
 
-/// The plotted numbers; those of different tables arrive independently.
+/// The numbers that are plotted. The rows of different tables arrive independently.
 class PlottedTables {
  public:
   PlottedTables(tendon::TelemetryClient& telemetry, const std::vector<TableChoice>& tables,
@@ -79,7 +79,7 @@ class PlottedTables {
   std::vector<Table> tables_;
 };
 
-/// Shows as many curves as fit on the screen; a line below names the others.
+/// Shows as many curves as fit on the screen. If some do not fit, a line at the bottom says so.
 void Show(const PlottedTables& plotted, double window, Screen& screen) {
   const int rows = tendon::os::TerminalRows();
   const int columns = tendon::os::TerminalColumns(tendon::os::Stream::kOutput);
@@ -95,7 +95,7 @@ void Show(const PlottedTables& plotted, double window, Screen& screen) {
   screen.Show(PictureOf(curves, window, columns, rows - 2), Plain(footer), rows);
 }
 
-/// Collects until the time has passed or the user interrupts.
+/// Collects samples until the time has passed or the user interrupts.
 Result<ExitCode> Collect(Context& context, const PlottedTables& plotted,
                          const PlotOptions& options) {
   const bool has_screen = context.has_screen();
@@ -139,7 +139,7 @@ Result<ExitCode> Plot(Context& context, const PlotOptions& options) {
   const auto ended = Collect(context, plotted, options);
   PrintSentences(plotted.notes(), context.err());
   if (!ended) return ended;
-  // Prints the last picture again after the screen is restored.
+  // After the screen is restored, prints the last picture again.
   context.out() << PictureOf(plotted.curves(), options.window, columns, kUsualRows);
   return ended;
 }
@@ -151,7 +151,7 @@ Verb::Run PreparePlot(CLI::App& app) {
                           "numbers in them are drawn; * and ** match several"),
            WordKind::kColumn)
       ->required();
-  app.add_option("--window", options->window, "the time that is shown (default: 10s)")
+  app.add_option("--window", options->window, "the time span that is shown (default: 10s)")
       ->type_name("TIME")
       ->transform(CLI::Validator(&program::TransformDuration, ""));
   AddDuration(app, options->seconds,

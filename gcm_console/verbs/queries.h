@@ -10,26 +10,29 @@
 #include <optional>
 #include <string>
 
-/// Questions of verbs to the GCM and to processes. Each waits for an answer, at most --timeout.
+/// Requests of verbs to the GCM and to processes. Each function waits for the answer, at most
+/// --timeout.
 namespace console {
 
-/// The health of all processes; empty if the GCM does not provide it, which is not an error.
+/// Requests the health of all processes. Empty if the GCM does not provide it; this is not an
+/// error.
 [[nodiscard]] tendon::message::SystemHealth AskHealth(Context& context);
 
-/// The counters of the target's required interface, from its process. Empty if it is not connected
-/// or the process does not answer.
+/// Requests the counters of the target's required interface from its process. Empty if the
+/// interface is not connected, or if the process does not answer.
 [[nodiscard]] std::optional<tendon::ConnectionCounts> AskCounts(Context& context,
                                                                 const PathTarget& target);
 
-/// The mailbox level of the component; empty without a mailbox or an answer of its process.
+/// Requests the fill level of the component's mailbox. Empty if it has no mailbox, or if its
+/// process does not answer.
 [[nodiscard]] std::optional<tendon::MailboxFill> AskFill(Context& context,
                                                          const PathTarget& target);
 
-/// The type with this fingerprint, from a process that uses it.
+/// Requests the type with this fingerprint from a process that uses it.
 [[nodiscard]] tendon::Result<tendon::Schema> AskSchema(Context& context, const std::string& process,
                                                        const tendon::Fingerprint& type);
 
-/// The classes and the plug-ins of a process.
+/// Requests the classes and the plug-ins of a process.
 [[nodiscard]] tendon::Result<tendon::message::Classes> AskClasses(Context& context,
                                                                   const std::string& process);
 

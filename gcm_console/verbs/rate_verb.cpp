@@ -23,8 +23,8 @@ using namespace std::chrono_literals;
 
 struct RateOptions {
   std::string path;
-  std::uint64_t count = 0;  // reports, 0: no end
-  double seconds = 0.0;     // 0: no end
+  std::uint64_t count = 0;  // number of reports; 0: no limit
+  double seconds = 0.0;     // 0: no limit
 };
 
 /// Figures about the rows of one interval.
@@ -32,19 +32,19 @@ struct Rate {
   std::uint64_t rows = 0;
   std::uint64_t lost = 0;
   std::uint64_t periods = 0;
-  double sum = 0.0;      // of the periods, s
-  double squares = 0.0;  // of the squared periods
+  double sum = 0.0;      // sum of the periods, in s
+  double squares = 0.0;  // sum of the squared periods
   double shortest = std::numeric_limits<double>::infinity();
   double longest = 0.0;
 
   [[nodiscard]] double mean() const { return sum / static_cast<double>(periods); }
-  /// The standard deviation of the periods.
+  /// Returns the standard deviation of the periods.
   [[nodiscard]] double jitter() const {
     return std::sqrt(std::max(0.0, squares / static_cast<double>(periods) - mean() * mean()));
   }
 };
 
-/// Measures the rate with the source's clock, so that the network has no influence.
+/// Measures the rate by the clock of the source, so that the network does not influence it.
 class RateMeter final : public tendon::RowSink {
  public:
   void OnSubscribed(const std::vector<tendon::Schema>& /*columns*/) override {}
@@ -67,7 +67,7 @@ class RateMeter final : public tendon::RowSink {
     complaint_ = reason.message;
   }
 
-  /// Takes the figures since the last call.
+  /// Returns the figures since the last call.
   Rate Take() {
     const std::scoped_lock lock(mutex_);
     return std::exchange(rate_, {});
@@ -94,7 +94,8 @@ class RateMeter final : public tendon::RowSink {
   std::string complaint_;
 };
 
-/// Prints a table line by line, so its column widths are fixed at the start.
+/// Prints a table line by line. The widths of its columns are fixed at the start, because later
+/// lines are not known yet.
 class RateReport {
  public:
   explicit RateReport(Context& context) : context_(context) {}
@@ -172,7 +173,8 @@ Result<ExitCode> MeasureRate(Context& context, const RateOptions& options) {
     report.Print(meter->Take());
     context.out().flush();
   }
-  if (reports == 0) report.Print(meter->Take());  // interrupted within the first second
+  // There is no report yet if the user has interrupted within the first second.
+  if (reports == 0) report.Print(meter->Take());
   (*client)->telemetry().Unsubscribe(id);
   return is_interrupted ? program::kInterrupted : program::kOk;
 }

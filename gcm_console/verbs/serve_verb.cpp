@@ -69,11 +69,12 @@ Verb::Run PrepareServe(CLI::App& app) {
   return [broker](Context& context) { return Serve(context, *broker); };
 }
 
-/// Memory limit of the broker. For a message that claims 2^31 facets, Ice allocates 64 GiB; with a
-/// limit, the allocation fails, and Ice refuses the message and continues.
+/// The memory limit of the broker. If a message claims to have 2^31 facets, Ice tries to allocate
+/// 64 GiB. With the limit, this allocation fails, and Ice refuses the message and continues.
 constexpr std::size_t kMostOfBroker = std::size_t{8} << 30U;
 
-/// Writes a private file, because the names of the broker's objects are secret.
+/// Writes a file that only this user can read, because the names of the broker's objects are
+/// secret.
 tendon::Result<std::filesystem::path> WriteSettings(const std::string& address,
                                                     const std::string& settings) {
   std::string name = "broker-" + address + ".conf";

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The lines typed in earlier shells.
+/// Returns the file with the lines that were typed in earlier shells.
 fs::path HistoryFile() {
   const fs::path folder = tendon::os::StateFolder().parent_path() / "gcm";
   std::error_code none;

@@ -33,14 +33,15 @@ using tendon::InterfaceName;
 using tendon::Result;
 using tendon::message::SystemHealth;
 
-/// The options of its own thread; empty if it has none or they are the default.
+/// Returns the options of the component's own thread; empty if it has no thread or the options are
+/// the defaults.
 std::string ThreadText(const tendon::ComponentDescription& component) {
   const bool is_usual =
       component.thread.empty() || component.thread.front() == tendon::ThreadOptions();
   return is_usual ? "" : tendon::ToJson(component.thread.front());
 }
 
-/// Its file, and how that differs from the running code.
+/// Adds the file of a plug-in, and how this file differs from the running code.
 void AddPlugin(const tendon::PluginDescription& plugin, Table& table) {
   table.Add({"library", plugin.name + ": " + tendon::PluginText(plugin)});
   const std::string change = tendon::PluginChangeText(plugin);
@@ -93,7 +94,7 @@ void AddComponent(const tendon::ProcessEntry& process,
   }
 }
 
-/// The facts about a thing, one per line.
+/// Returns the facts about an object, one per line.
 Table Facts(Context& context, const Catalogue& catalogue, const PathTarget& target) {
   Table table({"WHAT", "VALUE"});
   const auto& process = target.process->process;
@@ -129,7 +130,7 @@ Table Facts(Context& context, const Catalogue& catalogue, const PathTarget& targ
   return table;
 }
 
-/// Adds the timing of a running task in the last second, which its table provides at once.
+/// Adds the timing of a running task in the last second. The table of the task provides it at once.
 void AddTask(tendon::GcmClient& client, const PathTarget& target, Table& table) {
   using namespace std::chrono_literals;
   constexpr double kMicro = 1e6;
@@ -151,9 +152,9 @@ void AddTask(tendon::GcmClient& client, const PathTarget& target, Table& table) 
   table.Add({"skipped", std::to_string(task.skipped)});
 }
 
-/// "3 of 64 wait".
+/// Returns "3 of 64 used".
 std::string WaitingText(std::uint64_t waiting, std::uint64_t capacity) {
-  return std::to_string(waiting) + " of " + std::to_string(capacity) + " wait";
+  return std::to_string(waiting) + " of " + std::to_string(capacity) + " used";
 }
 
 /// Adds the health of a working connection.
@@ -163,7 +164,7 @@ void AddCounts(Context& context, const PathTarget& target, Table& table) {
   using Seconds = std::chrono::duration<double>;
   using Microseconds = std::chrono::duration<double, std::micro>;
   const double age = Seconds(counts->age).count();
-  table.Add({"stands for", Fixed(age, 1) + " s"});
+  table.Add({"connected for", Fixed(age, 1) + " s"});
   if (counts->round_trip.count() >= 0) {
     table.Add({"round trip", Fixed(Microseconds(counts->round_trip).count(), 0) + " us"});
   }
@@ -179,7 +180,7 @@ void AddCounts(Context& context, const PathTarget& target, Table& table) {
   table.Add({"lost events", std::to_string(counts->lost_events)});
 }
 
-/// Prints the fields of a member's argument or result, if the process still answers.
+/// Prints the fields of a member's argument or result. Its process must answer for this.
 void PrintPayload(Context& context, const std::string& process, const std::string& title,
                   const tendon::Fingerprint& fingerprint) {
   const auto schema = AskSchema(context, process, fingerprint);
@@ -192,8 +193,8 @@ void PrintPayload(Context& context, const std::string& process, const std::strin
   context.Print(FieldsOf(*schema));
 }
 
-/// Prints the read commands that return the value that a command sets, as lines to copy. Does not
-/// call them, because `show` only displays.
+/// Prints the read commands that return the value that a command sets, as lines to copy. They are
+/// not called here, because `show` must only display.
 void PrintReads(Context& context, const PathTarget& target, const std::string& path,
                 const tendon::Schema& schema) {
   const std::string interface = path.substr(0, path.rfind('.') + 1);
@@ -210,7 +211,7 @@ void PrintReads(Context& context, const PathTarget& target, const std::string& p
   }
 }
 
-/// Prints the line that calls the command, to copy.
+/// Prints the line that calls the command, so that the user can copy it.
 void PrintCall(Context& context, const PathTarget& target, const std::string& path) {
   const auto& member = *target.member;
   if (!TakesArgument(member.signature)) {
@@ -251,7 +252,7 @@ void PrintTarget(Context& context, const Catalogue& catalogue, const PathTarget&
   if (target.member != nullptr) PrintPayloads(context, target, path);
 }
 
-/// Shows each thing below its path.
+/// Shows all objects that match, each below its path.
 Result<ExitCode> ShowAll(Context& context, const std::string& glob) {
   const auto client = context.Client();
   if (!client) return client.error();

@@ -45,10 +45,10 @@ std::size_t ComponentsOf(const SystemFile& system) {
   return count;
 }
 
-/// A system file made from the running system or from another file.
+/// A system file that was made from the running system or from another file.
 struct Saved {
   SystemFile file;
-  std::vector<std::string> kept = {};  ///< from the existing file
+  std::vector<std::string> kept = {};  ///< parts that were kept from the existing file
   std::vector<std::string> left_out = {};
 };
 
@@ -90,7 +90,7 @@ struct ImportWords {
   bool dry_run = false;
 };
 
-/// Never overwrites a file, because its content would be lost.
+/// Imports a file. Never overwrites a file, because its content would be lost.
 Result<ExitCode> Import(Context& context, const ImportWords& words) {
   const auto text = tendon::ReadSystemText(words.from);
   if (!text) return text.error();
@@ -106,8 +106,8 @@ Result<ExitCode> Import(Context& context, const ImportWords& words) {
                {.file = std::move(imported->file), .left_out = std::move(imported->left_out)});
 }
 
-/// The present content of the file to update, if it exists. Never overwrites a file of another
-/// kind.
+/// Returns the present content of the file to update, if the file exists. A file of another kind is
+/// an error, because it would be overwritten.
 Result<std::optional<SystemFile>> FormerOf(const std::string& file) {
   auto former = tendon::ReadSystemFile(file);
   if (former) return std::optional(*std::move(former));
@@ -174,7 +174,7 @@ struct DiffWords {
   std::string second;
 };
 
-/// The second file, or the running system.
+/// Returns the second file of a comparison; if none was given, the running system.
 Result<SystemFile> SecondOf(Context& context, const DiffWords& words) {
   if (!words.second.empty()) return tendon::ReadSystemFile(words.second);
   const auto client = context.Client();
@@ -216,7 +216,7 @@ void Print(const Plan& plan, Context& context) {
   PrintSentences(plan.obstacles, context.streams().err);
   PrintSentences(plan.notes, context.streams().err);
   context.err() << "gcm: " << tendon::Counted(plan.steps.size(), "step", "steps") << ", "
-                << tendon::Counted(plan.untouched, "thing", "things") << " untouched\n";
+                << tendon::Counted(plan.untouched, "object", "objects") << " untouched\n";
 }
 
 Result<Plan> PlanOf(Context& context, const std::string& file) {
@@ -229,7 +229,8 @@ Result<Plan> PlanOf(Context& context, const std::string& file) {
   tendon::KnownClasses known;
   for (const std::string& process : ProcessesToAsk(catalogue, *wanted)) {
     const auto classes = AskClasses(context, process);
-    if (classes) known[process] = *classes;  // otherwise the process itself refuses
+    // Without the classes, the process itself refuses the step.
+    if (classes) known[process] = *classes;
   }
   return MakeCheckedPlan(catalogue, *wanted, known);
 }
@@ -248,7 +249,7 @@ struct ApplyWords {
   bool keep_going = false;
 };
 
-/// Checks that the plan may be executed.
+/// Checks whether the plan may be executed.
 Result<void> CheckApply(const Plan& plan, const ApplyWords& words) {
   if (!plan.obstacles.empty() && !words.keep_going) {
     return Error{plan.refusal,
@@ -279,13 +280,14 @@ std::vector<tendon::message::HistoryEntry> Steps(Context& context) {
   return history ? std::move(history->entries) : std::vector<tendon::message::HistoryEntry>();
 }
 
-/// The id of the newest step of the history; 0 if there is none.
+/// Returns the id of the newest step in the history; 0 if there is none.
 std::uint64_t NewestStep(Context& context) {
   const auto steps = Steps(context);
   return steps.empty() ? 0 : steps.back().id;
 }
 
-/// "; undo it with: gcm undo 8", if there are steps after `former`, all by the same program.
+/// Returns "; undo it with: gcm undo 8" if there are steps after `former` and all are by the same
+/// program.
 std::string WayBack(Context& context, std::uint64_t former) {
   const auto steps = Steps(context);
   const auto first = std::ranges::find_if(steps, [&](const auto& one) { return one.id > former; });
@@ -301,14 +303,15 @@ void Summarise(Context& context, const PlanOutcome& outcome, const Plan& plan,
                std::uint64_t former) {
   PrintSentences(plan.obstacles, context.streams().err);
   PrintSentences(plan.notes, context.streams().err);
-  const bool is_changed = outcome.done + outcome.failed > 0;  // a failed one may have been executed
-  context.err() << "gcm: " << tendon::Counted(outcome.done, "step", "steps") << " made, "
-                << outcome.failed << " failed, " << outcome.left << " left, "
-                << tendon::Counted(plan.untouched, "thing", "things") << " untouched"
+  // A failed step may have been executed, too.
+  const bool is_changed = outcome.done + outcome.failed > 0;
+  context.err() << "gcm: " << tendon::Counted(outcome.done, "step", "steps") << " done, "
+                << outcome.failed << " failed, " << outcome.left << " not executed, "
+                << tendon::Counted(plan.untouched, "object", "objects") << " untouched"
                 << (is_changed ? WayBack(context, former) : "") << '\n';
 }
 
-/// The words for an outcome in a table and in JSON.
+/// Returns the words for the result of a step, in a table and in JSON.
 Marks MarksOf(StepOutcome::State fate) {
   switch (fate) {
     case StepOutcome::State::kDone:
@@ -358,7 +361,7 @@ Result<ExitCode> Execute(Context& context, const Plan& plan, const ApplyWords& w
 
 Result<ExitCode> Apply(Context& context, const ApplyWords& words) {
   if (words.dry_run) return PrintPlan(context, words.file);
-  tendon::os::HoldTerminationSignals();  // a signal must not interrupt a step
+  tendon::os::HoldTerminationSignals();  // so that a signal cannot interrupt a step
   const auto plan = PlanOf(context, words.file);
   if (!plan) return plan.error();
   if (const auto allowed = CheckApply(*plan, words); !allowed) {
@@ -391,7 +394,7 @@ std::vector<Verb> SystemVerbs() {
          WithKind(app.add_option("to", words->to, "system file to create"), WordKind::kFile)
              ->required();
          app.add_option("--process", words->process,
-                        "name of the process that will have the components")
+                        "name of the process to which the components will belong")
              ->required();
          app.add_flag("--dry-run", words->dry_run, "print the changes, but do not write the file");
          return [words](Context& context) { return Import(context, *words); };

@@ -31,13 +31,13 @@ using tendon::message::SystemHealth;
 using namespace std::chrono_literals;
 
 struct TopOptions {
-  std::string sort = "load";  // of tasks
+  std::string sort = "load";  // order of the tasks
   std::string sort_connections = "rate";
   std::string filter;
   bool shows_connections = false;
 };
 
-/// A sort key, and its name for the option.
+/// An order of rows: the key on the keyboard, and the name for the option.
 template <typename Figures>
 struct Order {
   char key;
@@ -120,7 +120,7 @@ Table TableOf(const std::vector<ConnectionFigures>& connections) {
   return table;
 }
 
-/// The processes with the highest use, because not all fit.
+/// Returns the processes that use the most processor time, because not all processes fit.
 Table BusiestOf(const tendon::Catalogue& catalogue, const SystemHealth& health) {
   constexpr std::size_t kMost = 5;
   std::vector<const tendon::ProcessDescription*> processes;
@@ -194,7 +194,7 @@ std::vector<ConnectionFigures> LookAt(ConnectionFeed& feed, const TopOptions& op
   return feed.Look(options.filter);
 }
 
-/// Prints once, when all figures are known or the time limit has passed.
+/// Prints the figures once, as soon as all are known or the time limit has passed.
 template <typename Feed>
 Result<ExitCode> PrintOnce(Context& context, tendon::GcmClient& client, const TopOptions& options,
                            const char* what) {
@@ -217,7 +217,7 @@ Result<ExitCode> PrintOnce(Context& context, tendon::GcmClient& client, const To
   return program::kOk;
 }
 
-/// The state that key presses change. While `is_typing` is true, the user types the filter.
+/// What the user has set by keys. While `is_typing` is true, the user types the filter.
 struct TopKeys {
   bool is_typing = false;
   bool wants_end = false;
@@ -256,7 +256,7 @@ void Press(char key, TopKeys& keys, TopOptions& options) {
   }
 }
 
-/// The table of one feed below the processes.
+/// Returns the text of the screen: the processes, and below them the table of one feed.
 template <typename Figures>
 std::string ScreenText(const Table& processes, const std::vector<Figures>& all,
                        const std::string& what, const TopOptions& options, const TopKeys& keys,

@@ -19,8 +19,9 @@ using tendon::Error;
 using tendon::ErrorCode;
 using tendon::Result;
 
-/// One verb of `gcm`: its name, its help and its function. `prepare` adds the options to the verb's
-/// part of the command line, each with its WordKind, and returns the function that runs the verb.
+/// One verb of `gcm`, with its name, its help and its function. `prepare` adds the options, each
+/// with its WordKind, to the verb's part of the command line. It returns the function that runs the
+/// verb.
 struct Verb {
   using Run = std::function<Result<ExitCode>(Context&)>;
 
@@ -31,7 +32,7 @@ struct Verb {
   std::string group = {};                  ///< as in verb_table.cpp
 };
 
-// By subject.
+// The verbs of each subject.
 std::vector<Verb> LookVerbs();       // ls tree
 std::vector<Verb> ShowVerbs();       // show
 std::vector<Verb> FindVerbs();       // status find graph
@@ -55,7 +56,8 @@ std::vector<Verb> ServeVerbs();      // serve broker
 std::vector<Verb> ShellVerbs();      // shell run
 std::vector<Verb> MetaVerbs();       // help version completion
 
-/// The table of all verbs: the program, its help, its manual, the completion and the shell use it.
+/// Returns the table of all verbs. The program, its help, its manual pages, the completion and the
+/// shell use this table.
 std::vector<Verb> AllVerbs();
 
 }  // namespace console

@@ -10,7 +10,7 @@ struct Group {
   std::vector<Verb> (*verbs)();
 };
 
-/// In the order in which `gcm help` lists them.
+/// All verbs, in the order in which `gcm help` lists them.
 constexpr Group kGroups[] = {
     {"look", &FindVerbs},       //
     {"look", &LookVerbs},       //

@@ -8,15 +8,14 @@
 
 namespace console {
 
-/// Refuses swapped ends (provided first, required second) and says how to call `verb`. Swapped ends
-/// can have no other meaning.
+/// Returns an error if the two interfaces are in the wrong order (provided first, required second);
+/// it says how to call `verb`. The wrong order can have no other meaning.
 tendon::Result<void> CheckOrder(const std::string& verb, const tendon::Catalogue& catalogue,
                                 const tendon::InterfaceName& required,
                                 const tendon::InterfaceName& provided);
 
-/// Asks the processes for types that differ under the same name, so that errors can name the
-/// difference between two ends. Waits for each reply up to the usual time-out, and ignores
-/// failures.
+/// Requests the types that differ although they have the same name, so that an error can say how
+/// two interfaces differ. Waits for each answer at most --timeout, and ignores failures.
 void LearnConflictingTypes(Context& context);
 
 }  // namespace console

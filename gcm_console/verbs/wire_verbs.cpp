@@ -41,7 +41,7 @@ std::string WireText(const InterfaceName& required, const InterfaceName& provide
   return ToString(required) + " -> " + ToString(provided);
 }
 
-/// Warns that the connection waits for an unknown process, whose name may be wrong.
+/// Warns that the connection waits for an unknown process, because its name may be wrong.
 ExitCode WarnOfUnknown(Context& context, const tendon::Error& unknown,
                        const ConnectArguments& ends) {
   const bool asks = unknown.message.ends_with("?");
@@ -65,7 +65,7 @@ Result<tendon::ConnectionDescription> SendConnect(Context& context, const Interf
       tendon::GcmClient::kReplaceTimeouts);
 }
 
-/// Like PlanConnect(), but only checks.
+/// Checks what PlanConnect() checks, but makes no plan.
 Result<void> CheckConnect(const Catalogue& catalogue, const InterfaceName& required,
                           const InterfaceName& provided, WhenConnected when_connected) {
   const auto plan = PlanConnect(catalogue, {required, provided}, when_connected);
@@ -77,7 +77,7 @@ ExitCode Print(Context& context, const VerbForms& forms, const std::vector<Outco
   return ExitCodeOf(outcomes);
 }
 
-/// The error for an interface without a match.
+/// Returns the error for an interface without a match.
 Error Unmatched(const Match& match, const std::string& pattern) {
   if (match.provided.empty()) {
     return {ErrorCode::kIncompatible, "no interface that matches '" + pattern +
@@ -99,7 +99,8 @@ std::string PathOf(const Match& match) {
                         : ToString(match.required);
 }
 
-/// The question before several interfaces are connected at once; empty for one.
+/// Returns the question to ask before several interfaces are connected at once; empty if it is only
+/// one.
 std::string QuestionOf(const std::vector<Match>& matches) {
   std::string question;
   std::size_t count = 0;
@@ -124,7 +125,7 @@ Result<ExitCode> ConnectMatching(Context& context, const ConnectArguments& ends)
   if (!matches) return matches.error();
   if (matches->empty()) {
     context.err() << "gcm: all interfaces that '" << Plain(ends.required)
-                  << "' matches are connected\n";
+                  << "' matches are already connected\n";
   }
   const std::string question = QuestionOf(*matches);
   if (!ends.dry_run && !ends.yes && !question.empty() && !Confirm(context, question)) {
@@ -199,7 +200,7 @@ Result<void> SendDisconnect(Context& context, const InterfaceName& required) {
       [&](tendon::GcmClient& asked, auto handler) { asked.Disconnect(required, handler); });
 }
 
-/// Disconnects all connections that match a glob.
+/// Ends all connections whose required interface matches a glob.
 Result<ExitCode> DisconnectAll(Context& context, const ConnectArguments& ends) {
   const auto client = context.Client();
   if (!client) return client.error();

@@ -40,7 +40,7 @@ bool IsStep(const Action& action) {
   const bool wiring = action.verb == Action::Verb::kConnect ||
                       action.verb == Action::Verb::kDisconnect ||
                       action.verb == Action::Verb::kReplace;
-  // Only the GCM knows if a restart was a step; for a running component it is not.
+  // Only the GCM knows whether a restart was a step. It is not a step if the component was running.
   const bool lifecycle =
       action.verb == Action::Verb::kLifecycle && action.lifecycle_verb != LifecycleVerb::kRestart;
   return (wiring || lifecycle) && action.outcome == Action::Outcome::kDone && !action.undone;
@@ -221,7 +221,7 @@ void ActivityModel::finish(Id id, double seconds, const QString& refusal) {
 }
 
 void ActivityModel::changedUndo() {
-  // The newest step that is not undone, and the one that was the newest before.
+  // The newest step that is not undone has changed, and so has the step that was the newest before.
   int steps = 0;
   for (int row = 0; row < rowCount() && steps < 2; ++row) {
     if (!IsStep(action(row))) continue;

@@ -28,14 +28,14 @@ struct Action {
   enum class Outcome { kRunning, kDone, kRefused };
 
   Verb verb = Verb::kConnect;
-  InterfaceName required;  ///< for connect, disconnect, replace; for undo when known
+  InterfaceName required;  ///< for connect, disconnect and replace; for undo if known
   InterfaceName provided;
   std::string process;                                   ///< for forget and a log level
   LifecycleVerb lifecycle_verb = LifecycleVerb::kStart;  ///< for lifecycle
-  std::string component;  ///< for lifecycle: its path; for undo when known
-  QString command;        ///< for call: its path
-  QString argument;  ///< for call: JSON; for a log level: its name; for apply: the target system
-  QString file;      ///< for apply: the system file; empty if not saved
+  std::string component;  ///< the path; for lifecycle, and for undo if known
+  QString command;        ///< the path; for call
+  QString argument;       ///< call: JSON; log level: its name; apply: name of the target system
+  QString file;           ///< for apply: the system file; empty if not saved
 
   Outcome outcome = Outcome::kRunning;
   QString refusal;        ///< the reason of a refusal
@@ -60,17 +60,19 @@ class ActivityModel : public QAbstractTableModel {
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
 
   [[nodiscard]] const Action& action(int row) const;
-  /// The shell command that does the same, or empty.
+  /// Returns the shell command that does the same as the action; empty if there is none.
   [[nodiscard]] QString command(int row) const;
   /// True for the action that the command Undo would undo: the newest action that is not yet
   /// undone. False if a plan was executed after this action.
   [[nodiscard]] bool canUndo(int row) const;
 
-  /// A repeated call updates the count of its row instead of adding a row.
+  /// Adds a row for an action that has begun. For a repeated call, increments the count of the
+  /// call's row instead.
   Id begin(Action action);
-  /// Finishes an action. For an undo, also fills in the changed interfaces.
+  /// Stores the outcome of an action; `refusal` is empty if the action succeeded.
   void finish(Id id, double seconds, const QString& refusal);
-  /// Marks the newest action that matches `step` and is not undone yet.
+  /// Marks the newest action that matches `step` and is not undone yet as undone. Copies the
+  /// interfaces and the component of `step` to the action `undo`.
   void markUndone(Id undo, const Action& step);
 
  Q_SIGNALS:

@@ -15,8 +15,8 @@ class ConsolePage;
 class EventsPage;
 class LogPage;
 
-/// The bottom panel of the window: the actions so far, with Undo and the equivalent shell command;
-/// present problems; log, events and console.
+/// The bottom panel of the window. Its tabs show the actions of the user (each with Undo and the
+/// equivalent shell command), the present problems, the log, the events and the console.
 class ActivityStrip : public TabPanel {
   Q_OBJECT
 
@@ -28,15 +28,16 @@ class ActivityStrip : public TabPanel {
 
  public Q_SLOTS:
   void showProblems() { setCurrent(problems_page_); }
-  /// Also puts the cursor into its line.
+  /// Shows the console and sets the focus to its input line.
   void showConsole();
 
  Q_SIGNALS:
-  /// The user wants to show `path` in the other views.
+  /// Emitted when the user wants to see `path` in the other views.
   void jumpRequested(const QString& path);
-  /// The user clicked a problem or pressed Enter on it; `path` names the thing with the problem.
+  /// Emitted when the user has clicked a problem or pressed Enter on it; `path` names the object
+  /// with the problem.
   void problemChosen(const QString& path);
-  /// One sentence for the user.
+  /// Emitted with one sentence for the user.
   void notice(const QString& text);
 
  private:

@@ -11,8 +11,8 @@
 
 namespace tendon::gui {
 
-/// The latest events of a part of the system, newest first. While paused, the rows do not change;
-/// new events are counted and shown later.
+/// The latest events of the system or of a part of it, newest first. While the model is paused, its
+/// rows do not change: new events are stored, and shown after the pause.
 class EventsModel : public QAbstractListModel {
   Q_OBJECT
 
@@ -26,11 +26,11 @@ class EventsModel : public QAbstractListModel {
   [[nodiscard]] const EventRecord& eventAt(int row) const {
     return events_.at(static_cast<std::size_t>(row));
   }
-  /// Shows only events below this path, "robot/arm", and discards the others; an empty path means
-  /// all.
+  /// Shows only the events below this path, such as "robot/arm", and discards the others. An empty
+  /// path means all events.
   void setPart(const QString& path);
-  /// Shows only events that contain all these words in path or value, and none of the words after
-  /// `-`.
+  /// Shows only events whose path or value contains all these words. A word with a leading `-` must
+  /// not occur.
   void setWords(const QStringList& words);
   void setPaused(bool paused);
   [[nodiscard]] bool isPaused() const { return is_paused_; }
@@ -39,7 +39,7 @@ class EventsModel : public QAbstractListModel {
   /// Events per second in the two seconds before `now`, which is in ns since 1970.
   [[nodiscard]] double rate(std::int64_t now) const;
   [[nodiscard]] std::uint64_t lost() const { return lost_; }
-  /// The events since the pause began.
+  /// The number of events that have arrived since the pause began.
   [[nodiscard]] std::size_t waiting() const { return waiting_.size(); }
 
  public Q_SLOTS:
@@ -55,8 +55,8 @@ class EventsModel : public QAbstractListModel {
   QString part_;
   QStringList words_;
   bool is_paused_ = false;
-  std::deque<EventRecord> all_;     // of the part, oldest first, shown or not
-  std::deque<EventRecord> events_;  // the shown ones, newest first
+  std::deque<EventRecord> all_;     // events of the part, oldest first, shown or not
+  std::deque<EventRecord> events_;  // the shown events, newest first
   std::vector<EventRecord> waiting_;
   std::deque<std::int64_t> times_;
   std::uint64_t lost_ = 0;

@@ -21,7 +21,7 @@ namespace {
 constexpr std::chrono::milliseconds kRatePeriod{500};
 enum Whose { kAll, kSelected };
 
-/// "robot/arm" of "robot/arm/Control.MoveTo".
+/// Returns the component of an event: "robot/arm" for "robot/arm/Control.MoveTo".
 QString ComponentOf(const QString& path) { return path.section('/', 0, 1); }
 
 }  // namespace

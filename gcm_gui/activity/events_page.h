@@ -16,8 +16,8 @@ namespace tendon::gui {
 
 class RowView;
 
-/// The events of all or of the selected components, with rate, filter and pause. Listens from the
-/// first time that the page is shown.
+/// Shows the events of all components or of the selected ones, with their rate, a filter and a
+/// pause button. Subscribes to events when it is shown for the first time.
 class EventsPage : public QWidget {
   Q_OBJECT
 
@@ -29,7 +29,7 @@ class EventsPage : public QWidget {
   [[nodiscard]] const EventsModel& events() const { return events_; }
 
  Q_SIGNALS:
-  /// The user clicked the origin of an event.
+  /// Emitted when the user clicks the origin of an event.
   void pathChosen(const QString& path);
 
  protected:
@@ -53,7 +53,7 @@ class EventsPage : public QWidget {
   RowView* list_;
 };
 
-/// "3 events · 12.5 a second · 4 lost".
+/// Returns the counts as text: "3 events · 12.5 a second · 4 lost".
 [[nodiscard]] QString CountsText(const EventsModel& events);
 
 }  // namespace tendon::gui

@@ -7,8 +7,9 @@
 
 namespace tendon::gui {
 
-/// Shows the records of a level and above that contain every word of a filter in source or text,
-/// ignoring case. `from:robot/arm` searches the source only; a word with `-` must not occur.
+/// Shows the log records of at least a chosen level whose source or text contains every word of a
+/// filter, ignoring case. `from:robot/arm` searches only the source. A word with a leading `-` must
+/// not occur.
 class LogFilter : public QSortFilterProxyModel {
   Q_OBJECT
 
@@ -27,7 +28,7 @@ class LogFilter : public QSortFilterProxyModel {
   QStringList words_;
 };
 
-/// True if a line of `source` and `text` matches all these words.
+/// Returns true if a record with this source and text matches all these words.
 [[nodiscard]] bool HasWords(const QString& source, const QString& text, const QStringList& words);
 
 }  // namespace tendon::gui

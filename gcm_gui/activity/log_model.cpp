@@ -8,7 +8,7 @@
 namespace tendon::gui {
 namespace {
 
-/// Only records that need attention have a mark.
+/// Returns the mark of a record. Only warnings and errors have one.
 QVariant LevelMark(LogLevel level) {
   if (level == LogLevel::kError) return QVariant::fromValue(StateMark::kFaulted);
   if (level == LogLevel::kWarning) return QVariant::fromValue(StateMark::kWarning);
@@ -42,7 +42,7 @@ QVariant LogModel::data(const QModelIndex& index, int role) const {
       return LevelMark(record.level);
     case kGlyphRole:
       return QStringLiteral(" ");
-    case kStaleRole:  // dimmed: only of interest when debugging
+    case kStaleRole:  // dimmed, because it matters only for debugging
       return record.level == LogLevel::kDebug;
     case kTrailRole:
     case kPathRole:

@@ -26,7 +26,7 @@ class LogModel : public QAbstractListModel {
   [[nodiscard]] const message::LogRecord& record(int row) const {
     return records_.at(static_cast<std::size_t>(row));
   }
-  /// The number of records that were lost before they arrived here.
+  /// The number of records that were lost on their way to this model.
   [[nodiscard]] std::uint64_t lost() const { return lost_; }
 
  public Q_SLOTS:
@@ -38,7 +38,8 @@ class LogModel : public QAbstractListModel {
   std::uint64_t lost_ = 0;
 };
 
-/// "robot/arm", or "robot" for a record of the process itself.
+/// Returns the path of the record's component ("robot/arm"), or the process ("robot") if the record
+/// comes from the process itself.
 [[nodiscard]] QString SourceOf(const message::LogRecord& record);
 
 }  // namespace tendon::gui

@@ -21,7 +21,7 @@
 namespace tendon::gui {
 namespace {
 
-/// Keeps the end of growing contents visible, unless the user has scrolled up.
+/// When contents are added at the end, scrolls to them, unless the user has scrolled up.
 void FollowEnd(QAbstractScrollArea& view) {
   QScrollBar* bar = view.verticalScrollBar();
   const auto is_at_end = std::make_shared<bool>(true);

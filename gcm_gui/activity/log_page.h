@@ -17,8 +17,8 @@ namespace tendon::gui {
 
 class RowView;
 
-/// The log of all processes, filtered by level and words, with a setting for the log level of each
-/// process.
+/// Shows the log of all processes, filtered by level and words. The log level of each process can
+/// be set here.
 class LogPage : public QWidget {
   Q_OBJECT
 
@@ -30,7 +30,7 @@ class LogPage : public QWidget {
   void focusFilter();
 
  Q_SIGNALS:
-  /// The user clicked the origin of a record.
+  /// Emitted when the user clicks the origin of a record.
   void pathChosen(const QString& path);
 
  protected:

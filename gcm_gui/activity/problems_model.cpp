@@ -24,7 +24,7 @@ void AddProblemsOf(const ProcessEntry& entry, const ConnectionIndex& connections
   if (process.state == ProcessState::kLost) {
     problems.push_back({name, WithReason(name + Words::tr(" is lost"), process.reason),
                         StateMark::kLost, process.since});
-    return;  // the rest follows from this problem
+    return;  // all other problems of the process follow from this one
   }
   if (process.state == ProcessState::kSuspect) {
     problems.push_back({name, name + Words::tr(" does not answer; its values may be old"),
@@ -48,7 +48,7 @@ void AddProblemsOf(const ProcessEntry& entry, const ConnectionIndex& connections
     }
     auto waits = WaitsOf(connections, entry, component);
     const auto& waiting = component.name;
-    std::erase_if(waits, [&](const UnsatisfiedInterface& need) {  // already a problem of its own
+    std::erase_if(waits, [&](const UnsatisfiedInterface& need) {  // these are failed connections
       const auto* connection = connections.Of({process.name, waiting, need.interface});
       return connection != nullptr && connection->state == ConnectionState::kFailed;
     });

@@ -14,9 +14,9 @@
 
 namespace tendon::gui {
 
-/// A problem, shown until it is solved.
+/// A problem; it is listed until it is solved.
 struct Problem {
-  QString path;  ///< of the thing with the problem; empty for a view of the window
+  QString path;  ///< of the object with the problem; empty for a view of the window
   QString text;
   StateMark mark = StateMark::kWarning;
   std::int64_t since = 0;  ///< ns since 1970; 0 if unknown
@@ -24,9 +24,10 @@ struct Problem {
   bool operator==(const Problem&) const = default;
 };
 
-/// The present problems: lost processes, plug-ins whose files differ from the running code,
-/// components that are faulted or wait for a connection, failed connections, refused connections
-/// until they are made, and views of this window that have thrown. Warnings come last.
+/// The present problems: lost processes; plug-ins whose files differ from the running code;
+/// components that are faulted or wait for a connection; failed connections; refused connections,
+/// until they are established; views of this window that have thrown an exception. Warnings come
+/// last.
 class ProblemsModel : public RowListModel<Problem> {
   Q_OBJECT
 

@@ -9,26 +9,28 @@
 
 namespace tendon::gui {
 
-/// Redoes the actions that this window has undone, the last one first, until the user does
-/// something else. It never redoes a start or stop of a component. GUI thread.
+/// Redoes the actions that were undone in this window, starting with the action that was undone
+/// last. Another action of the user clears the stack. Never redoes the start or stop of a
+/// component. GUI thread.
 class RedoStack : public QObject {
   Q_OBJECT
 
  public:
   RedoStack(ActivityModel& activity, SystemActions& actions, QObject* parent = nullptr);
 
-  /// Redoes the last undone action, or emits a notice() with the reason why this is impossible.
+  /// Redoes the action that was undone last. If this is impossible, emits a notice() with the
+  /// reason.
   void again();
 
  Q_SIGNALS:
-  /// One sentence for the user.
+  /// Emitted with one sentence for the user.
   void notice(const QString& text);
 
  private:
   void onDone(const Action& action);
 
   SystemActions& actions_;
-  std::vector<Action> undone_;  // the last one at the back
+  std::vector<Action> undone_;  // the action undone last is at the back
   bool is_under_way_ = false;   // the next finished action is a redo of this object
 };
 

@@ -42,11 +42,12 @@ using Json = nlohmann::ordered_json;
 constexpr int kMostFormHeight = 232;
 constexpr int kJsonHeight = 120;
 constexpr qsizetype kLongestAnswer = 1500;
-constexpr std::size_t kMostRead = 65536;  // larger values would block the window too long
+// The maximum size in bytes; formatting a larger value would block the window too long.
+constexpr std::size_t kMostRead = 65536;
 constexpr std::chrono::seconds kSecondKey{2};
 enum ArgumentPage { kFormPage, kJsonPage };
 
-/// Numbers with six digits, and text that can wrap.
+/// Formats a value in one line: numbers with six digits, and lists so that the text can be wrapped.
 QString ValueText(const Json& value) {
   if (value.is_number_float()) return QString::number(value.get<double>(), 'g', 6);
   if (!value.is_array()) return ToQString(value.dump());
@@ -55,9 +56,10 @@ QString ValueText(const Json& value) {
   return '[' + elements.join(QStringLiteral(", ")) + ']';
 }
 
-QString Rest() { return Words::tr("…\nThe whole answer: Copy as command"); }
+QString Rest() { return Words::tr("…\nFor the whole answer, use Copy as command"); }
 
-/// One field per line for people. A very long answer is cut off; in a terminal it is complete.
+/// Formats an answer for people, with one field per line. A very long answer is truncated; the same
+/// command in a terminal shows all of it.
 QString Readable(const std::string& json) {
   if (json.size() > kMostRead) {
     return ToQString(std::string_view(json).substr(0, kLongestAnswer)) + Rest();
@@ -76,7 +78,7 @@ QString Readable(const std::string& json) {
   return text.left(kLongestAnswer) + Rest();
 }
 
-/// The unrounded answer, escaped so that it is never markup.
+/// Returns the answer without rounding, escaped so that it is never read as markup.
 QString WholeAnswer(const std::string& json) {
   if (json.size() > static_cast<std::size_t>(kLongestAnswer)) return {};
   return QStringLiteral("<qt>%1</qt>").arg(ToQString(json).toHtmlEscaped());
@@ -138,7 +140,7 @@ void CallPanel::build() {
 
 QWidget* CallPanel::buildArgument() {
   form_area_ = new QScrollArea;
-  form_area_->setFocusPolicy(Qt::NoFocus);  // it follows the focus of its contents
+  form_area_->setFocusPolicy(Qt::NoFocus);  // its contents take the focus
   form_area_->setFrameShape(QFrame::NoFrame);
   form_area_->setWidgetResizable(true);
   form_area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -168,7 +170,7 @@ QWidget* CallPanel::buildButtons() {
   retry_ = MakeLinkButton(Words::tr("Ask again"), QStringLiteral("call.retry"));
   connect(retry_, &QToolButton::clicked, this, &CallPanel::askForSchema);
   as_json_ = MakeLinkButton(QStringLiteral("JSON"), QStringLiteral("call.asJson"));
-  as_json_->setToolTip(Words::tr("The argument as text, instead of a form"));
+  as_json_->setToolTip(Words::tr("Shows the argument as JSON text instead of a form"));
   as_json_->setCheckable(true);
   connect(as_json_, &QToolButton::toggled, this, &CallPanel::showAsJson);
   QToolButton* copy = MakeLinkButton(Words::tr("Copy"), QStringLiteral("call.copy"));
@@ -182,7 +184,7 @@ QWidget* CallPanel::buildButtons() {
           [this] { Q_EMIT favouriteRequested(path_, ToQString(argument())); });
   buildRepeat();
   QToolButton* repeat = MakeLinkButton(Words::tr("Repeat"), QStringLiteral("call.showRepeat"));
-  repeat->setToolTip(Words::tr("Calls it again and again"));
+  repeat->setToolTip(Words::tr("Calls the command repeatedly"));
   repeat->setCheckable(true);
   connect(repeat, &QToolButton::toggled, repeat_, &QWidget::setVisible);
   auto* widget = new QWidget;
@@ -271,7 +273,7 @@ void CallPanel::onSchema(const Result<Schema>& schema) {
 void CallPanel::showForm(const Schema& schema) {
   schema_ = schema;
   form_ = new ValueForm(schema);
-  form_area_->setWidget(form_);  // deletes the previous one
+  form_area_->setWidget(form_);  // deletes the previous form
   form_->setAutoFillBackground(false);
   fitForm();
   argument_->setCurrentIndex(kFormPage);
@@ -290,7 +292,7 @@ void CallPanel::showForm(const Schema& schema) {
   });
 }
 
-/// Adapts the height, which changes with the remarks on the fields.
+/// Adapts the height of the form, which changes when remarks appear below its fields.
 void CallPanel::fitForm() {
   const int width = form_area_->viewport()->width();
   const int height =
@@ -323,7 +325,8 @@ void CallPanel::askForValue(const std::string& read, const std::vector<std::stri
   });
 }
 
-/// Puts a read value into the form. Without `fields`, uses the whole value.
+/// Fills the form with a value that was read. Uses only `fields` of it; if `fields` is empty, the
+/// whole value.
 void CallPanel::onValue(const std::string& read, const std::vector<std::string>& fields,
                         const Result<std::string>& value) {
   if (is_touched_ || as_json_->isChecked() || under_way_) return;
@@ -353,7 +356,7 @@ void CallPanel::showAsJson(bool as_json) {
              FromJson(*schema_, text)) {
     form_->setJson(text);
   } else {
-    // The form would show other numbers than this text.
+    // Stays with JSON, because the form would show other numbers than this text.
     const QSignalBlocker blocker(as_json_);
     as_json_->setChecked(true);
     return;
@@ -381,7 +384,7 @@ void CallPanel::check() {
     showStatus(problem, QStringLiteral("warning"));
 }
 
-/// Only names the wrong fields, because each field shows its own error.
+/// For a form, returns only the names of the wrong fields, because each field shows its own error.
 QString CallPanel::problemOf(const Error& error) const {
   const QStringList wrong = as_json_->isChecked() ? QStringList() : form_->wrongFields();
   if (wrong.isEmpty()) return ToQString(error.message);
@@ -412,8 +415,9 @@ void CallPanel::callByKey() {
   is_touched_ = true;
   if (call_->isCareful() && call_->isEnabled() && !second_key_.isActive()) {
     second_key_.start();
-    return showStatus(Words::tr("Ctrl+Enter again calls it: this can move something"),
-                      QStringLiteral("warning"));
+    return showStatus(
+        Words::tr("Press Ctrl+Enter again to call the command: it can move something"),
+        QStringLiteral("warning"));
   }
   second_key_.stop();
   call();

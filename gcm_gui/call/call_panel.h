@@ -28,25 +28,28 @@ class ImageView;
 class RepeatRow;
 class ValueForm;
 
-/// Calls one command: shows a form or JSON for its argument, and the result of the call below. It
-/// starts with the last argument of this command or, before the first call, with the fields that a
-/// matching read command returns. Hidden while it has no command.
+/// Calls one command: shows a form or JSON for the argument, and the result of the call below it.
+/// Initially the form contains the last argument of this command or, before the first call, the
+/// values of the same fields that a matching read command returns. Hidden while no command is
+/// shown.
 class CallPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit CallPanel(CommandCalls& calls, QWidget* parent = nullptr);
 
-  /// Shows "robot/arm/Control.SetGains"; the same command again changes nothing. `reads` are read
-  /// commands that may return the present setting, best match first.
+  /// Shows a command, such as "robot/arm/Control.SetGains"; does nothing if this command is shown
+  /// already. `reads` are the read commands that may return the present setting, best match first.
   void showCommand(const QString& path, const MemberDescription& command,
                    const std::vector<MatchingRead>& reads = {});
   void showNothing();
   /// Sets the focus to the first field, or to the call button if there is none.
   void focusFirst();
-  /// Sets the reason why the command cannot be called now; empty if it can.
+  /// Sets the reason why the command cannot be called now. An empty reason means that it can be
+  /// called.
   void setUnavailable(const QString& reason);
-  /// Set for a command that can start a motion: the button must be held, or the key pressed twice.
+  /// True for a command that can start a motion: the user must then hold the button or press the
+  /// key twice.
   void setCareful(bool careful);
 
  Q_SIGNALS:
@@ -75,11 +78,11 @@ class CallPanel : public QWidget {
                const Result<std::string>& value);
   void fitForm();
   /// Switches between form and JSON. Does nothing if the present text is not valid JSON of the
-  /// type, so that no input is lost.
+  /// argument's type, so that no input is lost.
   void showAsJson(bool as_json);
-  /// The present argument; empty for a command without one.
+  /// Returns the present argument; empty for a command without an argument.
   [[nodiscard]] std::string argument() const;
-  /// Checks the argument; if it is invalid, shows the mistake and disables the call.
+  /// Checks the argument. If it is invalid, shows the mistake and disables the call.
   void check();
   [[nodiscard]] QString problemOf(const Error& error) const;
   void showStatus(const QString& text, const QString& role);
@@ -89,10 +92,10 @@ class CallPanel : public QWidget {
   QString path_;
   MemberDescription command_;
   std::vector<MatchingRead> reads_;
-  bool is_touched_ = false;       // a person has edited the form
+  bool is_touched_ = false;       // the user has edited the form
   std::optional<Schema> schema_;  // of the argument
   bool takes_argument_ = false;
-  /// Incremented with each shown command; replies for an older one are ignored.
+  /// Incremented whenever another command is shown. Replies for an earlier command are ignored.
   std::uint64_t shown_ = 0;
   bool under_way_ = false;
   QTimer second_key_;

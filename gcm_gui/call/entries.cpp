@@ -48,7 +48,7 @@ class NumberEntry final : public Entry {
  public:
   explicit NumberEntry(NumberField& field) : field_(field) {}
 
-  /// An invalid number is returned as text.
+  /// Returns an invalid number as text.
   [[nodiscard]] Json value() const override {
     const NumberLiteral word = field_.word();
     if (word.flaw != NumberFlaw::kNone) return field_.text().toStdString();
@@ -69,13 +69,13 @@ class NumberEntry final : public Entry {
   NumberField& field_;
 };
 
-/// For values that are typed as JSON.
+/// Edits a value as JSON text.
 class JsonEntry final : public Entry {
  public:
   JsonEntry(const Schema& schema, const QString& name, QLineEdit& line)
       : schema_(schema), name_(name.toStdString()), line_(line) {}
 
-  /// Invalid JSON is returned as text.
+  /// Returns invalid JSON as text.
   [[nodiscard]] Json value() const override {
     const auto value = typed();
     return value ? *value : Json(line_.text().toStdString());
@@ -151,7 +151,7 @@ class ListEntry final : public Entry {
   [[nodiscard]] QStringList notices() const override { return OfAll(&Entry::notices); }
 
  private:
-  /// "[2]: write 0.5: use a point as the decimal sign".
+  /// Puts the index before each sentence: "[2]: write 0.5: use a point as the decimal sign".
   [[nodiscard]] QStringList OfAll(QStringList (Entry::*sentences)() const) const {
     QStringList all;
     for (std::size_t i = 0; i < elements_.size(); ++i) {
@@ -165,8 +165,8 @@ class ListEntry final : public Entry {
   std::vector<std::unique_ptr<Entry>> elements_;
 };
 
-/// The allowed number closest to 0, with all digits, because a rounded number might be out of
-/// range.
+/// Returns the allowed number that is closest to 0. It has all digits, because a rounded number
+/// might be out of range.
 QString FirstNumber(const Schema::Field& field) {
   if (!field.range) return QStringLiteral("0");
   double number = std::clamp(0.0, field.range->lowest, field.range->highest);

@@ -12,8 +12,8 @@ class QWidget;
 
 namespace tendon::gui {
 
-/// The editor of one value of a type. Every input has a JSON value, valid or not. FromJson()
-/// decides whether it is valid, and rejects everything that refusals() reports.
+/// Edits one value of a type. Every input has a JSON value, valid or not. FromJson() decides
+/// whether the value is valid, and rejects every input for which refusals() is not empty.
 class Entry {
  public:
   Entry() = default;
@@ -22,11 +22,12 @@ class Entry {
   virtual ~Entry() = default;
 
   [[nodiscard]] virtual nlohmann::ordered_json value() const = 0;
-  /// Shows a value. One of another kind is shown unchanged if the widget can display it.
+  /// Shows a value. A value of another kind is shown unchanged if the widget can display it.
   virtual void setValue(const nlohmann::ordered_json& value) = 0;
-  /// The mistakes in the input, each with what to write instead: one sentence for the user each.
+  /// The mistakes in the input: for each mistake, one sentence that also says what to write
+  /// instead.
   [[nodiscard]] virtual QStringList refusals() const { return {}; }
-  /// Messages about input that was not accepted, so that the value is still valid.
+  /// Messages about input that was rejected, such as pasted text. The value itself is still valid.
   [[nodiscard]] virtual QStringList notices() const { return {}; }
 };
 
@@ -36,12 +37,12 @@ struct EntryWidget {
   QWidget* widget = nullptr;
 };
 
-/// The tool tip of a field: its help, range and type, one line each.
+/// The tool tip of a field: help, range and type on separate lines.
 [[nodiscard]] QString HelpOf(const Schema::Field& field);
 
-/// The editor of a field without subfields: a number, switch, choice, text or grid of numbers; JSON
-/// for lists of varying length and lists of other things. `name` is its accessible name. `edited`
-/// is called at each change, and when an input was refused.
+/// Makes the editor of a field without subfields: a number, switch, choice, text or grid of
+/// numbers. Lists of varying length and lists of other types are edited as JSON. `name` is the
+/// accessible name of the widget. `edited` is called at each change, and when an input was refused.
 [[nodiscard]] EntryWidget MakeEntry(const Schema::Field& field, const QString& name,
                                     const std::function<void()>& edited);
 

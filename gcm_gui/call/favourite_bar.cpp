@@ -16,7 +16,7 @@ namespace {
 
 constexpr qsizetype kLongestArgument = 24;
 
-/// "arm · MoveTo", and the argument if it is short.
+/// Returns "arm · MoveTo", followed by the argument if it is short.
 QString FavouriteTitle(const Favourite& favourite) {
   const QString member = favourite.path.section('.', -1);
   QString title = favourite.path.section('/', 1, 1) + QStringLiteral(" · ") + member;
@@ -97,7 +97,7 @@ void FavouriteBar::show(const Button& one) {
 }
 
 void FavouriteBar::call(const Favourite& favourite) {
-  // The result is shown in the activity list.
+  // Does nothing with the answer, because the activity list shows the result.
   calls_.callCommand(favourite.path.toStdString(), favourite.argument.toStdString(),
                      [](const auto& /*answer*/, double /*seconds*/) {});
 }

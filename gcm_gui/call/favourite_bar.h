@@ -11,8 +11,9 @@ namespace tendon::gui {
 
 class HoldButton;
 
-/// A tool bar with a button for each favourite command. A button is grey while its component is
-/// gone, and must be held if the command can move something. Hidden without favourites.
+/// A tool bar with one button for each favourite command. A button is grey while the command's
+/// component does not exist. It must be held down if the command can move something. The bar is
+/// hidden while there are no favourites.
 class FavouriteBar : public QToolBar {
   Q_OBJECT
 
@@ -21,7 +22,7 @@ class FavouriteBar : public QToolBar {
                QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  /// A sentence that says why a button did nothing.
+  /// Emitted with one sentence that says why a button did nothing.
   void notice(const QString& text);
   void pathChosen(const QString& path);
 

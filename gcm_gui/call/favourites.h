@@ -9,12 +9,13 @@ namespace tendon::gui {
 /// A command with its argument, kept for later calls.
 struct Favourite {
   QString path;      ///< "robot/arm/Control.MoveTo"
-  QString argument;  ///< JSON; empty for none
+  QString argument;  ///< JSON; empty if the command has none
 
   bool operator==(const Favourite&) const = default;
 };
 
-/// The favourite commands by path, whether they exist now or not. Saved in a file, if one is given.
+/// The favourite commands by path, whether they exist now or not. Saved in a file if a name is
+/// given.
 class Favourites : public QObject {
   Q_OBJECT
 
@@ -23,13 +24,13 @@ class Favourites : public QObject {
   explicit Favourites(const QString& file, QObject* parent = nullptr);
 
   [[nodiscard]] const QList<Favourite>& all() const { return all_; }
-  /// A duplicate changes nothing.
+  /// Does nothing if the list already contains this favourite.
   void add(const Favourite& favourite);
   void remove(const Favourite& favourite);
 
  Q_SIGNALS:
   void changed();
-  /// A sentence for the user when the file could not be written.
+  /// Emitted with a sentence for the user if the file could not be written.
   void notice(const QString& text);
 
  private:

@@ -27,7 +27,7 @@ bool HoldButton::event(QEvent* event) {
   return QPushButton::event(event);
 }
 
-/// Also called when the pointer returns to a button that is down.
+/// Also called when the pointer returns to the button while the mouse button is still down.
 void HoldButton::press() {
   if (careful_ && !has_held_) hold_.start();
 }

@@ -9,8 +9,8 @@
 
 namespace tendon::gui {
 
-/// A button that calls a command at a click or, if the call can move something, after it
-/// has been held for a while.
+/// A button that calls a command. It is clicked or, if the call can move something, held down for a
+/// while.
 class HoldButton : public QPushButton {
   Q_OBJECT
 
@@ -35,12 +35,12 @@ class HoldButton : public QPushButton {
   void release();
 
   bool careful_ = false;
-  bool has_held_ = false;  // it has called since it was pressed
+  bool has_held_ = false;  // the command was called since the button was pressed
   QTimer hold_;
 };
 
-/// True if the user must hold a button or press a key twice to call `command`: it can move
-/// something, and its component executes it at once in this state.
+/// Returns true if the user must hold a button or press a key twice to call `command`, because the
+/// command can move something and its component executes it at once in this state.
 [[nodiscard]] inline bool NeedsCare(const MemberDescription& command, ComponentState state) {
   return !command.hazard.empty() && state == ComponentState::kActive;
 }

@@ -14,7 +14,7 @@ constexpr int kMostDecimals = 15;
 }  // namespace
 
 NumberBox::NumberBox(Numbers numbers, QWidget* parent) : QDoubleSpinBox(parent), numbers_(numbers) {
-  setButtonSymbols(NoButtons);  // keys and the wheel do the same
+  setButtonSymbols(NoButtons);  // not needed: the keys and the wheel do the same
   setDecimals(numbers == Numbers::kWhole ? 0 : kMostDecimals);
   setLocale(QLocale::c());
   connect(lineEdit(), &QLineEdit::textChanged, this, &NumberBox::edited);

@@ -7,9 +7,8 @@
 
 namespace tendon::gui {
 
-/// A spin box that keeps the number as typed, in every locale, and keeps an invalid text until it
-/// is corrected, because dropping letters or restoring the old value would silently change the
-/// number.
+/// A spin box that keeps the number as typed, in every locale. An invalid text stays until the user
+/// corrects it: removing letters or restoring the old value would silently change the number.
 class NumberBox : public QDoubleSpinBox {
   Q_OBJECT
 
@@ -18,11 +17,11 @@ class NumberBox : public QDoubleSpinBox {
 
   explicit NumberBox(Numbers numbers, QWidget* parent = nullptr);
 
-  /// The mistake in the text, and what to write; empty if it is valid.
+  /// Returns the mistake in the text and what to write instead; empty if the text is valid.
   [[nodiscard]] QString refusal() const;
 
  Q_SIGNALS:
-  /// The text has changed, by the user or by code.
+  /// Emitted when the user or the program has changed the text.
   void edited();
 
  protected:
@@ -33,7 +32,7 @@ class NumberBox : public QDoubleSpinBox {
   [[nodiscard]] QString textFromValue(double value) const override;
 
  private:
-  /// Removes prefix and suffix.
+  /// Returns `text` without prefix and suffix.
   [[nodiscard]] QString bareText(const QString& text) const;
   [[nodiscard]] QString refusalOf(const QString& text) const;
 

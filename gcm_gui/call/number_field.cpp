@@ -27,7 +27,7 @@ constexpr int kMostDigits = 15;       // digits that every double keeps
 constexpr int kInnerMargin = 2;       // QLineEdit's own margin beside its text
 const QString kRole = QStringLiteral("mono number");
 
-/// The element type of a list, else the type itself.
+/// Returns the element type of a list; for any other type, the type itself.
 const Schema& ElementOf(const Schema& schema) {
   const bool is_list =
       schema.kind() == Schema::Kind::kArray || schema.kind() == Schema::Kind::kSequence;
@@ -41,7 +41,7 @@ std::optional<double> DoubleOf(const std::string& json) {
   return number;
 }
 
-/// Unrounded: a rounded limit might be out of range.
+/// Formats a limit without rounding, because a rounded limit might be out of range.
 QString LimitText(double limit) {
   return QString::number(limit, 'g', QLocale::FloatingPointShortest);
 }
@@ -149,8 +149,8 @@ void NumberField::dropEvent(QDropEvent* event) {
 
 void NumberField::focusInEvent(QFocusEvent* event) {
   QLineEdit::focusInEvent(event);
-  // If a key moves the focus here, all is selected. The cursor is put at the front, so that the
-  // front is visible.
+  // If a key has moved the focus to this field, all text is selected. The cursor is put at the
+  // beginning, so that the beginning is visible.
   if (hasSelectedText() && selectedText() == text()) {
     setSelection(static_cast<int>(text().size()), -static_cast<int>(text().size()));
   }
@@ -179,7 +179,7 @@ QString NumberField::shownText() const {
   if (fits(whole)) return whole;
   const std::optional<double> number = DoubleOf(word().json);
   if (number && whole.contains('e', Qt::CaseInsensitive)) {
-    // The first digits without the exponent would mean a different number.
+    // Rounds the number: its first digits without the exponent would be a different number.
     for (int digits = kMostDigits; digits > 0; --digits) {
       const QString rounded = QString::number(*number, 'g', digits);
       if (fits(rounded)) return rounded;

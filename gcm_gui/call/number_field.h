@@ -11,29 +11,31 @@
 
 namespace tendon::gui {
 
-/// The editor of one number. It keeps any text as typed; refusal() reports a mistake in it. Without
-/// the focus it shows the beginning of a long number, with an ellipsis, or rounds a number with an
-/// exponent; the tool tip has the whole number.
+/// Edits one number. The field keeps any text as typed; refusal() reports a mistake in it. Without
+/// the focus, the field shows only the beginning of a long number, with an ellipsis, and rounds a
+/// number with an exponent. The tool tip then contains the whole number.
 ///
-/// A pasted or dropped list fills this field and the following ones completely, or no field.
+/// If the user pastes or drops a list, either this field and the following fields take all its
+/// numbers, or no field changes.
 class NumberField : public QLineEdit {
   Q_OBJECT
 
  public:
-  /// For a number, or for one element of a list of numbers. `field` gives unit and range.
+  /// Edits a number, or one element of a list of numbers. `field` defines unit and range.
   explicit NumberField(const Schema::Field& field, QWidget* parent = nullptr);
 
-  /// The fields that a list fills, beginning with this one.
+  /// Sets the fields into which a list is pasted; this field is the first of them.
   void setRow(const QList<NumberField*>& fields) { row_ = fields; }
   void setHelp(const QString& help);
 
   [[nodiscard]] NumberLiteral word() const;
   [[nodiscard]] bool isDuration() const { return schema_.kind() == Schema::Kind::kDuration; }
-  /// The reason why the text is not a number of the type, and what to write; empty if it is valid.
+  /// Returns why the text is not a number of the field's type, and what to write instead. Empty if
+  /// the text is valid.
   [[nodiscard]] QString refusal() const;
-  /// The reason why nothing was pasted; empty after any input.
+  /// Returns why a list was not pasted; empty again after any input.
   [[nodiscard]] const QString& pasteRefusal() const { return paste_refusal_; }
-  /// The text shown without the focus.
+  /// Returns the text that is shown without the focus.
   [[nodiscard]] QString shownText() const;
 
  public Q_SLOTS:
@@ -52,7 +54,7 @@ class NumberField : public QLineEdit {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  /// Returns true if `text` is a list; then the list has been accepted or refused.
+  /// Fills the fields if `text` is a list. Returns true for a list, even if the list is refused.
   bool takeList(const QString& text);
   [[nodiscard]] QString refusalOfList(const QStringList& words) const;
   [[nodiscard]] QRect contents() const;

@@ -7,19 +7,19 @@
 namespace tendon::gui {
 namespace {
 
-/// Removes only ASCII blanks, because typographic blanks may separate thousands.
+/// Removes only ASCII blanks around the text, because typographic blanks may separate thousands.
 QString WithoutBlanksAround(QString text) {
   static const QRegularExpression around(QStringLiteral("^[ \\t\\r\\n]+|[ \\t\\r\\n]+$"));
   return text.remove(around);
 }
 
-/// True for three or more parts such as "0.1,0.2,0.3", which cannot be one number.
+/// Returns true for three or more parts such as "0.1,0.2,0.3", which cannot be one number.
 bool IsListWithoutBlanks(const QString& text) {
   if (text.count(',') < 2) return false;
   return ReadNumberLiteral(Schema::Kind::kFloat64, text.toStdString()).meant.empty();
 }
 
-/// True for "1 234.5", with any of the usual thousands separators.
+/// Returns true for "1 234.5", with any of the usual thousands separators.
 bool MayBeOneNumber(const QString& text) {
   static const QRegularExpression thousands(
       QStringLiteral("^[+-]?\\d{1,3}([ '\u00a0\u2009\u202f\u2019]\\d{3})+([.,]\\d*)?$"));

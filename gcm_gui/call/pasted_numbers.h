@@ -7,14 +7,14 @@ namespace tendon::gui {
 
 /// The numbers in a text from the clipboard, for number fields.
 struct PastedNumbers {
-  bool is_list = false;  ///< more numbers than one field holds; otherwise `words` is the text
-  QStringList words;     ///< as written, valid or not
-  QString refusal;       ///< why a list cannot be split: a sentence for the user
+  bool is_list = false;  ///< several numbers; if false, `words` is the whole text
+  QStringList words;     ///< the numbers as written, valid or not
+  QString refusal;  ///< why a list cannot be split, as a sentence for the user; otherwise empty
 };
 
-/// Splits a list only where the split is unambiguous: at line ends, tabs, semicolons and
-/// blanks, at commas followed by a blank, and at the commas of a JSON list without blanks. Refuses
-/// a list with an empty element, because all later numbers would move to other fields.
+/// Splits a list only where the split is unambiguous: at line ends, tabs, semicolons and blanks; at
+/// commas followed by a blank; and at the commas of a JSON list without blanks. Refuses a list with
+/// an empty element, because all later numbers would move to other fields.
 [[nodiscard]] PastedNumbers NumbersIn(const QString& text);
 
 }  // namespace tendon::gui

@@ -16,9 +16,9 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kHighestRate = 50;  // Hz; faster calls belong into a component
+constexpr double kHighestRate = 50;  // Hz; code that must call faster belongs in a component
 constexpr int kMostRepeats = 100000;
-constexpr double kCallsUntilItExpires = 2;  // one call may be late
+constexpr double kCallsUntilItExpires = 2;  // two calls per expiry time, because one may be late
 
 }  // namespace
 

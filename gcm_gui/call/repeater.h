@@ -10,18 +10,20 @@
 
 namespace tendon::gui {
 
-/// Calls one command repeatedly, with at most one unanswered call: a call that is due before the
-/// last answer is skipped, even after a new start(). Ends after a number of calls, at the first
-/// refusal, or on stop(); a call that was sent is not cancelled.
+/// Calls one command repeatedly, with at most one unanswered call. If the previous call is still
+/// unanswered when the next one is due, the next one is skipped; this holds even across stop() and
+/// start(). The calls end after the requested number, at the first refusal, or on stop(). A call
+/// that was already sent is not cancelled.
 class Repeater : public QObject {
   Q_OBJECT
 
  public:
   explicit Repeater(CommandCalls& calls, QObject* parent = nullptr);
 
-  /// `rate` in Hz, above 0; `times` 0 means no end. The first call is due at once.
+  /// Starts the calls; the first one is due at once. `rate` is in Hz and above 0; if `times` is 0,
+  /// the calls do not end by themselves.
   void start(const QString& path, const std::string& argument, double rate, int times);
-  /// Does nothing if it is not running.
+  /// Does nothing if no calls are running.
   void stop();
 
   [[nodiscard]] bool isRunning() const { return timer_.isActive(); }
@@ -30,7 +32,8 @@ class Repeater : public QObject {
 
  Q_SIGNALS:
   void progressed();
-  /// The calls have ended; `refusal` is the reason if a call was refused.
+  /// Emitted when the calls have ended. `refusal` is the reason if a call was refused; otherwise
+  /// empty.
   void stopped(const QString& refusal);
 
  private:

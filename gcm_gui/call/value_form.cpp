@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 enum Column { kNameColumn, kEntryColumn, kUnitColumn, kFormColumns };
 
-/// A field without its own unit or range inherits those of its parent.
+/// Returns `field`. If it has no unit or range, it gets those of `outer`.
 Schema::Field Within(const Schema::Field& outer, Schema::Field field) {
   if (field.unit.empty()) field.unit = outer.unit;
   if (!field.range) field.range = outer.range;
@@ -68,7 +68,8 @@ std::string ValueForm::json() const { return entry_->value().dump(); }
 void ValueForm::setJson(const std::string& json) {
   const auto value = ParseOrderedJson(WithExactDurations(schema_, json));
   if (!value) return;
-  // Suppresses the change that each field reports; reports one change for all.
+  // setValue() makes each field report a change. These reports are suppressed, and one report is
+  // sent for all fields.
   is_filling_ = true;
   entry_->setValue(*value);
   is_filling_ = false;

@@ -15,9 +15,9 @@ class QLabel;
 
 namespace tendon::gui {
 
-/// A form for a value of a type, made from its schema: numbers with units, switches, choices, grids
-/// for vectors; nested fields are below their name. Below an invalid field, it shows the mistake
-/// and what to write instead. GUI thread.
+/// A form for a value of a type, made from the type's schema: numbers with units, switches,
+/// choices, and grids for vectors. Nested fields are shown below the name of their parent. Below an
+/// invalid field, the form shows the mistake and what to write instead. GUI thread.
 class ValueForm : public QWidget {
   Q_OBJECT
 
@@ -25,9 +25,9 @@ class ValueForm : public QWidget {
   explicit ValueForm(const Schema& schema, QWidget* parent = nullptr);
   ~ValueForm() override;
 
-  /// The present input, valid or not; FromJson() checks it.
+  /// Returns the present input as JSON, valid or not; FromJson() checks it.
   [[nodiscard]] std::string json() const;
-  /// Shows those parts of a value that have fields in this form.
+  /// Fills the form from a value. Parts of the value without a field in this form are ignored.
   void setJson(const std::string& json);
   /// The names of the fields with invalid input: "position", "frame.parent".
   [[nodiscard]] QStringList wrongFields() const;
@@ -53,7 +53,7 @@ class ValueForm : public QWidget {
   const Schema schema_;
   QGridLayout* grid_;
   std::unique_ptr<Entry> entry_;
-  std::vector<FormField> form_fields_;  // of all fields without subfields
+  std::vector<FormField> form_fields_;  // one for each field without subfields
   bool is_filling_ = false;             // setJson() is filling the fields
   bool has_changed_ = false;            // a field changed during setJson()
 };

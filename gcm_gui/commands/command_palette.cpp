@@ -26,10 +26,10 @@ CommandPalette::CommandPalette(QList<QAction*> actions, const CatalogueModel& ca
   setAccessibleName(Words::tr("Search or run"));
   setAutoFillBackground(true);
   field_->setObjectName(QStringLiteral("palette.field"));
-  field_->setAccessibleName(Words::tr("A command, or a place to go to"));
-  field_->setPlaceholderText(Words::tr("A command, or a name to go to"));
+  field_->setAccessibleName(Words::tr("A command, or the name of an object"));
+  field_->setPlaceholderText(Words::tr("A command, or the name of an object"));
   list_ = MakeRowList(model_, QStringLiteral("palette.list"), Words::tr("Search or run"),
-                      Words::tr("Nothing fits."));
+                      Words::tr("No match."));
   list_->setFocusPolicy(Qt::NoFocus);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(2 * kGrid, 2 * kGrid, 2 * kGrid, 2 * kGrid);
@@ -102,7 +102,7 @@ bool CommandPalette::press(int key) {
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride &&
       static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-    event->accept();  // closes the palette before the window can use the key
+    event->accept();  // so that the palette is closed, and not a command of the window called
     return true;
   }
   if (event->type() == QEvent::KeyPress && press(static_cast<QKeyEvent*>(event)->key())) {

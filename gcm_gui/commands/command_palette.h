@@ -11,8 +11,8 @@ namespace tendon::gui {
 
 class RowView;
 
-/// A search field over the window (Ctrl+K) for commands and objects; Enter runs the command or goes
-/// to the object. Closes on Escape and when the user clicks anything else.
+/// A search field over the window (Ctrl+K) that finds commands and objects. Enter runs the selected
+/// command or goes to the selected object. Escape or a click elsewhere closes the palette.
 class CommandPalette : public QFrame {
   Q_OBJECT
 
@@ -36,7 +36,7 @@ class CommandPalette : public QFrame {
   PaletteModel model_;
   QLineEdit* field_;
   RowView* list_;
-  QPointer<QWidget> before_;  // had the focus before
+  QPointer<QWidget> before_;  // the widget that had the focus before
 };
 
 }  // namespace tendon::gui

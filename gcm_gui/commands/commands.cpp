@@ -12,7 +12,8 @@ Commands::Commands(QWidget& window)
     : QObject(&window), window_(window), bar_(new QMenuBar(&window)) {
   bar_->setObjectName(QStringLiteral("menus"));
   bar_->setNativeMenuBar(false);
-  bar_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);  // else the last menus vanish first
+  // With another policy, the last menus would disappear first.
+  bar_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   menus_ = {bar_->addMenu(Words::tr("&System")), bar_->addMenu(Words::tr("&Plot")),
             bar_->addMenu(Words::tr("&Graph")), bar_->addMenu(Words::tr("&View")),
             bar_->addMenu(Words::tr("&Help"))};

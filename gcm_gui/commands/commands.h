@@ -15,24 +15,25 @@ class QWidget;
 
 namespace tendon::gui {
 
-/// All commands of the window. Each command is in a menu and in the palette, and both show its key.
+/// All commands of the window. Each command is in a menu and in the palette; both show its key.
 class Commands : public QObject {
   Q_OBJECT
 
  public:
   enum class Menu { kSystem, kPlot, kGraph, kView, kHelp };
 
-  /// Keys work everywhere in `window`.
+  /// Creates the empty menus. The keys of the commands work everywhere in `window`.
   explicit Commands(QWidget& window);
 
-  /// `text` may mark a letter for the menu (&). The object name is the text without the mark.
+  /// Adds a command that calls `what`. `text` may mark a letter for the menu with `&`. The object
+  /// name of the action is the text without the mark.
   QAction& add(Menu menu, const QString& text, const QKeySequence& key, std::function<void()> what);
   [[nodiscard]] QMenu& menu(Menu menu) const { return *menus_[static_cast<std::size_t>(menu)]; }
-  /// The caller places it.
+  /// The menu bar; the caller adds it to a layout.
   [[nodiscard]] QMenuBar& bar() const { return *bar_; }
-  /// From left to right.
+  /// All menus, from left to right.
   [[nodiscard]] const std::array<QMenu*, 5>& menus() const { return menus_; }
-  /// In the order of the menus.
+  /// All commands, in the order of the menus.
   [[nodiscard]] QList<QAction*> actions() const;
 
  private:
@@ -41,7 +42,7 @@ class Commands : public QObject {
   std::array<QMenu*, 5> menus_{};
 };
 
-/// The text of an action without the menu's mark and dots.
+/// Returns the text of an action without the `&` of the menu and without an ellipsis.
 [[nodiscard]] QString PlainText(const QAction& action);
 
 }  // namespace tendon::gui

@@ -21,7 +21,7 @@
 namespace tendon::gui {
 namespace {
 
-// These convert between positions of the graph and those of a system file.
+// The following functions convert between positions in the graph and positions in a system file.
 
 std::map<std::string, SystemFile::Position> SavedPositions(const NodePositions& places) {
   std::map<std::string, SystemFile::Position> layout;

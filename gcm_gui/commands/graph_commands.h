@@ -18,9 +18,9 @@ class GraphView;
 class Selection;
 class SystemDocument;
 
-/// The commands of the graph besides connecting: its map, a search, the positions of components,
-/// and pictures. They are in the menu "Graph", on keys, in the palette, and in the graph's own
-/// menu.
+/// The commands of the graph except those for connecting: the map, the search, the positions of
+/// components, and the export of pictures. They are in the menu "Graph", in the palette and in the
+/// context menu of the graph, and have keys.
 class GraphCommands : public QObject {
   Q_OBJECT
 
@@ -28,18 +28,19 @@ class GraphCommands : public QObject {
   GraphCommands(const WindowParts& parts, GraphView& graph, QWidget& window);
 
   void addCommands(Commands& commands);
-  /// Keeps the user's positions for the next run and saves them with the system file; opening a
-  /// system file applies its positions.
+  /// Keeps the positions chosen by the user for the next run, and saves them with the system file.
+  /// When a system file is opened, its positions are applied.
   void keepPlaces(const WindowParts& parts, SystemDocument& document);
-  /// The menu for a component under the mouse, which is also selected.
+  /// Sets the context menu of a component. Opening it selects the component under the mouse.
   void setComponentMenu(QMenu& menu, Selection& selection);
-  /// Undoes the last move of a component; false if there is none or the user has acted since then.
+  /// Undoes the last move of a component. Returns false if there is none, or if the user has done
+  /// something else since then.
   bool undoMove();
   [[nodiscard]] GraphMap& map() const { return *map_; }
   [[nodiscard]] GraphSearch& search() const { return *search_; }
 
  Q_SIGNALS:
-  /// One sentence for the user.
+  /// Emitted with one sentence for the user.
   void notice(const QString& text);
 
  private:

@@ -15,9 +15,9 @@ bool HasAll(const QString& folded, const QStringList& words) {
                      [&](const QString& word) { return folded.contains(word); });
 }
 
-constexpr qsizetype kWidest = 3;  // the letters may span this many times the word's length
+constexpr qsizetype kWidest = 3;  // the letters may span this many times the length of the word
 
-/// True if the letters of `word` occur in order and close together.
+/// Returns true if the letters of `word` occur in this order and close together.
 bool IsScattered(const QString& folded, const QString& word) {
   for (qsizetype first = folded.indexOf(word[0]); first >= 0;
        first = folded.indexOf(word[0], first + 1)) {
@@ -31,7 +31,8 @@ bool IsScattered(const QString& folded, const QString& word) {
 
 enum class Likeness { kNone, kNearly, kWholly };
 
-/// How well the words match; kNearly: at least one word matches only by its letters in order.
+/// Returns how well the words match. kNearly means that at least one word matches only by its
+/// letters.
 Likeness LikenessOf(const QString& folded, const QStringList& words) {
   if (HasAll(folded, words)) return Likeness::kWholly;
   const bool is_near = std::all_of(words.begin(), words.end(), [&](const QString& word) {
@@ -47,7 +48,7 @@ struct ObjectMatch {
   [[nodiscard]] auto key() const { return std::tuple(rank, item->folded.size(), item->folded); }
 };
 
-/// The name itself is best, then its beginning, then any other place.
+/// Ranks a match: the word is the name itself (best), the beginning of the name, or elsewhere.
 int RankOf(const CatalogueItem& item, const QStringList& words) {
   const QStringView name =
       QStringView(item.folded).last(std::min(item.name.size(), item.folded.size()));
@@ -55,7 +56,7 @@ int RankOf(const CatalogueItem& item, const QStringList& words) {
   return name.startsWith(words.last()) ? 1 : 2;
 }
 
-/// Matches of equal quality.
+/// The matches of one quality.
 struct Matches {
   std::vector<QAction*> actions;
   std::vector<ObjectMatch> things;
@@ -63,12 +64,12 @@ struct Matches {
   [[nodiscard]] bool isEmpty() const { return actions.empty() && things.empty(); }
 };
 
-/// Both qualities, found in one pass.
+/// The matches of both qualities, found in one pass.
 struct AllMatches {
   Matches wholly;
   Matches nearly;
 
-  /// Null if there is no match.
+  /// Returns the list for this quality; null for kNone.
   [[nodiscard]] Matches* of(Likeness likeness) {
     if (likeness == Likeness::kNone) return nullptr;
     return likeness == Likeness::kWholly ? &wholly : &nearly;

@@ -13,15 +13,15 @@ namespace tendon::gui {
 /// A command, or an object of the catalogue to go to.
 struct PaletteRow {
   QAction* action = nullptr;
-  QString text;   ///< for an object its path
-  QString trail;  ///< the key, or the kind of object
+  QString text;   ///< the path, if the row is an object
+  QString trail;  ///< the key of a command, or the kind of an object
 
   bool operator==(const PaletteRow&) const = default;
 };
 
-/// The matches of some typed words: commands first, then objects, best match first. If nothing
-/// contains the words, matches their letters in order, with few letters in between. Without words,
-/// all commands.
+/// The rows that match some typed words: commands first, then objects, each with the best match
+/// first. If no text contains the words, the model shows texts that contain their letters in the
+/// same order, with only a few letters in between. Without words it shows all commands.
 class PaletteModel : public RowListModel<PaletteRow> {
   Q_OBJECT
 
@@ -30,7 +30,7 @@ class PaletteModel : public RowListModel<PaletteRow> {
 
   PaletteModel(QList<QAction*> actions, const CatalogueModel& catalogue, QObject* parent = nullptr);
 
-  /// Ignores case. Searches the present objects.
+  /// Finds the matches among the commands and the present objects, ignoring case.
   void find(const QString& words);
 
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;

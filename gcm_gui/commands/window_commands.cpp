@@ -38,7 +38,7 @@
 namespace tendon::gui {
 namespace {
 
-/// Space presses a button with the keyboard focus, even if Space is a shortcut.
+/// Makes Space press the button that has the keyboard focus, although Space is also a shortcut.
 class ButtonsHaveSpace : public QObject {
  public:
   explicit ButtonsHaveSpace(QWidget& window) : QObject(&window), window_(window) {
@@ -109,7 +109,7 @@ void WindowCommands::addSystemCommands() {
   add(Words::tr("&Redo"), QKeySequence(Qt::CTRL | Qt::Key_Y), [this] { redo_->again(); });
   commands_->menu(Commands::Menu::kSystem).addSeparator();
   add(Words::tr("&Filter the catalogue"), QKeySequence::Find, [this] {
-    // Searches in the part of the window that has the focus.
+    // Opens the search of the part of the window that has the focus.
     window_.graph().isAncestorOf(window_.focusWidget()) || window_.graph().hasFocus()
         ? window_.graphCommands().search().open()
         : window_.catalogue().focusFilter();
@@ -161,7 +161,8 @@ void WindowCommands::forbidChanges() {
     action->setEnabled(false);
     action->setToolTip(window_.parts().read_only);
     if (action->shortcut().isEmpty()) continue;
-    auto* refusal = new QAction(&window_);  // so that its key also shows the reason
+    // With this action, the key of the disabled command shows the reason, too.
+    auto* refusal = new QAction(&window_);
     refusal->setShortcut(action->shortcut());
     connect(refusal, &QAction::triggered, this,
             [this, undoes = action->objectName() == Words::tr("Undo")] {

@@ -12,8 +12,8 @@ class ShortcutsCard;
 class LifecycleCommands;
 class Tour;
 
-/// Fills the menus and the palette of the window, and assigns its keys. Owns the objects that only
-/// commands use.
+/// Fills the menus and the palette of the window, and assigns the keys. Owns the objects that are
+/// used only by commands.
 class WindowCommands : public QObject {
   Q_OBJECT
 
@@ -22,8 +22,8 @@ class WindowCommands : public QObject {
   explicit WindowCommands(MainWindow& window);
 
   [[nodiscard]] Tour& tour() const { return *tour_; }
-  /// Closes the list of keys, or else the card for starting and stopping; returns false if neither
-  /// is open.
+  /// Closes the list of keys or, if that is not open, the card for starting and stopping. Returns
+  /// false if neither is open.
   bool closeCard();
 
  private:
@@ -32,7 +32,7 @@ class WindowCommands : public QObject {
   void addPlotCommands();
   void addHelpCommands();
   void addPalette();
-  /// Disables what changes the system, and says why.
+  /// Disables all commands that change the system; their tool tips say why.
   void forbidChanges();
 
   MainWindow& window_;

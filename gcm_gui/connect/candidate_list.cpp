@@ -11,7 +11,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kReasonInset = 34;  // indents reasons below names
+constexpr int kReasonInset = 34;  // indents the reasons below the names
 constexpr int kWrapped = static_cast<int>(Qt::AlignLeft | Qt::AlignTop) | Qt::TextWordWrap;
 
 class CandidateDelegate final : public RowDelegate {
@@ -52,7 +52,7 @@ CandidateList::CandidateList(CandidatesModel& model, QWidget* parent) : RowView(
   setWordWrap(true);
   setModel(&model);
   header()->setSectionResizeMode(0, QHeaderView::Stretch);
-  setEmptyText(Words::tr("No candidate fits the filter."));
+  setEmptyText(Words::tr("No candidate matches the filter."));
   connect(&model, &QAbstractItemModel::modelReset, this, [this] {
     expandAll();
     setCurrentIndex(this->model()->index(0, 0));
@@ -62,7 +62,7 @@ CandidateList::CandidateList(CandidatesModel& model, QWidget* parent) : RowView(
 
 void CandidateList::resizeEvent(QResizeEvent* event) {
   RowView::resizeEvent(event);
-  scheduleDelayedItemsLayout();  // reasons wrap differently now
+  scheduleDelayedItemsLayout();  // because the reasons are wrapped differently now
 }
 
 }  // namespace tendon::gui

@@ -5,7 +5,7 @@
 
 namespace tendon::gui {
 
-/// The list of candidates; wraps reasons, so that they are fully visible.
+/// The list of candidates. The reasons are wrapped, so that they are visible in full.
 class CandidateList : public RowView {
   Q_OBJECT
 

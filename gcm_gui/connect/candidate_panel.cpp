@@ -26,7 +26,7 @@ CandidatePanel::CandidatePanel(ConnectMode& mode, QWidget* parent)
   setObjectName(QStringLiteral("candidatePanel"));
   setAccessibleName(Words::tr("Candidates for a connection"));
   setAutoFillBackground(true);
-  auto* leave = new QLabel(Words::tr("Esc leaves"));
+  auto* leave = new QLabel(Words::tr("Esc cancels"));
   SetRole(*leave, QStringLiteral("dim"));
   head_->addRight(leave);
   about_->setObjectName(QStringLiteral("candidates.about"));

@@ -27,13 +27,13 @@ class CandidatePanel : public QWidget {
 
  public Q_SLOTS:
   void focusFilter();
-  /// Shows, below the candidates, the reasons why a port under the pointer in another view does not
-  /// fit. An empty title hides them.
+  /// Called when a port under the pointer in another view does not fit: shows the reasons below the
+  /// candidates. An empty title hides them.
   void showRefusal(const QString& title, const QStringList& reasons);
 
  Q_SIGNALS:
-  /// The current candidate of the list, or the one under the pointer; empty if it does not fit,
-  /// because the list already shows the reasons.
+  /// Emitted with the current candidate of the list or the candidate under the pointer. Empty if
+  /// this candidate does not fit, because the list already shows the reasons.
   void pointed(const std::optional<tendon::gui::PortName>& port);
 
  protected:

@@ -69,7 +69,7 @@ void CandidatesModel::refresh() {
     row.stale = true;
     fresh.push_back(std::move(row));
   };
-  if (beyond > 0) add(Words::tr("%1 more; type to find one").arg(beyond));
+  if (beyond > 0) add(Words::tr("%1 more: type a part of the name to find one").arg(beyond));
   if (others > 0) {
     add(fresh.empty() ? Words::tr("None of %1 fits").arg(others)
                       : Words::tr("%1 more do not fit").arg(others));

@@ -11,20 +11,24 @@
 
 namespace tendon::gui {
 
-/// The candidates of the connect mode, best first: those that fit, then those that nearly fit, each
-/// with its reasons below it, then the number of others.
+/// The candidates of the connect mode, best first. First come the ports that fit, then the ports
+/// that nearly fit, each with its reasons as child rows. The last row has the number of all other
+/// ports.
 class CandidatesModel : public QAbstractItemModel {
   Q_OBJECT
 
  public:
   explicit CandidatesModel(const ConnectMode& mode, QObject* parent = nullptr);
 
-  /// Further candidates are only counted, until a filter reduces their number.
+  /// The maximum number of listed candidates. Further candidates are only counted, until a filter
+  /// reduces their number.
   static constexpr std::size_t kMostShown = 100;
 
-  /// Shows only candidates whose paths contain all these words, and then also lists the others.
+  /// Shows only candidates whose paths contain all these words. With a filter, the ports that do
+  /// not fit are listed as well.
   void setFilter(const QString& words);
-  /// The candidate of a row or of its reasons; empty for the row of the others.
+  /// Returns the candidate of a row or of a reason below it; empty for the row with the number of
+  /// other ports.
   [[nodiscard]] std::optional<PortName> portOf(const QModelIndex& index) const;
   [[nodiscard]] bool fits(const QModelIndex& index) const;
 
@@ -42,7 +46,7 @@ class CandidatesModel : public QAbstractItemModel {
     QString trail;
     QString tip;
     QString digit;
-    StateMark mark = StateMark::kRefused;  // shown in place of the digit
+    StateMark mark = StateMark::kRefused;  // shown instead of the digit
     bool fits = false;
     bool stale = false;
     QStringList reasons;

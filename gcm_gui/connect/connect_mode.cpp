@@ -13,7 +13,8 @@ namespace {
 
 constexpr int kDigits = 9;
 
-/// Compares, in order of importance: fits, is alive, is free, fills more members, is near.
+/// Returns true if `a` is the better candidate. In order of importance, a better candidate fits, is
+/// alive, is free, matches more members, and is in the same process.
 bool IsBetter(const PortCandidate& a, const PortCandidate& b, const std::string& process) {
   const auto key = [&](const PortCandidate& c) {
     return std::tuple(!c.fits(), c.gone, c.former.has_value(), -c.compatibility.matched,

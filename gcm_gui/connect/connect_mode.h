@@ -16,54 +16,57 @@
 
 namespace tendon::gui {
 
-/// A port that may be connected to the chosen one.
+/// A port that may be connected to the port that the user has chosen first.
 struct PortCandidate {
   PortName port;
   Compatibility compatibility;
-  int number = 0;        ///< the digit that picks it, 1 to 9; 0 for none
-  bool gone = false;     ///< its process is lost; a connection will be pending
-  bool present = false;  ///< the present peer of the chosen port
-  /// The present peer of the required interface, which it would lose.
+  int number = 0;        ///< the digit key that picks it, 1 to 9; 0 for none
+  bool gone = false;     ///< its process is lost, so a connection will be pending
+  bool present = false;  ///< true if it is already connected to the chosen port
+  /// The present peer of the required interface. The new connection would replace this peer.
   std::optional<InterfaceName> former;
 
   [[nodiscard]] bool fits() const { return compatibility.fits() && !present; }
-  /// True if some members match, or have the same names, so that the user may mean this candidate.
+  /// Returns true if some members match or have the same names, so that the user may mean this
+  /// candidate although it does not fit.
   [[nodiscard]] bool looksAlike() const;
-  /// The reasons why it cannot be picked, one clause per line.
+  /// Returns why this port cannot be picked, one clause per line.
   [[nodiscard]] QStringList reasons() const;
 };
 
-/// The state between choosing the first and the second end of a connection. Has the ports that fit
-/// and the reasons why the others do not; requests the connection when a port is picked. A
-/// connected port can be connected to another peer.
+/// The connect mode: the user has chosen the first port of a connection, but not the second one.
+/// Knows which ports fit, and why the others do not; requests the connection when a port is picked.
+/// A port that is already connected can get another peer.
 class ConnectMode : public QObject {
   Q_OBJECT
 
  public:
-  /// The candidates follow the catalogue. The mode ends when the chosen port disappears, or another
-  /// user connects or disconnects it.
+  /// Updates the candidates when the catalogue changes. The mode ends if the chosen port
+  /// disappears, or if another user connects or disconnects it.
   ConnectMode(const CatalogueStore& store, SystemActions& actions, QObject* parent = nullptr);
 
-  /// start() fails from now on, with this reason.
+  /// From now on, start() fails with this reason.
   void forbid(const QString& reason) { forbidden_ = reason; }
   [[nodiscard]] bool active() const { return chosen_.has_value(); }
   [[nodiscard]] const PortName& chosen() const { return *chosen_; }
   /// The present peer of the chosen port, if the port is a required interface.
   [[nodiscard]] const std::optional<InterfaceName>& former() const { return former_; }
-  /// Best first; those that do not fit come last.
+  /// All candidates, best first. Those that do not fit come last.
   [[nodiscard]] const std::vector<PortCandidate>& candidates() const { return candidates_; }
-  /// Null if nothing fits.
+  /// Returns the best candidate that fits; null if there is none.
   [[nodiscard]] const PortCandidate* best() const;
   [[nodiscard]] const PortCandidate* find(const PortName& port) const;
-  /// The most similar candidate that does not fit, or null.
+  /// Returns the candidate that is most similar to the chosen port but does not fit; null if there
+  /// is none.
   [[nodiscard]] const PortCandidate* bestLookAlike() const;
 
  public Q_SLOTS:
-  /// Returns false if the port does not exist, or if the mode is forbidden; then emits a notice().
+  /// Starts the mode with this port. If the port does not exist or the mode is forbidden, emits a
+  /// notice() and returns false.
   bool start(const tendon::gui::PortName& port);
   void leave();
-  /// Requests the connection. If the port does not fit, only emits a notice(), and mismatchPicked()
-  /// if it looks alike.
+  /// Requests the connection of the chosen port to `port`. If `port` does not fit, emits a notice()
+  /// instead, and also mismatchPicked() if it looks alike.
   void pick(const tendon::gui::PortName& port);
   void pickNumber(int number);
   void pickBest();
@@ -71,22 +74,22 @@ class ConnectMode : public QObject {
  Q_SIGNALS:
   void changed();
   void picked(const tendon::InterfaceName& required, const tendon::InterfaceName& provided);
-  /// The user picked a similar port that does not fit. No request was sent; `reason` says why the
-  /// port does not fit.
+  /// Emitted when the user has picked a similar port that does not fit. No request was sent;
+  /// `reason` says why the port does not fit.
   void mismatchPicked(const tendon::message::Wire& wire, const QString& reason);
-  /// One sentence for the user.
+  /// Emitted with one sentence for the user.
   void notice(const QString& text);
 
  private:
   void follow();
   void refuse(const PortCandidate& candidate);
-  /// The connection between the chosen port and `port`.
+  /// Returns the connection between the chosen port and `port`.
   [[nodiscard]] message::Wire wireTo(const PortName& port) const;
   void rank();
   void addProvided(const RequiredDescription& required);
   void addRequired(const ProvidedDescription& provided);
   [[nodiscard]] bool isThere(const PortName& port) const;
-  /// The present peer of a required port.
+  /// Returns the present peer of a required port.
   [[nodiscard]] std::optional<InterfaceName> peerOf(const PortName& port) const;
 
   const CatalogueStore& store_;

@@ -13,16 +13,17 @@ class QPushButton;
 
 namespace tendon::gui {
 
-/// A card with several required interfaces, each with the provided interface that matches by name
-/// and type. Connects all checked rows at once. If several matches are equally good, the row is not
-/// checked and shows the first.
+/// A card that lists several required interfaces, each with the provided interface that matches by
+/// name and type. Connects all checked rows at once. If several provided interfaces match equally
+/// well, the row shows the first of them and is not checked.
 class MatchCard : public OverlayCard {
   Q_OBJECT
 
  public:
   MatchCard(QWidget& place, const CatalogueStore& store, SystemActions& actions);
 
-  /// Matches the unconnected ones of `required` with all provided interfaces.
+  /// Opens the card for the unconnected interfaces among `required`, and finds their matches among
+  /// all provided interfaces.
   void open(const std::vector<InterfaceName>& required);
 
  protected:

@@ -46,7 +46,7 @@ qsizetype ConsoleHistory::find(const QString& part, qsizetype before) const {
   return -1;
 }
 
-/// Saves the lines. A failure must not disturb the user, so it is reported only once.
+/// Saves the lines. A repeated failure is reported only once, so that it does not disturb the user.
 void ConsoleHistory::keep() {
   if (file_.isEmpty()) return;
   const auto report = [this](const QString& refusal) {

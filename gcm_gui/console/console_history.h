@@ -6,8 +6,8 @@
 
 namespace tendon::gui {
 
-/// The typed lines and a position among them, initially after the newest. Saved in a file, if one
-/// is given. GUI thread; the FileWriter writes the file.
+/// The lines that the user has typed, and a position in this list, which is initially after the
+/// newest line. Saved in a file if a name is given. GUI thread; the FileWriter writes the file.
 class ConsoleHistory : public QObject {
   Q_OBJECT
 
@@ -17,18 +17,21 @@ class ConsoleHistory : public QObject {
   /// With an empty file name, nothing is saved.
   explicit ConsoleHistory(const QString& file = {});
 
-  /// Ignores empty lines and a repetition of the newest line.
+  /// Adds a line. Empty lines and repetitions of the newest line are ignored.
   void add(const QString& line);
-  /// The previous line; stays at the oldest. `typed` is the present text of the input line.
+  /// Moves to the previous line and returns it; at the oldest line, the position does not change.
+  /// `typed` is the present text of the input line.
   [[nodiscard]] QString older(const QString& typed);
-  /// The next line; after the newest, the text that was typed.
+  /// Moves to the next line and returns it. After the newest line, returns the text that the user
+  /// had typed.
   [[nodiscard]] QString newer();
-  /// The newest line that contains `part`, below position `before`; -1 if there is none.
+  /// Returns the position of the newest line before position `before` that contains `part`; -1 if
+  /// there is none.
   [[nodiscard]] qsizetype find(const QString& part, qsizetype before) const;
   [[nodiscard]] const QStringList& lines() const { return lines_; }
 
  Q_SIGNALS:
-  /// Tells the user, once, that the lines could not be saved.
+  /// Emitted once, with a sentence for the user, if the lines could not be saved.
   void notice(const QString& text);
 
  private:
@@ -38,7 +41,7 @@ class ConsoleHistory : public QObject {
   QStringList lines_;
   qsizetype place_ = 0;
   QString typed_;
-  bool is_refusal_told_ = false;  // the failure was reported; false again after a successful write
+  bool is_refusal_told_ = false;  // the user knows of the failure; reset by a successful write
 };
 
 }  // namespace tendon::gui

@@ -23,7 +23,8 @@ namespace {
 
 constexpr int kFewestColumns = 40;
 
-/// Completes the last word of the line as far as it is unique; empty if nothing can be added.
+/// Completes the last word of the line as far as all suggestions agree. Returns no value if nothing
+/// can be added.
 std::optional<QString> Completed(const QString& line, const console::WordCompletion& completion) {
   const auto unfinished = console::ParsePartialCommand(line.toStdString());
   const std::string& word = unfinished.words.back();
@@ -129,7 +130,7 @@ void ConsolePage::write(const QString& text, bool is_message) {
   QTextCharFormat format;
   if (is_message) format.setForeground(Theme::instance().color(Token::kWarning));
   end.insertText(text, format);
-  // Keeps the selection while output is added.
+  // Keeps the selection when output is added.
   if (selected.hasSelection()) output_->setTextCursor(selected);
   bar->setValue(was_at_end ? bar->maximum() : place);
 }
@@ -156,7 +157,7 @@ bool ConsolePage::isTyping(const QKeyEvent& key) {
 
 bool ConsolePage::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
-    // The console's keys take precedence over the window's.
+    // If the console uses a key, the shortcut of the window with the same key is not called.
     const auto& key = static_cast<const QKeyEvent&>(*event);
     const bool is_control = key.modifiers() == Qt::ControlModifier;
     const bool is_ours = (is_control && (key.key() == Qt::Key_C || key.key() == Qt::Key_R ||
@@ -192,7 +193,7 @@ bool ConsolePage::pressKey(const QKeyEvent& event) {
       line_->setText(history_.newer());
       return true;
     case Qt::Key_Tab:
-      if (line_->text().isEmpty()) return false;  // the key moves the focus
+      if (line_->text().isEmpty()) return false;  // Tab then moves the focus
       complete();
       return true;
     case Qt::Key_PageUp:
@@ -245,7 +246,7 @@ bool ConsolePage::pressInSearch(const QKeyEvent& event) {
   const bool is_modifier = event.key() == Qt::Key_Shift || event.key() == Qt::Key_Control ||
                            event.key() == Qt::Key_Alt || event.key() == Qt::Key_Meta;
   if (is_modifier) return false;
-  leaveSearch();  // keep the found line; the key edits it
+  leaveSearch();  // keeps the line that was found; the key then edits it
   return pressKey(event);
 }
 
@@ -300,7 +301,7 @@ void ConsolePage::complete() {
 }
 
 void ConsolePage::showCompletion(const QString& line, const console::WordCompletion& completion) {
-  if (line != line_->text()) return;  // the user has changed the line meanwhile
+  if (line != line_->text()) return;  // the user has changed the line since the request
   if (completion.suggestions.empty()) return QApplication::beep();
   if (const auto completed = Completed(line, completion)) return line_->setText(*completed);
   if (!text().isEmpty() && !text().endsWith('\n')) write(QStringLiteral("\n"), false);

@@ -14,15 +14,16 @@ class QPlainTextEdit;
 
 namespace tendon::gui {
 
-/// The console in the window: output above, input line below. Keys as in a shell: Up and Down,
-/// Ctrl-R searches, Tab completes, Ctrl-C interrupts or copies, Ctrl-L clears.
+/// The console in the window, with the output above and the input line below. The keys are as in a
+/// shell: Up and Down browse the history, Ctrl-R searches it, Tab completes, Ctrl-C interrupts or
+/// copies, Ctrl-L clears the output.
 class ConsolePage : public QWidget {
   Q_OBJECT
 
  public:
   static constexpr int kKeptLines = 5000;
 
-  /// `history` is the file for the typed lines; empty for none.
+  /// `history` is the file for the typed lines; if it is empty, they are not saved.
   explicit ConsolePage(console::Settings settings, const QString& history = {},
                        QWidget* parent = nullptr);
 
@@ -31,7 +32,7 @@ class ConsolePage : public QWidget {
   [[nodiscard]] bool isRunning() const { return runner_.isRunning(); }
 
  Q_SIGNALS:
-  /// Tells the user that the typed lines could not be saved.
+  /// Emitted with a sentence for the user if the typed lines could not be saved.
   void notice(const QString& text);
 
  protected:
@@ -40,13 +41,14 @@ class ConsolePage : public QWidget {
  private:
   struct Search {
     QString part;
-    QString typed;  // line before the search
+    QString typed;  // the line before the search
     qsizetype place = -1;
   };
 
   void build();
   void applyFont();
-  /// True if the key belongs to the input line rather than to a shortcut of the window.
+  /// Returns true if the input line must handle the key, even if a shortcut of the window has the
+  /// same key.
   [[nodiscard]] static bool isTyping(const QKeyEvent& key);
   bool pressKey(const QKeyEvent& event);
   bool pressControl(int key);
@@ -58,7 +60,7 @@ class ConsolePage : public QWidget {
   void searchFrom(qsizetype before);
   void leaveSearch();
   void showPrompt();
-  /// The number of characters in a line.
+  /// The number of characters that fit into a line.
   [[nodiscard]] int columns() const;
   void write(const QString& text, bool is_message);
 

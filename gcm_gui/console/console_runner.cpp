@@ -23,7 +23,7 @@ constexpr auto kThread = QT_TRANSLATE_NOOP("Words", "the console");
 
 }  // namespace
 
-/// The data shared by runner and thread.
+/// The data shared by the runner and its thread.
 struct ConsoleRunner::SharedState {
   SharedState(console::Settings the_settings, std::function<void()> wake)
       : settings(std::move(the_settings)), pipe(std::move(wake)) {}
@@ -32,14 +32,15 @@ struct ConsoleRunner::SharedState {
   OutputPipe pipe;
   std::mutex mutex;
   std::condition_variable change;
-  std::deque<Job> jobs;                      // guarded by mutex, like everything below
-  os::Interruption* interruption = nullptr;  // of the thread, while it lives
-  bool is_interrupted = false;               // since the last job was posted
+  std::deque<Job> jobs;                      // guarded by mutex, as are all members below
+  os::Interruption* interruption = nullptr;  // of the thread; null after the thread has ended
+  bool is_interrupted = false;               // interrupted since the last job was added
   bool is_ending = false;
   bool is_done = false;  // the thread has ended
 };
 
-/// Reports the end of a line in every case, even if the thread throws or the line never begins.
+/// Reports the end of a line in every case: also if the thread throws an exception, or if the line
+/// is never executed.
 class ConsoleRunner::LineReport {
  public:
   LineReport(ConsoleRunner& runner, std::shared_ptr<GuiPoster> poster)
@@ -89,7 +90,8 @@ ConsoleRunner::~ConsoleRunner() {
 
 void ConsoleRunner::post(Job job) {
   const std::scoped_lock lock(desk_->mutex);
-  if (desk_->interruption != nullptr) desk_->interruption->Forget();  // meant for the previous line
+  // An interruption so far was meant for the previous line.
+  if (desk_->interruption != nullptr) desk_->interruption->Forget();
   desk_->is_interrupted = false;
   desk_->jobs.push_back(std::move(job));
   desk_->change.notify_all();
@@ -107,7 +109,8 @@ void ConsoleRunner::work(const std::shared_ptr<SharedState>& desk) {
     if (desk->is_ending) break;
     Job job = std::exchange(desk->jobs.front(), nullptr);
     desk->jobs.pop_front();
-    if (desk->is_interrupted) interruption.Request();  // it may be older than this object
+    // The user may have interrupted before this object existed.
+    if (desk->is_interrupted) interruption.Request();
     lock.unlock();
     ExceptionGuard::run(kThread, [&] {
       if (!shell || shell->has_ended()) shell.emplace(desk->settings);
@@ -118,7 +121,7 @@ void ConsoleRunner::work(const std::shared_ptr<SharedState>& desk) {
   }
   desk->interruption = nullptr;
   lock.unlock();
-  shell.reset();  // closing its link takes some time
+  shell.reset();  // without the lock, because closing the link takes some time
   lock.lock();
   desk->is_done = true;
   desk->change.notify_all();
@@ -126,7 +129,7 @@ void ConsoleRunner::work(const std::shared_ptr<SharedState>& desk) {
 
 void ConsoleRunner::run(const QString& line, int columns) {
   if (std::exchange(is_running_, true)) return;
-  // Must not own the desk, because the desk owns the job.
+  // The job must not own the shared state, because the shared state owns the job.
   auto end = std::make_shared<LineReport>(*this, poster_);
   post([end = std::move(end), &pipe = desk_->pipe, line = line.toStdString(),
         columns](console::Shell& shell) {
@@ -166,7 +169,7 @@ void ConsoleRunner::deliver() {
   }
 }
 
-/// Waits until all output of the line has been passed on.
+/// Reports the end of the line after all its output has been delivered.
 void ConsoleRunner::finish(int exit_code, const QString& prompt) {
   if (!desk_->pipe.isEmpty()) {
     return poster_->post([this, exit_code, prompt] { finish(exit_code, prompt); });

@@ -16,8 +16,8 @@ class Shell;
 }
 namespace tendon::gui {
 
-/// Runs lines of the language of `gcm shell`, one after another, in its own thread and over its own
-/// link, so the window never waits. The link is opened when first needed.
+/// Runs command lines of `gcm shell`, one after another, in a thread and over a link of its own, so
+/// that the window never blocks. Opens the link when it is first needed.
 class ConsoleRunner : public QObject {
   Q_OBJECT
 
@@ -26,21 +26,21 @@ class ConsoleRunner : public QObject {
   /// Interrupts the running line and waits for it, for a limited time.
   ~ConsoleRunner() override;
 
-  /// Runs a line. output() delivers its output, finished() reports the end. `columns` is the width
-  /// of a line in characters.
+  /// Runs a line. Its output is delivered by output(); finished() is emitted at its end. `columns`
+  /// is the width of the console in characters.
   void run(const QString& line, int columns);
   [[nodiscard]] bool isRunning() const { return is_running_; }
-  /// Like Ctrl-C at a terminal; does nothing if nothing runs.
+  /// Interrupts the running line, as Ctrl-C does in a terminal; does nothing if no line is running.
   void interrupt();
-  /// Requests the completions of a line; completed() follows when no line is running.
+  /// Requests the completions of a line. completed() is emitted as soon as no line is running.
   void complete(const QString& line);
 
  Q_SIGNALS:
   void output(const QString& text, bool is_message);
   void finished(int exit_code);
-  /// "robot/arm> ".
+  /// Emitted with the new prompt, such as "robot/arm> ".
   void promptChanged(const QString& prompt);
-  /// `line` is the line of the request.
+  /// Emitted with the answer to complete(); `line` is the line that was passed to it.
   void completed(const QString& line, const console::WordCompletion& completion);
 
  private:
@@ -49,7 +49,7 @@ class ConsoleRunner : public QObject {
   class LineReport;
 
   void post(Job job);
-  /// The function of the thread, which may outlive the runner if a request does not end.
+  /// The main function of the thread. The thread may outlive the runner if a request does not end.
   static void work(const std::shared_ptr<SharedState>& desk);
   void deliver();
   void finish(int exit_code, const QString& prompt);

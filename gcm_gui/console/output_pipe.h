@@ -13,8 +13,8 @@
 
 namespace tendon::gui {
 
-/// Passes the output of one thread to another. A writer that is too far ahead waits, so that no
-/// output is lost and memory is limited.
+/// Passes the output of one thread to another. If kMostWaiting bytes have not been taken yet, the
+/// writer blocks, so that no output is lost and memory use is limited.
 class OutputPipe {
  public:
   static constexpr std::size_t kMostWaiting = std::size_t{1} << 20;  // bytes
@@ -26,15 +26,15 @@ class OutputPipe {
     std::string text;
   };
 
-  /// The writer calls `wake` when take() has output again.
+  /// The writing thread calls `wake` when take() has output again.
   explicit OutputPipe(std::function<void()> wake) : wake_(std::move(wake)) {}
 
-  /// Returns false once the pipe is closed.
+  /// Appends output, and blocks while the pipe is full. Returns false if the pipe is closed.
   bool write(Kind kind, std::string_view text);
-  /// Returns at most kMostTaken bytes, which may end within a character; calls `wake` again if
-  /// there are more.
+  /// Removes and returns at most kMostTaken bytes, which may end in the middle of a character. If
+  /// more bytes remain, calls `wake` again.
   [[nodiscard]] std::deque<Piece> take();
-  /// Discards waiting output, and releases waiting writers.
+  /// Discards the output that was not taken, and unblocks the writers.
   void close();
   [[nodiscard]] bool isEmpty();
 

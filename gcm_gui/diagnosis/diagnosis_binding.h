@@ -14,8 +14,8 @@ class ConnectionChecks;
 class DiagnosisCard;
 class SystemActions;
 
-/// Supplies the Why? card with its contents. Asks again when one of the two processes changes while
-/// the card is open. Never waits.
+/// Fills the Why? card. Repeats the checks if one of the two processes changes while the card is
+/// open. Never blocks.
 class DiagnosisBinding : public QObject {
   Q_OBJECT
 
@@ -26,10 +26,10 @@ class DiagnosisBinding : public QObject {
   [[nodiscard]] RefusedConnections& refusals() { return refusals_; }
 
  public Q_SLOTS:
-  /// Opens the card for the required interface `path`, or for the interface of a member. Anything
-  /// else only gives a notice().
+  /// Opens the card for the required interface `path`, or for the required interface that contains
+  /// the member `path`. For any other path, only emits a notice().
   void open(const QString& path);
-  /// Opens the card only if the connection has a problem; returns true if so.
+  /// Opens the card only if the connection has a problem; returns true if the card was opened.
   bool openProblem(const QString& path);
 
  Q_SIGNALS:

@@ -18,9 +18,10 @@ class DiagnosisCard : public OverlayCard {
  public:
   explicit DiagnosisCard(QWidget& place);
 
-  /// Called when the check begins: shows the ends, without steps.
+  /// Called when the check begins: shows the two interfaces, but no steps yet.
   void begin(const message::Wire& wire);
-  /// A description is null if that end does not exist.
+  /// Shows the result of the check. `required` or `provided` is null if that interface does not
+  /// exist.
   void show(const DiagnosisReport& report, const RequiredDescription* required,
             const ProvidedDescription* provided);
   /// Shows only this sentence.

@@ -13,26 +13,29 @@ namespace tendon::gui {
 struct DiagnosisReport {
   Diagnosis diagnosis;
   std::optional<RefusedConnection> refusal;  ///< the last refusal of this connection
-  QStringList leftovers;                     ///< LeftoverTexts() of a connection that was tried
+  QStringList leftovers;                     ///< the LeftoverTexts() of a connection attempt
 
-  /// "fails at step 5 of 7", "connected and working", "nothing prevents the connection".
+  /// The result in a few words: "fails at step 5 of 7", "connected and working", "nothing prevents
+  /// the connection".
   [[nodiscard]] QString verdict() const;
-  /// "refused at 12:04:31: no answer from desk", or empty.
+  /// The last refusal: "refused at 12:04:31: no answer from desk"; empty if there is none.
   [[nodiscard]] QString history() const;
-  /// The shell command that gives the same report.
+  /// The shell command that prints the same report.
   [[nodiscard]] QString command() const;
-  /// The whole report as text for a mail; numbers and texts of the steps are those of `gcm
+  /// The whole report as text for an e-mail. The steps have the same numbers and texts as in `gcm
   /// explain`.
   [[nodiscard]] QString text() const;
 };
 
-/// The provided interface that the user probably means when asking why `required` is not connected:
-/// the refused one, otherwise the connected one, otherwise the best candidate.
+/// Returns the provided interface that the user probably means when he asks why `required` is not
+/// connected: the provider whose connection was refused, otherwise the connected provider,
+/// otherwise the best candidate.
 [[nodiscard]] std::optional<InterfaceName> LikelyProvider(const Catalogue& catalogue,
                                                           const RefusedConnections& refusals,
                                                           const InterfaceName& required);
 
-/// The part of a remedy to copy: its command if there is one, otherwise the whole text.
+/// Returns the part of a remedy that is worth copying: its command, or the whole text if it
+/// contains no command.
 [[nodiscard]] QString CommandOfFix(const std::string& fix);
 
 }  // namespace tendon::gui

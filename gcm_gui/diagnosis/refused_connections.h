@@ -19,8 +19,8 @@ struct RefusedConnection {
   bool operator==(const RefusedConnection&) const = default;
 };
 
-/// The last refusal of each required interface, until it is connected, disconnected or removed. GUI
-/// thread.
+/// The last refused connection of each required interface. An entry is removed when the interface
+/// is connected, disconnected or removed. GUI thread.
 class RefusedConnections : public QObject {
   Q_OBJECT
 
@@ -30,7 +30,7 @@ class RefusedConnections : public QObject {
   using QObject::QObject;
 
   [[nodiscard]] const ByRequired& all() const { return refused_; }
-  /// Null if there is none.
+  /// Returns the last refused connection of `required`; null if there is none.
   [[nodiscard]] const RefusedConnection* find(const InterfaceName& required) const;
 
  public Q_SLOTS:

@@ -17,7 +17,7 @@ const MemberDescription* Find(const Members& members, const std::string& name) {
   return it == members.end() ? nullptr : &*it;
 }
 
-/// The names in `members` that are not in `others`.
+/// Returns the names in `members` that are not in `others`.
 std::vector<std::string> NamesBut(const Members& members, const Members& others) {
   std::vector<std::string> names;
   for (const auto& member : members) {

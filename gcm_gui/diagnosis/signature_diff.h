@@ -7,8 +7,8 @@
 
 namespace tendon::gui {
 
-/// A member of a required interface, and the member of a provided interface that fills it or should
-/// fill it.
+/// A row of the comparison of two interfaces: a member of the required interface, and the member of
+/// the provided interface with the same name. One of the two may be missing.
 struct SignatureRow {
   enum class Verdict {
     kSame,
@@ -22,15 +22,16 @@ struct SignatureRow {
   bool is_event = false;
   const MemberDescription* needed = nullptr;   ///< null if not needed
   const MemberDescription* offered = nullptr;  ///< null if not offered
-  std::string remark;                          ///< the mistake, in words
+  std::string remark;                          ///< the mistake in words
 
   [[nodiscard]] bool is_bad() const {
     return verdict == Verdict::kMissing || verdict == Verdict::kChanged;
   }
 };
 
-/// First the needed members in their order, commands before events, then the unneeded ones. The
-/// rows refer to both descriptions. The verdicts are those of Compare().
+/// Compares two interfaces. The rows list first the needed members in their order, commands before
+/// events, then the members that are not needed. The rows contain pointers into both descriptions.
+/// The verdicts are those of Compare().
 [[nodiscard]] std::vector<SignatureRow> SignatureDiff(const RequiredDescription& required,
                                                       const ProvidedDescription& provided);
 

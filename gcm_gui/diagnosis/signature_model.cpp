@@ -25,7 +25,7 @@ StateMark VerdictMark(Verdict verdict) {
   return StateMark::kNotConnected;
 }
 
-/// Short enough for a column; the tool tip has the difference.
+/// Returns a remark that fits into a column; the tool tip has the whole difference.
 QString ShortRemark(const SignatureRow& row) {
   switch (row.verdict) {
     case Verdict::kSame:

@@ -8,7 +8,8 @@
 
 namespace tendon::gui {
 
-/// Two interfaces side by side: per member the needed and the offered one, and their difference.
+/// Shows two interfaces side by side: for each member, the needed member, the offered member, and
+/// the difference.
 class SignatureModel : public QAbstractTableModel {
   Q_OBJECT
 

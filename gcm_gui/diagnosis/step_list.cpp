@@ -24,10 +24,10 @@ namespace tendon::gui {
 namespace {
 
 constexpr std::size_t kSignatureStep = 4;
-constexpr int kMostDiffRows = 9;  // of the comparison, before it scrolls
+constexpr int kMostDiffRows = 9;  // rows of the comparison; with more rows, it scrolls
 constexpr int kStepMarkWidth = 16;
 constexpr int kNumberWidth = 14;
-constexpr int kLinkHeight = 20;  // lower than other links, because it is in a line of text
+constexpr int kLinkHeight = 20;  // lower than other links, because it stands in a line of text
 constexpr int kVerdictWidth = 200;
 
 struct VerdictLook {
@@ -51,7 +51,7 @@ VerdictLook LookOf(DiagnosisStep::Verdict verdict) {
 RowView* MakeSides(SignatureModel& model) {
   RowView* sides = MakeRowList(model, QStringLiteral("why.signatures"),
                                Words::tr("The needed and the offered members, side by side"),
-                               Words::tr("Neither side has a member."));
+                               Words::tr("Neither interface has a member."));
   sides->rows().setAllLeft(true);
   sides->setHeaderHidden(false);
   sides->header()->setSectionResizeMode(SignatureModel::kNeeded, QHeaderView::Stretch);
@@ -98,7 +98,7 @@ void StepList::show(const Diagnosis& diagnosis) {
   int number = 0;
   for (const DiagnosisStep& step : shown_) addStep(++number, step);
   layout()->addWidget(rows_);
-  rows_->show();  // at once, so that keys work
+  rows_->show();  // at once, so that the keys work immediately
   if (toggle_ == nullptr) return;
   toggle_->setChecked(was_shown);
   if (had_focus) toggle_->setFocus();

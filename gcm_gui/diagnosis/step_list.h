@@ -14,8 +14,9 @@ namespace tendon::gui {
 class RowView;
 class SignatureModel;
 
-/// Lists the seven steps: mark, number and finding. Below a failed step it shows details and
-/// remedies, which can be copied; below the signatures, on request, both interfaces.
+/// Lists the seven steps of a check, each with a mark, a number and a finding. Below a failed step,
+/// it shows details and remedies, which the user can copy. Below the step that compares the
+/// signatures, the user can open a comparison of both interfaces.
 class StepList : public QWidget {
   Q_OBJECT
 
@@ -29,7 +30,7 @@ class StepList : public QWidget {
   void orderTabs(QWidget& before);
 
  Q_SIGNALS:
-  /// One sentence about the copied text.
+  /// Emitted with one sentence about the copied text.
   void copied(const QString& text);
 
  private:

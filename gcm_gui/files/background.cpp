@@ -12,8 +12,8 @@ namespace tendon::gui {
 struct Background::Queue {
   std::mutex mutex;
   std::condition_variable changed;
-  std::deque<Task> tasks;  // guarded by mutex, like everything below
-  bool is_closed = false;  // no more tasks come
+  std::deque<Task> tasks;  // guarded by mutex, as are all members below
+  bool is_closed = false;  // no more tasks will be added
   bool is_done = false;    // the thread has ended
 };
 

@@ -9,19 +9,19 @@
 
 namespace tendon::gui {
 
-/// Runs tasks one after another in its own thread; the ExceptionGuard reports a task that throws. A
-/// task must not use its requester: the destructor abandons a task that takes too long, which then
-/// continues.
+/// Runs tasks one after another in its own thread. If a task throws, the ExceptionGuard reports it.
+/// A task must not use the object that requested it: the destructor does not wait longer than
+/// `patience` for a task, which then continues to run.
 class Background {
  public:
   using Task = std::function<void()>;
 
-  /// `what` names the work for stderr and the ExceptionGuard: QT_TRANSLATE_NOOP("Words", "a system
-  /// file"). `patience` is how long the destructor waits.
+  /// `what` names the work, such as QT_TRANSLATE_NOOP("Words", "a system file"). This name is used
+  /// on stderr and by the ExceptionGuard. `patience` is the maximum time that the destructor waits.
   explicit Background(const char* what, std::chrono::milliseconds patience = FileWriter::kPatience);
   Background(const Background&) = delete;
   Background& operator=(const Background&) = delete;
-  /// Waits for all tasks at most `patience`; then reports unfinished tasks on stderr.
+  /// Waits for all tasks, at most for `patience`. Then reports unfinished tasks on stderr.
   ~Background();
 
   void start(Task task);

@@ -7,7 +7,7 @@
 namespace tendon::gui {
 namespace {
 
-/// Returns the reason of a failure; empty on success.
+/// Reads a file. Returns the reason if this fails; empty on success.
 QString Read(const QString& name, QByteArray& content) try {
   QFile file(name);
   if (!file.open(QIODevice::ReadOnly)) return file.errorString();

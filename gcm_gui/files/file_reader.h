@@ -11,12 +11,13 @@
 
 namespace tendon::gui {
 
-/// Reads files one after another in its own thread, so a slow disk blocks nobody. GUI thread.
+/// Reads files one after another in its own thread, so that a slow disk does not block the GUI
+/// thread. Call it in the GUI thread.
 class FileReader : public QObject {
   Q_OBJECT
 
  public:
-  /// Receives the content of the file or, if it cannot be read, the reason.
+  /// Called with the content of the file or, if the file cannot be read, with the reason.
   using Done = std::function<void(const QByteArray& content, const QString& refusal)>;
 
   explicit FileReader(QObject* parent = nullptr);
@@ -24,7 +25,7 @@ class FileReader : public QObject {
   FileReader& operator=(const FileReader&) = delete;
   ~FileReader() override;
 
-  /// `done` is not called after the reader is destroyed.
+  /// Reads a file and then calls `done`, unless the reader was destroyed before.
   void read(const QString& file, Done done);
 
  private:

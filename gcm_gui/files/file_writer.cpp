@@ -60,12 +60,12 @@ struct FileWriter::Answer {
 struct FileWriter::Queue {
   std::mutex mutex;
   std::condition_variable changed;
-  std::deque<Job> jobs;          // guarded by mutex, like everything below
-  std::deque<Answer> answers;    // not passed on yet
+  std::deque<Job> jobs;          // guarded by mutex, as are all members below
+  std::deque<Answer> answers;    // answers whose handlers were not called yet
   QString current;               // the file being written
-  bool is_closed = false;        // no more jobs come
+  bool is_closed = false;        // no more jobs will be added
   bool is_done = false;          // the thread has ended
-  FileWriter* writer = nullptr;  // receives the answers; null once it is destroyed
+  FileWriter* writer = nullptr;  // receives the answers; null after it was destroyed
 };
 
 QString NotSaved(const QString& file, const QString& refusal) {

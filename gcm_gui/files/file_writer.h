@@ -11,43 +11,46 @@
 
 namespace tendon::gui {
 
-/// Writes files one after another in its own thread, so a slow disk blocks nobody. A file is
-/// replaced as a whole or not at all.
+/// Writes files one after another in its own thread, so that a slow disk does not block the GUI
+/// thread. A file is replaced as a whole or not at all.
 ///
-/// Call all functions in the GUI thread; handlers run there, too.
+/// Call all functions in the GUI thread; handlers are called in the GUI thread, too.
 class FileWriter : public QObject {
   Q_OBJECT
 
  public:
-  /// Writes the content, in the writer's thread; returns false on failure.
+  /// Writes the content to `file`; called in the writer's thread. Returns false on failure.
   using Fill = std::function<bool(QIODevice& file)>;
-  /// Receives an empty text on success; otherwise the reason, to be appended to the file's name.
+  /// Called with an empty text on success; otherwise with the reason, to be appended to the name of
+  /// the file.
   using Done = std::function<void(const QString& refusal)>;
   /// Who may read the file.
   enum class Readers { kAll, kOwner };
 
   static constexpr std::chrono::seconds kPatience{5};
 
-  /// The writer of the present QCoreApplication, which owns it.
+  /// Returns the writer of the present QCoreApplication, which owns the writer.
   static FileWriter& instance();
-  /// A second writer for content that takes long to make: a table, a picture. It does not delay
-  /// small files, nor the state saved at the end.
+  /// Returns a second writer for content that takes long to produce, such as a table or a picture.
+  /// So this content does not delay small files, nor the state that is saved when the program ends.
   static FileWriter& exports();
 
-  /// `patience` is how long the destructor waits.
+  /// `patience` is the maximum time that the destructor waits.
   explicit FileWriter(QObject* parent = nullptr, std::chrono::milliseconds patience = kPatience);
   /// Waits at most `patience` for the remaining files. Then reports on stderr the files that were
   /// not written, and the failures whose handlers could not be called any more.
   ~FileWriter() override;
 
-  /// A second request for a file replaces the first one if that has not begun. `done` is not called
-  /// after `context` is destroyed. If either is null, a failure is not reported.
+  /// Requests to write a file. It replaces an earlier request for the same file if writing that one
+  /// has not begun. `done` is not called after `context` is destroyed. If `context` or `done` is
+  /// null, a failure is not reported.
   void write(const QString& file, Fill fill, const QObject* context, Done done,
              Readers readers = Readers::kAll);
   void write(const QString& file, const QByteArray& content, const QObject* context, Done done,
              Readers readers = Readers::kAll);
 
-  /// Returns false on a time-out. Handlers of written files may still follow.
+  /// Waits until all files are written; returns false on a time-out. Handlers of written files may
+  /// be called later.
   bool waitForWritten(std::chrono::milliseconds patience = kPatience);
 
  private:
@@ -55,9 +58,10 @@ class FileWriter : public QObject {
   struct Answer;
   struct Queue;
 
-  /// Runs until the queue is closed and empty. Outlives the writer if a disk does not answer.
+  /// The main function of the thread: writes files until the queue is closed and empty. The thread
+  /// may outlive the writer if a disk does not respond.
   static void work(const std::shared_ptr<Queue>& queue);
-  /// Calls the handler of the oldest answer.
+  /// Calls the handler of the oldest finished request.
   void callNextHandler();
 
   const std::chrono::milliseconds patience_;
@@ -65,7 +69,7 @@ class FileWriter : public QObject {
   std::thread thread_;
 };
 
-/// The sentence for the user: "FILE was not saved: REFUSAL".
+/// Returns the sentence for the user: "FILE was not saved: REFUSAL".
 [[nodiscard]] QString NotSaved(const QString& file, const QString& refusal);
 
 }  // namespace tendon::gui

@@ -7,8 +7,8 @@
 
 namespace tendon::gui {
 
-/// Posts calls from any thread to the thread of its receiver, in order. Handlers in network threads
-/// share it, so a handler that outlives the receiver does nothing.
+/// Posts calls from any thread to the thread of the receiver, in order. Handlers in network threads
+/// share the poster; after detach(), their calls have no effect.
 class GuiPoster {
  public:
   explicit GuiPoster(QObject* receiver) : receiver_(receiver) {}
@@ -23,8 +23,8 @@ class GuiPoster {
     }
   }
 
-  /// After the return, nothing is posted any more. The receiver must call it before it is
-  /// destroyed.
+  /// After this function has returned, nothing is posted any more. The receiver must call it before
+  /// the receiver is destroyed.
   void detach() {
     const std::lock_guard lock(mutex_);
     receiver_ = nullptr;

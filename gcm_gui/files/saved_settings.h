@@ -6,15 +6,15 @@
 
 namespace tendon::gui {
 
-/// Values that a program saves from one run to the next, by name. The file is read once, at the
-/// start. The FileWriter saves the values that were set since then, and keeps changes by other
-/// programs to the other values; a failure is reported on stderr. GUI thread.
+/// Values that a program keeps from one run to the next, by name. The file is read once, at the
+/// start. The FileWriter saves only the values that this program has set, so changes that another
+/// program made to other values are kept. A failure is reported on stderr. GUI thread.
 class SavedSettings {
  public:
-  /// If the file cannot be read, no earlier value is known.
+  /// Reads the file. If this fails, all values are empty.
   explicit SavedSettings(const QString& file);
 
-  /// Empty if there is none.
+  /// Returns the value of this name; empty if there is none.
   [[nodiscard]] QByteArray value(const QString& name) const { return values_.value(name); }
   void set(const QString& name, const QByteArray& value);
 

@@ -7,13 +7,14 @@
 
 namespace tendon::gui {
 
-/// Finds the place for a card beside a port where it hides least.
+/// Finds the position beside a port at which a card hides as little as possible.
 class CardPlacement {
  public:
-  /// The area within which a card of at most this width can be, for a port at this point.
+  /// Returns the area that contains every possible position of a card of at most this width beside
+  /// `port`.
   static QRectF Reach(const QPointF& port, double widest);
 
-  /// `visible` is the visible part of the scene; empty for all of it.
+  /// `visible` is the visible part of the scene; an empty rectangle means the whole scene.
   CardPlacement(const QPointF& port, const QRectF& visible) : port_(port), visible_(visible) {}
 
   /// Marks an area that should stay visible; `weight` is the cost per hidden unit of area.

@@ -14,14 +14,14 @@
 
 namespace tendon::gui {
 
-/// The flaws of a working connection, in words; empty if there are none. `before` has the counts of
-/// the previous check.
+/// Returns the problems of a working connection in words; empty if there are none. `before`
+/// contains the counts of the previous check.
 [[nodiscard]] QString HealthWarning(const ConnectionCounts& now,
                                     const std::optional<ConnectionCounts>& before);
 
-/// Polls the health of the visible connections while the graph is visible. It polls about
-/// kMostAtOnce connections per second, in turn, and never has more than that many unanswered
-/// requests. The connection under the pointer is polled first, every second.
+/// Polls the health of the visible connections while the graph is visible: about kMostAtOnce
+/// connections per second, one after another, with at most kMostAtOnce unanswered requests. The
+/// connection under the pointer is polled first, every second.
 class EdgeHealth : public QObject {
   Q_OBJECT
 
@@ -37,12 +37,12 @@ class EdgeHealth : public QObject {
   void setLooking(bool looking);
   /// Polls the next connections.
   void look();
-  /// Polls this connection now and in each look(); empty: no particular one. Emits the known counts
-  /// at once.
+  /// Polls this connection now and in each look(), and emits its known counts at once. With an
+  /// empty text, no connection is preferred.
   void point(const QString& required);
 
  Q_SIGNALS:
-  /// The result of a check; an empty warning means no problem.
+  /// The result of a check. An empty warning means that the connection has no problem.
   void found(const tendon::InterfaceName& required, const QString& warning);
   /// The counters of the connection under the pointer, or the reason why they are unknown.
   void counted(const tendon::InterfaceName& required, const QStringList& lines);
@@ -54,8 +54,8 @@ class EdgeHealth : public QObject {
   SystemReports& reports_;
   Seen seen_;
   QTimer second_;
-  InterfaceName last_;             // the last one polled in turn
-  std::set<InterfaceName> asked_;  // connections without an answer yet
+  InterfaceName last_;             // the connection that was polled last
+  std::set<InterfaceName> asked_;  // connections whose answer has not arrived yet
   std::optional<InterfaceName> pointed_;
   std::map<InterfaceName, ConnectionCounts> known_;
 };

@@ -27,11 +27,12 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kAroundExport = 16;       // scene units
-constexpr double kDots = 2;                // pixels per scene unit
-constexpr double kMostExportPixels = 4e7;  // of an image; a larger graph gets a lower resolution
+constexpr double kAroundExport = 16;  // scene units
+constexpr double kDots = 2;           // pixels per scene unit
+// The maximum size of an image; a larger graph gets a lower resolution.
+constexpr double kMostExportPixels = 4e7;
 
-/// The graph as strokes and texts, from which another thread can make an image.
+/// The graph as recorded strokes and texts. Another thread can make an image of them.
 struct Drawing {
   QPicture strokes;
   QSize size;  // pixels
@@ -52,7 +53,7 @@ Drawing DrawingOf(GraphScene& scene) {
   return drawing;
 }
 
-/// The positions in the window; empty if the user has placed nothing.
+/// Returns the positions in the window; empty if the user has not moved any component.
 console::Places PlacesIn(const GraphScene& scene) {
   const auto& by_hand = scene.nodePositions().all();
   const auto& components = scene.components();

@@ -15,29 +15,30 @@ namespace tendon::gui {
 
 class GraphScene;
 
-/// Exports the whole graph: SVG and DOT as `gcm graph` draws them, but with the window's
-/// arrangement if the user has moved something; PNG as the window draws it. GUI thread. The
-/// FileWriter draws and writes files; a separate thread draws the picture for the clipboard.
+/// Exports the whole graph. SVG and DOT files look like those of `gcm graph`, but use the positions
+/// of the window if the user has moved components. PNG files look like the graph in the window. GUI
+/// thread. The FileWriter draws and writes files in its thread; another thread draws the picture
+/// for the clipboard.
 class GraphExport : public QObject {
   Q_OBJECT
 
  public:
   /// `window` is the parent of dialogs.
   GraphExport(const CatalogueStore& store, GraphScene& scene, QWidget& window);
-  /// Waits, for a limited time, for the picture that is being drawn for the clipboard.
+  /// Waits for a limited time until the picture for the clipboard is drawn.
   ~GraphExport() override;
 
-  /// The suffix of the name selects the format: .svg, .png, .dot or .gv.
+  /// Saves the graph. The suffix of the name selects the format: .svg, .png, .dot or .gv.
   void save(const QString& file);
 
  public Q_SLOTS:
-  /// Asks for the name of the file.
+  /// Asks the user for the name of the file, and saves the graph.
   void ask();
-  /// Copies the picture to the clipboard.
+  /// Copies a picture of the graph to the clipboard.
   void copy();
 
  Q_SIGNALS:
-  /// A sentence for the user: the saved file, or the reason of the failure.
+  /// Emitted with one sentence for the user: the name of the saved file, or why saving failed.
   void notice(const QString& text);
 
  private:

@@ -14,29 +14,33 @@ class CardItem;
 class EdgeItem;
 class GraphScene;
 
-/// Highlights the item under the pointer together with everything connected to it, and shows the
-/// health of a connection on a card. Inactive in connect mode, which has its own marks.
+/// Highlights the item under the pointer together with all items connected to it. If the item is a
+/// connection, shows its health on a card. Inactive in connect mode, which marks ports in its own
+/// way.
 class GraphHover : public QObject {
   Q_OBJECT
 
  public:
-  /// The scene owns it.
+  /// The scene owns this object.
   GraphHover(GraphScene& scene, Highlight& highlight, const ConnectMode& mode);
 
-  /// Null while there is none.
+  /// Returns the card; null while no card is shown.
   [[nodiscard]] const CardItem* card() const { return card_; }
 
  public Q_SLOTS:
-  /// The pointer is on this component, interface or connection (given by its required interface);
-  /// empty for none. The first item is highlighted after the pointer has rested for a moment.
+  /// Called when the pointer is on this component, interface or connection (given by its required
+  /// interface); `path` is empty if it is on none. If nothing is highlighted yet, the item is
+  /// highlighted only after the pointer has rested for a moment.
   void point(const QString& path);
-  /// The same without delay, for keyboard navigation.
+  /// Highlights the item without that delay; used for keyboard navigation.
   void pointNow(const QString& path);
-  /// Shows the health of this required interface's connection, if the pointer is on it.
+  /// Shows the health of the connection of this required interface, if the pointer is on the
+  /// connection.
   void showReadout(const tendon::InterfaceName& required, const QStringList& lines);
 
  Q_SIGNALS:
-  /// Asks for the health of this required interface's connection; empty ends the request.
+  /// Requests the health of the connection of this required interface. An empty text ends the
+  /// request.
   void connectionPointed(const QString& required);
 
  private:

@@ -15,9 +15,9 @@ namespace tendon::gui {
 namespace {
 
 constexpr QSize kLargest{200, 140};
-constexpr int kInside = 6;        // from its border to its graph
-constexpr double kLeastNode = 2;  // pixels, so that each component is visible
-constexpr int kLeastView = 160;   // a smaller view would be hidden by the map
+constexpr int kInside = 6;        // pixels from the border of the map to its graph
+constexpr double kLeastNode = 2;  // pixels; so each component is visible
+constexpr int kLeastView = 160;   // pixels; in a smaller view, the map would hide too much
 constexpr double kSlack = 1;      // scene units that may be outside the view
 
 }  // namespace
@@ -59,7 +59,7 @@ void GraphMap::follow() {
       all.size().scaled(most - QSize(2 * kInside, 2 * kInside), Qt::KeepAspectRatio);
   const QSize size(std::max(static_cast<int>(wanted.width()), kRowHeight) + 2 * kInside,
                    std::max(static_cast<int>(wanted.height()), kRowHeight) + 2 * kInside);
-  const int below = kRowHeight + 2 * kGrid;  // the zoom buttons
+  const int below = kRowHeight + 2 * kGrid;  // height of the zoom buttons, which are below the map
   setGeometry(QRect(
       room.bottomRight() - QPoint(size.width() + 2 * kGrid, size.height() + 2 * kGrid + below),
       size));
@@ -125,7 +125,8 @@ void GraphMap::paintEvent(QPaintEvent*) {
 void GraphMap::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   const QRectF seen = frame();
-  // Inside the frame, keeps the grab point; elsewhere centres the frame at the pointer.
+  // If the press is inside the frame, the frame moves with the pointer. If it is outside, the
+  // centre of the frame moves to the pointer.
   held_ = seen.contains(event->position()) ? event->position() - seen.center() : QPointF();
   mouseMoveEvent(event);
 }

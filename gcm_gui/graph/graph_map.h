@@ -10,15 +10,16 @@ namespace tendon::gui {
 
 class GraphView;
 
-/// A small map of the whole graph in the lower right corner, with a frame around the visible part;
-/// a click or a drag moves the view. Hidden while the whole graph is visible.
+/// A small map of the whole graph in the lower right corner, with a frame around the visible part.
+/// A click or a drag moves the view. The map is hidden while the whole graph is visible.
 class GraphMap : public QWidget {
   Q_OBJECT
 
  public:
   explicit GraphMap(GraphView& graph);
 
-  /// True, the default, if the map may appear when the graph is larger than its view.
+  /// True if the user allows the map, which is the default. It then appears when the graph is
+  /// larger than its view.
   [[nodiscard]] bool isWanted() const { return wanted_; }
   /// The frame around the visible part, in coordinates of this widget.
   [[nodiscard]] QRectF frame() const;
@@ -43,9 +44,9 @@ class GraphMap : public QWidget {
 
   GraphView& graph_;
   bool wanted_ = true;
-  QPixmap contents_;  // redrawn on demand
+  QPixmap contents_;  // drawn again only when outdated
   bool is_old_ = true;
-  std::optional<QPointF> held_;  // the grab's offset from the frame's centre, during a drag
+  std::optional<QPointF> held_;  // during a drag: from the centre of the frame to the grab point
 };
 
 }  // namespace tendon::gui

@@ -24,9 +24,9 @@ namespace tendon::gui {
 namespace {
 
 constexpr std::array kCardWidths{320.0, 260.0, 210.0};
-constexpr std::size_t kMostGliding = 60;  // components
+constexpr std::size_t kMostGliding = 60;  // components; a larger system is moved without animation
 constexpr qsizetype kReasonsAsked = 2;
-constexpr qsizetype kReasonsUnasked = 1;  // lines of a card that the user did not request
+constexpr qsizetype kReasonsUnasked = 1;  // lines on a card that the user did not ask for
 
 QStringList FirstOf(const QStringList& reasons, qsizetype count) {
   QStringList first = reasons.mid(0, count);
@@ -47,7 +47,8 @@ void ForgetBut(Items& items, const Keys& kept) {
   }
 }
 
-// The suffix in the key of a refused edge, which may be beside a working one.
+// The suffix of the key of a refused edge. It is needed because a working edge may have the same
+// name.
 const QString kRefusedKey = QStringLiteral(" refused");
 
 QString CardTitle(const PortName& port) {
@@ -115,11 +116,11 @@ bool GraphScene::isArranging() const { return layout_->isAtWork(); }
 
 void GraphScene::showCatalogue(const Catalogue& catalogue, const ChangedParts& touched) {
   layout_->arrange(updater_.update(catalogue, touched), manualPositions());
-  if (layout_->isAtWork()) showItems(false);  // only items that already have a place
+  if (layout_->isAtWork()) showItems(false);  // shows only the items that already have a position
 }
 
-/// During a drag, items follow the pointer at once. A large system moves in one step, because
-/// drawing an animation would take too long.
+/// Shows the latest arrangement. During a drag, items follow the pointer at once. In a large
+/// system, items move without animation, because drawing it would take too long.
 void GraphScene::showArrangement(bool moved) {
   if (moved) {
     const Arrangement& to = layout_->arrangement();
@@ -227,11 +228,11 @@ void GraphScene::showEdges() {
     show(required, provided, EdgeItem::Look::kPending, Words::tr("connecting …"));
   }
   for (const auto& edge : updater_.picture().edges) {
-    if (requested_.contains(edge.required)) continue;  // about to be replaced
+    if (requested_.contains(edge.required)) continue;  // hidden, because it will be replaced
     show(edge.required, edge.provided, lookOf(edge), ToQString(edge.reason));
   }
   for (const auto& [required, refused] : refused_) {
-    if (requested_.contains(required)) continue;  // requested again
+    if (requested_.contains(required)) continue;  // hidden, because it was requested again
     show(required, refused.provided, EdgeItem::Look::kFailed, refused.reason, kRefusedKey);
   }
   ForgetBut(edges_, kept);
@@ -362,7 +363,7 @@ CardPlacement GraphScene::placeBeside(const QPointF& point) const {
   for (const auto& [path, item] : components_) avoid(item->sceneRect(), 20);
   for (const auto& [name, item] : processes_) avoid(item->sceneBoundingRect(), 2);
   for (const auto& [name, item] : ports_) {
-    // Keeps selectable ports visible.
+    // Keeps the ports visible that the user can pick.
     if (item->role() == PortItem::Role::kPlain || item->role() == PortItem::Role::kUnfit) continue;
     avoid(QRectF(-20, -30, 50, 50).translated(item->scenePos()), 50);
   }
@@ -380,7 +381,8 @@ void GraphScene::point(const std::optional<PortName>& port) {
 }
 
 void GraphScene::helpEvent(QGraphicsSceneHelpEvent* event) {
-  // A tool tip would cover the cards, which have more information.
+  // While there are cards, no tool tip is shown: it would cover the cards, which contain more
+  // information.
   if (!mode_.active() && hover_->card() == nullptr) QGraphicsScene::helpEvent(event);
 }
 

@@ -29,8 +29,8 @@ class LayoutWorker;
 class PortItem;
 class ProcessItem;
 
-/// Shows the system as boxes, nodes and edges, with the selection and the connect mode. Has no
-/// logic of its own. GUI thread.
+/// Shows the system as boxes, nodes and edges, with the selection and the connect mode. Contains no
+/// logic. GUI thread.
 class GraphScene : public QGraphicsScene {
   Q_OBJECT
 
@@ -44,12 +44,13 @@ class GraphScene : public QGraphicsScene {
   [[nodiscard]] std::vector<PortItem*> ports() const;
   [[nodiscard]] const std::map<QString, ComponentItem*>& components() const { return components_; }
   [[nodiscard]] const std::map<QString, ProcessItem*>& processes() const { return processes_; }
-  /// By the path of the required interface; includes refused connections beside a working one.
+  /// All edges by the path of their required interface. If a refused connection is shown beside a
+  /// working one, both are included.
   [[nodiscard]] const std::map<QString, EdgeItem*>& edges() const { return edges_; }
-  /// The edge of a required interface, working or refused; null if there is none.
+  /// Returns the edge of a required interface, whether it works or not; null if there is none.
   [[nodiscard]] const EdgeItem* edge(const QString& required) const;
   [[nodiscard]] const std::vector<CardItem*>& cards() const { return cards_; }
-  /// True while positions are computed; new items have none yet.
+  /// True while positions are being computed. New items have no position until then.
   [[nodiscard]] bool isArranging() const;
   /// The rectangle around all nodes and boxes.
   [[nodiscard]] QRectF contents() const { return contents_; }
@@ -57,35 +58,36 @@ class GraphScene : public QGraphicsScene {
   [[nodiscard]] GraphHover& hover() const { return *hover_; }
   /// The positions that the user has given to components.
   [[nodiscard]] NodePositions& nodePositions() const { return *node_positions_; }
-  /// Makes a finder of the place for a card at this point.
+  /// Makes a CardPlacement for a card beside this point.
   [[nodiscard]] CardPlacement placeBeside(const QPointF& point) const;
 
  public Q_SLOTS:
-  /// Shows a dashed edge for a pending request, until forgetRequested().
+  /// Shows a dashed edge for a pending request. It stays until forgetRequested().
   void showRequested(const tendon::InterfaceName& required, const tendon::InterfaceName& provided);
   void forgetRequested(const tendon::InterfaceName& required);
   /// Shows a warning on the edge of a working connection.
   void showWarning(const tendon::InterfaceName& required, const QString& warning);
-  /// Shows components at these positions during a drag, by path; they take precedence over
+  /// During a drag, shows the components with these paths at these positions instead of those in
   /// nodePositions().
   void carry(const std::map<QString, QPointF>& positions);
   /// Shows refused connections as failed edges until the list no longer contains them.
   void showRefused(const tendon::gui::RefusedConnections::ByRequired& refused);
-  /// Called when the pointer is on this port. If the port does not fit, a card or refusalPointed()
-  /// shows the reasons.
+  /// Called when the pointer is on this port. If the port does not fit, a card shows the reasons;
+  /// if there is no room for a card, refusalPointed() is emitted.
   void point(const std::optional<tendon::gui::PortName>& port);
-  /// Sets the visible part of the scene, where cards are placed.
+  /// Sets the visible part of the scene. Cards are placed within it.
   void setVisible(const QRectF& visible) { visible_ = visible; }
   void setNow(qint64 now);
-  /// While the link is lost: shows everything grey in its last known state.
+  /// Pass true while the link to the GCM is lost: everything is then shown grey, in its last known
+  /// state.
   void setOutdated(bool outdated);
 
  Q_SIGNALS:
   void contentsMoved();
-  /// The shown items or their states have been updated.
+  /// Emitted when the shown items or their states have been updated.
   void shown();
-  /// The pointer is on a port that does not fit, and a card would hide something. An empty title
-  /// ends it.
+  /// Emitted when the pointer is on a port that does not fit, and a card with the reasons would
+  /// hide something. An empty title means that the pointer has left the port.
   void refusalPointed(const QString& title, const QStringList& reasons);
 
  protected:
@@ -106,7 +108,8 @@ class GraphScene : public QGraphicsScene {
   void showRoles();
   void showPreview();
   void showCards();
-  /// Returns false, and adds no card, if it would hide something at every place.
+  /// Adds a card with the reasons of a candidate. Returns false, and adds no card, if it would hide
+  /// something at every position.
   bool addCard(const PortCandidate& candidate, qsizetype reasons);
   [[nodiscard]] EdgeItem::Look lookOf(const ConnectionDescription& connection) const;
 

@@ -21,7 +21,7 @@ namespace {
 constexpr int kFieldWidth = 200;
 constexpr int kCountWidth = 88;
 
-/// The searchable text of a component.
+/// Returns the text of a component in which words are searched.
 QString SearchText(const ComponentItem& item) {
   QString text = item.path();
   for (const PortItem* port : item.ports()) text += ' ' + ToQString(port->port().name.interface);
@@ -132,7 +132,7 @@ void GraphSearch::go(int way) {
 void GraphSearch::showCount() {
   QString text;
   if (!field_->text().trimmed().isEmpty()) {
-    text = found_.isEmpty() ? Words::tr("nothing fits")
+    text = found_.isEmpty() ? Words::tr("no match")
            : current_ < 0   ? Words::tr("%1 found").arg(found_.size())
                             : Words::tr("%1 of %2").arg(current_ + 1).arg(found_.size());
   }

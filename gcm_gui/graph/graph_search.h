@@ -12,9 +12,9 @@ namespace tendon::gui {
 
 class GraphView;
 
-/// A search line over the upper edge of the graph. It highlights the components whose path or
-/// interface names contain all the words. Enter goes to the next match, Shift+Enter to the previous
-/// one, Escape ends the search.
+/// A search field over the upper edge of the graph. It highlights the components for which the path
+/// or an interface name contains all the words. Enter goes to the next match, Shift+Enter to the
+/// previous one, Escape ends the search.
 class GraphSearch : public QFrame {
   Q_OBJECT
 
@@ -24,19 +24,19 @@ class GraphSearch : public QFrame {
   /// The paths of the matches, sorted.
   [[nodiscard]] const QStringList& found() const { return found_; }
   [[nodiscard]] QLineEdit& field() const { return *field_; }
-  /// "2 of 14".
+  /// Returns the position among the matches: "2 of 14".
   [[nodiscard]] QString countText() const;
-  /// Ends the search; returns false if there was none.
+  /// Ends the search; returns false if no search was open.
   bool leave();
 
  public Q_SLOTS:
-  /// Opens with the last words selected, ready to be overwritten.
+  /// Opens the field with the last words selected, so that typing overwrites them.
   void open();
   void next() { go(1); }
   void previous() { go(-1); }
 
  Q_SIGNALS:
-  /// The user moved to this match.
+  /// Emitted when the user has moved to this match.
   void chosen(const QString& path);
 
  protected:

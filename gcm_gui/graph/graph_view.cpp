@@ -24,7 +24,8 @@ namespace {
 constexpr double kLeastScale = 0.08;
 constexpr double kMostScale = 2.5;
 constexpr double kReadable = 0.6;
-constexpr double kMostFitted = 1.2;  // a small graph in a large window
+// The largest scale of fit(), so that a small graph is not enlarged too much in a large window.
+constexpr double kMostFitted = 1.2;
 constexpr double kMargin = 12;
 constexpr int kPanStep = 60;          // pixels
 constexpr int kMoveStep = 2 * kGrid;  // scene units
@@ -33,7 +34,7 @@ bool IsPan(const QPoint& moved) {
   return moved.manhattanLength() >= QApplication::startDragDistance();
 }
 
-/// The direction of an arrow key; zero for other keys.
+/// Returns the direction of an arrow key; zero for all other keys.
 QPoint WayOf(int key) {
   switch (key) {
     case Qt::Key_Left:
@@ -82,7 +83,7 @@ QRectF GraphView::seen() const { return mapToScene(viewport()->rect()).boundingR
 
 void GraphView::follow() {
   const QRectF contents = scene_.contents();
-  // Leaves a margin, so that every part can be centred.
+  // Makes the scene rectangle larger than the contents, so that every part can be centred.
   setSceneRect(contents.adjusted(
       -contents.width() - viewport()->width(), -contents.height() - viewport()->height(),
       contents.width() + viewport()->width(), contents.height() + viewport()->height()));
@@ -152,7 +153,7 @@ void GraphView::reveal(const QString& path) {
 }
 
 std::optional<PortName> GraphView::portAt(const QPoint& position) const {
-  // An edge or a preview may lie above its port.
+  // Looks at all items here, because an edge or a preview may lie above the port.
   for (const QGraphicsItem* item : items(position)) {
     if (const auto* port = qgraphicsitem_cast<const PortItem*>(item)) return port->port();
   }
@@ -191,7 +192,7 @@ void GraphView::mousePressEvent(QMouseEvent* event) {
 }
 
 void GraphView::mouseMoveEvent(QMouseEvent* event) {
-  // A window that appears under a resting pointer gets one move event.
+  // When a window appears under a resting pointer, it gets one move event, which does not count.
   if (pointer_ && *pointer_ != event->pos()) pointer_moved_.start();
   pointer_ = event->pos();
   if (!pressed_) {
@@ -257,7 +258,8 @@ void GraphView::mouseReleaseEvent(QMouseEvent* event) {
   dragging_ = false;
   if (clicked) click(event->pos());
   if (!connected) return;
-  // After a drop beside all ports, the mode stays active for a click.
+  // If the user has released the button outside of all ports, the mode stays active, so that a
+  // click can complete the connection.
   if (const auto port = portAt(event->pos()); port && port != mode_.chosen()) mode_.pick(*port);
 }
 
@@ -334,7 +336,8 @@ void GraphView::hideEvent(QHideEvent* event) {
 
 void GraphView::scrollContentsBy(int dx, int dy) {
   QGraphicsView::scrollContentsBy(dx, dy);
-  if (HasKeyboardFocus(*this)) viewport()->update();  // otherwise the focus frame would scroll too
+  // Without an update, the frame of the focus would be scrolled, too.
+  if (HasKeyboardFocus(*this)) viewport()->update();
 }
 
 bool GraphView::connectKey(int key) {

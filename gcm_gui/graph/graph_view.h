@@ -14,12 +14,13 @@
 
 namespace tendon::gui {
 
-/// The graph on the screen. The wheel zooms. Dragging a component or the head of a process moves
-/// it; dragging anything else moves the view. A click on a port begins or completes a connection;
-/// dragging from one port to another makes one. A click on anything else selects it.
+/// Shows the graph on the screen. The wheel zooms. The user can drag a component or the title bar
+/// of a process to move it; any other drag moves the view. A click on a port begins or completes a
+/// connection; a drag from one port to another makes a connection. A click on any other item
+/// selects it.
 ///
-/// Fits the whole graph until the user zooms or moves the view, and again after fit(). Does not
-/// refit while the user moves the pointer.
+/// Fits the whole graph into the view until the user zooms or moves the view, and again after
+/// fit(). While the user moves the pointer, the view is not refitted if the whole graph is visible.
 class GraphView : public QGraphicsView {
   Q_OBJECT
 
@@ -27,9 +28,9 @@ class GraphView : public QGraphicsView {
   GraphView(GraphScene& scene, Selection& selection, ConnectMode& mode, QWidget* parent = nullptr);
 
   [[nodiscard]] GraphScene& graph() const { return scene_; }
-  /// The centre of a port's disc in viewport coordinates; empty if there is no such port.
+  /// Returns the centre of a port's disc in viewport coordinates; empty if the port does not exist.
   [[nodiscard]] std::optional<QPoint> pointOf(const PortName& port) const;
-  /// Sets how long after its last move the pointer still counts as moving; 3 s by default.
+  /// Sets how long the pointer still counts as moving after its last move; 3 s by default.
   void setPointerTimeout(std::chrono::milliseconds timeout) { pointer_timeout_ = timeout; }
   /// The visible part, in scene coordinates.
   [[nodiscard]] QRectF seen() const;
@@ -42,21 +43,21 @@ class GraphView : public QGraphicsView {
 
  public Q_SLOTS:
   void fit();
-  /// Centres the view on this point and keeps the scale.
+  /// Centres the view on this point without changing the scale.
   void lookAt(const QPointF& point);
   void zoomIn() { zoom(1.25); }
   void zoomOut() { zoom(0.8); }
-  /// Selects the component of this path and centres it, large enough to be read.
+  /// Selects the component of this path, centres it, and zooms in until it can be read.
   void goTo(const QString& path);
   /// Moves the view, if necessary, so that the component of `path` is visible.
   void reveal(const QString& path);
 
  Q_SIGNALS:
-  /// The user clicked an edge of a connection that does not work.
+  /// Emitted when the user has clicked the edge of a connection that does not work.
   void whyRequested(const QString& required);
   /// Emitted when the graph becomes visible or hidden.
   void visibilityChanged(bool visible);
-  /// The visible part or the scale has changed.
+  /// Emitted when the visible part or the scale has changed.
   void moved();
 
  protected:
@@ -90,7 +91,8 @@ class GraphView : public QGraphicsView {
   void beginDrag();
   void selectNext(int key);
   [[nodiscard]] std::optional<PortName> portAt(const QPoint& position) const;
-  /// The item that a drag at this position moves: a component, or a process if it is its head.
+  /// Returns the item that a drag at this position moves: a component, or a process if the position
+  /// is on its title bar. Empty if there is none.
   [[nodiscard]] QString nodeAt(const QPoint& position) const;
 
   GraphScene& scene_;
@@ -104,7 +106,7 @@ class GraphView : public QGraphicsView {
   bool dragging_ = false;
   std::optional<QPoint> pointer_;
   std::chrono::milliseconds pointer_timeout_{3000};
-  QElapsedTimer pointer_moved_;  // since the pointer last moved here
+  QElapsedTimer pointer_moved_;  // time since the last move of the pointer in this view
 };
 
 }  // namespace tendon::gui

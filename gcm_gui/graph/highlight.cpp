@@ -11,8 +11,8 @@ namespace tendon::gui {
 namespace {
 
 constexpr int kFade = 140;                  // ms
-constexpr std::size_t kMostThatFade = 300;  // components; each step of a fade draws all of them
-constexpr double kAround = 2;               // scene units, margin of the dimming
+constexpr std::size_t kMostThatFade = 300;  // components; each step of a fade redraws all of them
+constexpr double kAround = 2;  // scene units; the dimmed area is this much larger than the contents
 
 }  // namespace
 
@@ -59,7 +59,8 @@ void Highlight::refresh() {
 
 void Highlight::raise() {
   dimming_item_->cover(scene_.contents().adjusted(-kAround, -kAround, kAround, kAround));
-  // Keeps the last part raised until the fade has ended; otherwise it would be dimmed.
+  // The part that was highlighted last stays raised until the fade has ended, so that it is not
+  // dimmed.
   if (!names().empty() || dimming() == 0) raised_ = names();
   for (const auto& [path, item] : scene_.components()) {
     item->setRaised(raised_.components.contains(path));

@@ -10,8 +10,8 @@ namespace tendon::gui {
 class GraphScene;
 class DimmingItem;
 
-/// Highlights a part of the graph by dimming all the rest, with a fade in and out if the graph is
-/// of moderate size. GUI thread; each change visits all items.
+/// Highlights a part of the graph by dimming all other items. The dimming fades in and out unless
+/// the graph is large. GUI thread; each change visits all items.
 class Highlight : public QObject {
   Q_OBJECT
 
@@ -24,20 +24,20 @@ class Highlight : public QObject {
     bool operator==(const Names&) const = default;
   };
 
-  /// The scene owns it.
+  /// The scene owns this object.
   explicit Highlight(GraphScene& scene);
 
-  /// The part under the pointer; takes precedence over the found part.
+  /// Sets the part under the pointer. It takes precedence over the part set by setFound().
   void setPointed(Names names);
-  /// The part that a search has found.
+  /// Sets the part that was found by a search.
   void setFound(Names names);
 
-  /// Removes the dimming temporarily, for code that draws the graph elsewhere.
+  /// Removes the dimming while `lifted` is true; used by code that draws the graph elsewhere.
   void lift(bool lifted);
 
-  /// The highlighted part, also while the rest fades; empty if nothing is highlighted.
+  /// The highlighted part, also during the fade; empty if nothing is highlighted.
   [[nodiscard]] const Names& names() const { return pointed_.empty() ? found_ : pointed_; }
-  /// How much the rest is dimmed, from 0 to 1.
+  /// The present strength of the dimming, from 0 to 1.
   [[nodiscard]] double dimming() const;
 
  private:
@@ -49,7 +49,7 @@ class Highlight : public QObject {
   QVariantAnimation fade_;
   Names pointed_;
   Names found_;
-  Names raised_;  // the last part, kept until the fade has ended
+  Names raised_;  // the part that was highlighted last; kept until the fade has ended
 };
 
 }  // namespace tendon::gui

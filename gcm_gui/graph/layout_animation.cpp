@@ -14,8 +14,8 @@ QRectF Between(const QRectF& from, const QRectF& to, double part) {
           value(from.height(), to.height())};
 }
 
-/// The rectangles of `to`; items that are also in `from` have covered the fraction `part` of their
-/// path.
+/// Returns the rectangles of `to`. Items that are also in `from` are on their way: they have
+/// covered the fraction `part` of it.
 QHash<QString, QRectF> AllBetween(const QHash<QString, QRectF>& from, QHash<QString, QRectF> to,
                                   double part) {
   for (auto it = to.begin(); it != to.end(); ++it) {

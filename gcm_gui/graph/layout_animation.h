@@ -7,9 +7,9 @@
 
 namespace tendon::gui {
 
-/// Moves the items of the graph to their new positions in 150 ms, so that the eye can follow. New
-/// items appear at their position at once; if the application's property kStill is true, all items
-/// do. GUI thread.
+/// Moves the items of the graph to their new positions within 150 ms, so that the user can follow.
+/// New items appear at their position at once. If the property kStill of the application is true,
+/// all items move at once. GUI thread.
 class LayoutAnimation : public QObject {
   Q_OBJECT
 
@@ -18,7 +18,7 @@ class LayoutAnimation : public QObject {
 
   explicit LayoutAnimation(QObject* parent = nullptr);
 
-  /// Starts from the present positions.
+  /// Starts the animation from the present positions.
   void goTo(const Arrangement& arrangement);
   /// Moves everything without an animation.
   void jumpTo(const Arrangement& arrangement);

@@ -11,16 +11,17 @@ class GraphScene;
 /// A drag of a component, or of a process with all its components.
 class NodeDrag {
  public:
-  /// Drags nothing if `path` is neither.
+  /// If `path` is neither a component nor a process, the drag moves nothing.
   NodeDrag(GraphScene& scene, const QString& path, const QPointF& from);
 
-  /// Follows the pointer, which is now at `point` in the scene; snaps to the grid.
+  /// Moves the dragged items with the pointer, which is now at `point` in the scene, and snaps them
+  /// to the grid.
   void moveTo(const QPointF& point);
-  /// Moves by this offset from the start.
+  /// Moves the dragged items to this offset from their original positions.
   void moveBy(const QPointF& way);
-  /// Ends the drag as one step to undo; see NodePositions::move().
+  /// Ends the drag. The whole drag is one step to undo; for `key` see NodePositions::move().
   void drop(const QString& key = {});
-  /// Returns everything to its original position.
+  /// Moves everything back to its original position.
   void cancel();
 
  private:

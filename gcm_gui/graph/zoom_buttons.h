@@ -6,7 +6,7 @@ namespace tendon::gui {
 
 class GraphView;
 
-/// The buttons −, + and fit in the lower right corner of the graph.
+/// The buttons "−", "+" and "fit" in the lower right corner of the graph.
 class ZoomButtons : public QWidget {
   Q_OBJECT
 

@@ -16,14 +16,15 @@ namespace {
 
 constexpr auto kName = "tendonView";
 constexpr std::chrono::seconds kPause{1};
-constexpr std::chrono::minutes kKept{10};  // for a view without a cover
+constexpr std::chrono::minutes kKept{10};  // for a fault of a view without a cover
 constexpr qsizetype kMostFaults = 50;
 
 std::int64_t Now() {
   return std::chrono::nanoseconds(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
-/// The nearest named object or dialog, from `where` upwards; null if there is none.
+/// Returns the nearest object, from `where` upwards, that has a name or is a dialog; null if there
+/// is none.
 QObject* ViewAt(QObject* where) {
   for (; where != nullptr; where = where->parent()) {
     if (where->property(kName).isValid()) return where;
@@ -34,7 +35,8 @@ QObject* ViewAt(QObject* where) {
   return nullptr;
 }
 
-/// The given name, else the accessible name, else the class.
+/// Returns the given name of an object; otherwise its accessible name, the title of its window, or
+/// its class.
 QString NameOf(const QObject& part) {
   const QString given = part.property(kName).toString();
   if (!given.isEmpty()) return given;
@@ -57,7 +59,7 @@ QString CurrentExceptionText() {
   try {
     throw;
   } catch (const std::bad_alloc&) {
-    return Words::tr("there is not enough memory for it");
+    return Words::tr("there is not enough memory");
   } catch (const std::exception& error) {
     return QString::fromUtf8(error.what());
   } catch (...) {
@@ -119,7 +121,7 @@ void ExceptionGuard::reportCountedFaults() {
   const std::uint64_t unreported = unreported_;
   lock.unlock();
   if (unreported == 0) return;
-  note(Words::tr("Window"), nullptr, Words::tr("there is not enough memory for it"), unreported);
+  note(Words::tr("Window"), nullptr, Words::tr("there is not enough memory"), unreported);
   lock.lock();
   unreported_ -= unreported;
 }
@@ -142,7 +144,8 @@ void ExceptionGuard::note(const QString& name, QWidget* view, const QString& wha
   fault.is_covered = view != nullptr && covers_.contains(view);
   entry->view = view;
   has_news_ = true;
-  // Not immediately, because a receiver may be the view that has just thrown.
+  // changed() is not emitted immediately, because a receiver may be the view that has just thrown
+  // the exception.
   if (!pause_.isActive()) pause_.start(0);
 }
 
@@ -150,7 +153,7 @@ void ExceptionGuard::cover(QWidget& view) {
   if (covers_.contains(&view)) return;
   covers_.insert(&view, nullptr);
   connect(&view, &QObject::destroyed, this, [this](const QObject* gone) { covers_.remove(gone); });
-  // Not immediately, because the view's painter is still active.
+  // The cover is not created immediately, because the painter of the view is still active.
   QMetaObject::invokeMethod(
       &view,
       [this, &view] {
@@ -159,7 +162,8 @@ void ExceptionGuard::cover(QWidget& view) {
         try {
           built = new ViewCover(view);
         } catch (...) {
-          covers_.remove(&view);  // the view is drawn again later, perhaps with enough memory
+          // The view is painted again later, when there may be enough memory.
+          covers_.remove(&view);
           count();
           return;
         }

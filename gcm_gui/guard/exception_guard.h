@@ -15,46 +15,47 @@ namespace tendon::gui {
 
 class ViewCover;
 
-/// What a view was doing when it threw.
+/// What a view was doing when it threw an exception.
 enum class ViewWork {
-  kDrawing,   ///< a cover replaces the view until the user retries
-  kHandling,  ///< an event, a timer, or a change of the system: the view stays visible
+  kDrawing,   ///< painting: a cover replaces the view until the user retries
+  kHandling,  ///< handling an event, a timer or a change of the system: the view stays visible
 };
 
-/// An exception that a view has thrown, and its count.
+/// An exception that a view has thrown, with the number of times it was thrown.
 struct ViewFault {
   QString view;
   QString what;  ///< the message of the exception
   std::uint64_t count = 0;
   std::int64_t first = 0;   ///< ns since 1970
   std::int64_t latest = 0;  ///< ns since 1970
-  bool is_covered = false;  ///< the view is not drawn until the user retries
+  bool is_covered = false;  ///< the view is not painted until the user retries
 
   bool operator==(const ViewFault&) const = default;
 };
 
-/// Catches the exceptions of views, so that none of them ends the program.
+/// Catches the exceptions of views, so that no exception ends the program.
 ///
-/// GuardedApplication catches exceptions from event handlers. Three kinds of code must be called
-/// through run(): slots that share a signal of the system with others, so that all of them are
-/// called; drawing with a painter that Qt owns, because Qt does not end the painter after an
-/// exception; and threads. Faults are counted by view and message; changed() is emitted at once for
-/// a new fault, and at most once a second for repeated faults.
+/// GuardedApplication catches exceptions from event handlers. The following code must be called
+/// through run(): slots that share a signal of the system with other slots, so that all slots are
+/// called; code that draws with a painter of Qt, because Qt does not end the painter after an
+/// exception; and the main functions of threads. Faults are counted by view and message. changed()
+/// is emitted at once for a new fault, and at most once a second for repeated faults.
 ///
-/// GUI thread, except recordException() and run(), which any thread may call. Call instance() once
-/// before, so that run() need not create the ExceptionGuard when memory may be exhausted.
+/// Use it in the GUI thread only, except recordException() and run(), which any thread may call.
+/// Call instance() once at the start of the program: otherwise run() would have to create the
+/// ExceptionGuard when memory may be exhausted.
 class ExceptionGuard : public QObject {
   Q_OBJECT
 
  public:
   static ExceptionGuard& instance();
 
-  /// Reports exceptions of this object, or of a child without its own name, under this name; if it
-  /// is empty, under the accessible name. A cover hides a whole widget, so a splitter must not be a
-  /// view. Dialogs are views without a call.
+  /// Sets the name under which exceptions of this object, and of its children without a name of
+  /// their own, are reported. If `name` is empty, the accessible name of the object is used. A
+  /// cover hides the whole widget, so do not name a splitter. A dialog needs no name.
   static void setName(QObject& view, const QString& name);
 
-  /// Calls `part`; returns false if it threw. `where` may be null.
+  /// Calls `part`; returns false if `part` threw an exception. `where` may be null.
   template <typename Part>
   static bool run(QObject* where, ViewWork work, Part&& part) noexcept {
     try {
@@ -65,7 +66,7 @@ class ExceptionGuard : public QObject {
       return false;
     }
   }
-  /// The same for code in a thread, without a view.
+  /// The same for code that runs in a thread and belongs to no view.
   template <typename Part>
   static bool run(const char* thread_name, Part&& part) noexcept {
     try {
@@ -77,30 +78,32 @@ class ExceptionGuard : public QObject {
     }
   }
 
-  /// Records the exception being handled. Never throws; without memory, only counts it.
+  /// Records the exception that is being handled. Never throws: if memory is exhausted, only counts
+  /// the exception.
   void recordException(QObject* where, ViewWork work) noexcept;
   void recordThreadException(const char* thread_name) noexcept;
 
-  /// True if the widget is below a cover and must not be drawn.
+  /// Returns true if the widget is below a cover and must not be painted.
   [[nodiscard]] bool isCovered(const QObject* widget) const;
   /// Removes the cover and redraws the view.
   void showAgain(QWidget& view);
-  /// Reports the faults that were only counted because of missing memory. The window's regular
-  /// timer calls it, because starting a timer would also need memory.
+  /// Reports the faults that were only counted because memory was exhausted. A timer of the window
+  /// calls this regularly, because starting a timer for it would also need memory.
   void reportCountedFaults();
-  /// The faults of covered views, and others for ten minutes after their last occurrence.
+  /// Returns the faults of covered views, and all faults of the last ten minutes.
   [[nodiscard]] QList<ViewFault> faults() const;
 
  Q_SIGNALS:
   void changed();
-  /// A new fault, or one with ten times the count of its last report.
+  /// Emitted for a new fault, and again when the count of a fault is ten times that of its last
+  /// report.
   void faultReported(const tendon::gui::ViewFault& fault);
 
  private:
   struct Entry {
     ViewFault fault;
     QPointer<QWidget> view;
-    std::uint64_t report_at = 1;  // the count
+    std::uint64_t report_at = 1;  // the count at which the fault is reported next
   };
 
   explicit ExceptionGuard(QObject* parent);
@@ -112,14 +115,14 @@ class ExceptionGuard : public QObject {
   void count() noexcept;
 
   QList<Entry> entries_;
-  QHash<const QObject*, QPointer<ViewCover>> covers_;  // by view; null until it is built
+  QHash<const QObject*, QPointer<ViewCover>> covers_;  // by view; null until the cover is built
   QTimer pause_;                                       // pause between two changed() signals
   bool has_news_ = false;
   std::mutex mutex_;
-  std::uint64_t unreported_ = 0;  // faults not noted for lack of memory; guarded by mutex_
+  std::uint64_t unreported_ = 0;  // only counted, because memory was exhausted; guarded by mutex_
 };
 
-/// Wraps a slot: if it throws, the other receivers of the signal are still called.
+/// Wraps a slot so that the other receivers of the signal are called even if this slot throws.
 template <typename Receiver, typename... Args>
 [[nodiscard]] auto Guarded(Receiver* receiver, void (Receiver::*slot)(Args...)) {
   return [receiver, slot](Args... args) {
@@ -127,7 +130,7 @@ template <typename Receiver, typename... Args>
   };
 }
 
-/// The message of the current exception; call it in a handler only.
+/// Returns the message of the current exception; call it only in a handler.
 [[nodiscard]] QString CurrentExceptionText();
 
 }  // namespace tendon::gui

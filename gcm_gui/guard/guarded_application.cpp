@@ -10,8 +10,9 @@
 namespace tendon::gui {
 namespace {
 
-/// Qt's widgets are compiled without exceptions: if an exception passes a Qt function, its painter
-/// is never ended, and the window cannot draw any more. This function ends it.
+/// Ends the painter of a widget. Qt's widgets are compiled without exceptions: if an exception
+/// passes a Qt function, the painter of that function is never ended, and the window cannot paint
+/// any more.
 void CloseLeftPainter(const QWidget& widget) {
   QBackingStore* store = widget.backingStore();
   QPaintDevice* device = store == nullptr ? nullptr : store->paintDevice();

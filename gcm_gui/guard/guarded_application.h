@@ -4,15 +4,15 @@
 
 namespace tendon::gui {
 
-/// An application that survives exceptions in event handlers: an exception ends at the widget or
-/// object that received the event, and the ExceptionGuard reports it.
+/// An application that continues after an exception in an event handler: the exception is caught at
+/// the widget or object that received the event, and reported by the ExceptionGuard.
 class GuardedApplication : public QApplication {
   Q_OBJECT
 
  public:
   using QApplication::QApplication;
 
-  /// QApplication::exec(), restarted if an exception passes notify().
+  /// Runs QApplication::exec(), and restarts it if an exception leaves notify().
   static int exec();
 
   bool notify(QObject* receiver, QEvent* event) override;

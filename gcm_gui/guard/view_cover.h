@@ -5,7 +5,7 @@
 
 namespace tendon::gui {
 
-/// Covers a view that cannot be drawn, with a text and a button for a retry.
+/// Covers a view that cannot be painted, and shows a text and a button for a retry.
 class ViewCover : public QWidget {
   Q_OBJECT
 

@@ -27,7 +27,7 @@ QLayout* MakeHead() {
   logo->setAccessibleName(Words::tr("Logo of Tendon"));
   auto* title = new QLabel(QStringLiteral("gcm-gui"));
   SetRole(*title, QStringLiteral("strong"));
-  auto* meaning = new QLabel(Words::tr("Shows and steers a system of Tendon components."));
+  auto* meaning = new QLabel(Words::tr("Shows and controls a system of Tendon components."));
   SetRole(*meaning, QStringLiteral("dim"));
   auto* words = new QVBoxLayout;
   words->setSpacing(kGrid);

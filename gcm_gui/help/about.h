@@ -4,7 +4,7 @@ class QWidget;
 
 namespace tendon::gui {
 
-/// Shows the program and the versions of its parts, in a window that is not modal.
+/// Shows a window, not modal, with the name of the program and the versions of its parts.
 void ShowAbout(QWidget& window);
 
 }  // namespace tendon::gui

@@ -8,7 +8,7 @@
 #include <QGuiApplication>
 #include <QSysInfo>
 
-// Links the resources of a static library; the macro must be outside namespaces.
+// Makes the resources of a static library available. The macro must be used outside of namespaces.
 static void LoadLicences() { Q_INIT_RESOURCE(licences); }
 
 namespace tendon::gui {

@@ -13,14 +13,14 @@ struct Library {
   QString licence;  ///< the short name
   QStringList texts;
 
-  /// The texts of all its terms.
+  /// Returns the text of all licence terms.
   [[nodiscard]] QString terms() const;
 };
 
-/// Begins with Tendon itself.
+/// Returns all libraries, starting with Tendon itself.
 [[nodiscard]] std::vector<Library> LibrariesInUse();
 
-/// One version per line, for support requests.
+/// Returns the versions of all parts, one per line, for support requests.
 [[nodiscard]] QString VersionsText();
 
 }  // namespace tendon::gui

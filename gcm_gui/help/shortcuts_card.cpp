@@ -27,7 +27,8 @@ struct Key {
 struct KeyGroup {
   QString title;
   std::vector<Key> keys;
-  const char* part = nullptr;  // the name of the widget with these keys; null: everywhere
+  // The object name of the widget that has these keys; null if they work everywhere.
+  const char* part = nullptr;
 };
 
 QString KeysOf(const QAction& action) {
@@ -43,7 +44,7 @@ KeyGroup OfMenu(const QMenu& menu) {
   return group;
 }
 
-/// Keys without an action, which views handle themselves.
+/// Returns the keys that views handle themselves, without an action.
 std::vector<KeyGroup> OfViews() {
   return {{Words::tr("Everywhere"),
            {{Words::tr("Tab, Shift+Tab"), Words::tr("To the next part, to the previous part")},
@@ -64,9 +65,9 @@ std::vector<KeyGroup> OfViews() {
            "plotPanel"},
           {Words::tr("In a plot's legend"),
            {{Words::tr("Space"), Words::tr("Hide the curve, show it")},
-            {Words::tr("Delete"), Words::tr("Remove it")},
+            {Words::tr("Delete"), Words::tr("Remove the curve")},
             {Words::tr("Enter"), Words::tr("Scale, offset and axis")},
-            {"R", Words::tr("Another signal in its place")}},
+            {"R", Words::tr("Show another signal instead")}},
            "legend"},
           {Words::tr("In a form"),
            {{Words::tr("Ctrl+Enter"),
@@ -79,7 +80,8 @@ std::vector<KeyGroup> OfViews() {
            "consolePage"}};
 }
 
-/// The number of levels from `widget` up to the group's widget; empty if that is not a parent.
+/// Returns the number of levels from `widget` up to the widget of the group; empty if that widget
+/// is no parent.
 std::optional<int> StepsTo(const KeyGroup& group, const QWidget* widget) {
   if (group.part == nullptr) return std::nullopt;
   for (int steps = 0; widget != nullptr; widget = widget->parentWidget(), ++steps) {
@@ -88,7 +90,7 @@ std::optional<int> StepsTo(const KeyGroup& group, const QWidget* widget) {
   return std::nullopt;
 }
 
-/// The group of the innermost part around the widget.
+/// Returns the group of the innermost widget that contains `widget` and has its own keys.
 std::optional<KeyGroup> OfPart(const QWidget* widget) {
   std::optional<KeyGroup> nearest;
   int fewest = std::numeric_limits<int>::max();

@@ -8,8 +8,8 @@ namespace tendon::gui {
 
 class Commands;
 
-/// Shows all keys on a card (F1): the present keys of the menus, and those of the widgets with
-/// their own keys; or only those of the focused widget (?).
+/// A card that lists keys. F1 lists all keys: the present keys of the menus, and those of the
+/// widgets that handle keys themselves. "?" lists only the keys of the focused widget.
 class ShortcutsCard : public OverlayCard {
   Q_OBJECT
 
@@ -19,7 +19,7 @@ class ShortcutsCard : public OverlayCard {
 
   /// Opens or closes the card.
   void toggle();
-  /// The same, with only the keys of the focused part if it has its own keys.
+  /// Opens or closes the card. If the focused widget handles keys itself, lists only those.
   void toggleOf(const QWidget* focused);
 
  private:

@@ -14,7 +14,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kDimmed = 0.66;  // opacity of the canvas colour outside the hole
+constexpr double kDimmed = 0.66;  // opacity of the canvas colour in the dimmed area
 constexpr int kRim = 2;
 
 bool CanBeSeen(const QWidget* target, const QWidget& window) {

@@ -17,26 +17,27 @@ class TourCard;
 struct TourStep {
   QString title;
   QString text;  ///< one sentence
-  /// Opens the page of the widget and returns it. The tour skips the step if the widget is null or
-  /// not visible.
+  /// Opens the page that contains the widget, and returns the widget. If the widget is null or not
+  /// visible, the tour skips the step.
   std::function<QWidget*()> target;
 };
 
-/// Leads the user through a window: dims it except for one widget after another, and explains each
-/// on a card. Ends with the last step, with Escape, or when something else takes the focus; then
-/// restores the former focus. The widgets below keep updating, but get no mouse events.
+/// Guides the user through a window: shows one widget after another, dims everything else, and
+/// explains the widget on a card. The tour ends after the last step, with Escape, or when another
+/// widget gets the focus; then the former focus is restored. The widgets of the window are still
+/// updated, but get no mouse events.
 class Tour : public QWidget {
   Q_OBJECT
 
  public:
-  /// Covers the whole of `window`, which owns it. Hidden at first.
+  /// Covers the whole of `window`, which owns the tour. Hidden until start().
   Tour(std::vector<TourStep> steps, QWidget& window);
 
-  /// Starts at the first step, also while running.
+  /// Starts at the first step; a running tour starts again.
   void start();
   void end();
   [[nodiscard]] bool isRunning() const { return !isHidden(); }
-  /// The area that is not dimmed, in the window's coordinates.
+  /// The area of the present widget, which is not dimmed; in coordinates of the window.
   [[nodiscard]] const QRect& hole() const { return hole_; }
 
  protected:
@@ -46,7 +47,8 @@ class Tour : public QWidget {
  private:
   void next();
   void back();
-  /// The target of a step if it is visible now; otherwise null, and the tour skips the step.
+  /// Returns the target of a step. If the target is not visible now, removes the step from this run
+  /// and returns null.
   [[nodiscard]] QWidget* reach(std::size_t step);
   void showStep(std::size_t step, QWidget& target);
   void follow(QWidget* target);
@@ -54,13 +56,13 @@ class Tour : public QWidget {
   void onFocusChanged(const QWidget* now);
 
   const std::vector<TourStep> all_;
-  std::vector<TourStep> steps_;  // of this run, without the steps known to be skipped
+  std::vector<TourStep> steps_;  // the steps of this run; skipped steps are removed
   std::size_t step_ = 0;
   QWidget& window_;
   TourCard* card_;
   QPointer<QWidget> target_;
   QList<QPointer<QWidget>> followed_;  // the target and its parents
-  QPointer<QWidget> before_;           // had the focus before
+  QPointer<QWidget> before_;           // the widget that had the focus before
   QRect hole_;
 };
 

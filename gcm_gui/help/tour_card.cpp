@@ -83,7 +83,8 @@ void TourCard::show(const QString& title, const QString& text, int number, int c
   setAccessibleName(Words::tr("Tour, %1: %2").arg(place_->text(), title));
   setAccessibleDescription(text);
   QFrame::show();
-  QAccessibleEvent told(this, QAccessible::Alert);  // the focus stays, but the text changes
+  // Tells a screen reader that the text has changed, although the focus stays.
+  QAccessibleEvent told(this, QAccessible::Alert);
   QAccessible::updateAccessibility(&told);
 }
 

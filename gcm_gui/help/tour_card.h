@@ -10,9 +10,9 @@ class QPushButton;
 
 namespace tendon::gui {
 
-/// The tour's text about one widget, with buttons and keys to continue (Enter or Right), to go back
-/// (Left) and to end (Escape). While the card has the focus, the window receives no key without
-/// Ctrl or Alt, and Tab stays within the card.
+/// The card with the tour's text about one widget. Its buttons and keys continue the tour (Enter or
+/// Right), go back (Left) and end it (Escape). While the card has the focus, the window receives
+/// only keys with Ctrl or Alt, and Tab stays within the card.
 class TourCard : public QFrame {
   Q_OBJECT
 
@@ -21,9 +21,9 @@ class TourCard : public QFrame {
 
   /// `number` counts from 1 to `count`.
   void show(const QString& title, const QString& text, int number, int count);
-  /// The size for a readable line length.
+  /// Returns the size at which the lines are easy to read.
   [[nodiscard]] QSize wantedSize() const;
-  /// Sets the focus to the button that continues.
+  /// Sets the focus to the button "next".
   void takeFocus();
 
  Q_SIGNALS:
@@ -48,8 +48,9 @@ class TourCard : public QFrame {
   QPushButton* next_;
 };
 
-/// The place for a card of this size beside `shown`: the first of right, left, below and above that
-/// fits into `room`; otherwise over the lower part of `shown`. Always within `room`.
+/// Returns a position for a card of this size beside `shown`: to the right, to the left, below or
+/// above, whichever fits first into `room`. If none fits, the card covers the lower part of
+/// `shown`. The result is always within `room`.
 [[nodiscard]] QRect CardBeside(const QRect& shown, const QSize& card, const QRect& room);
 
 }  // namespace tendon::gui

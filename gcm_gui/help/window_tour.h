@@ -8,7 +8,7 @@ namespace tendon::gui {
 
 class MainWindow;
 
-/// The steps of the tour for new users. They are valid as long as the window exists.
+/// Returns the steps of the tour for new users. They are valid as long as `window` exists.
 [[nodiscard]] std::vector<TourStep> WindowTour(MainWindow& window);
 
 }  // namespace tendon::gui

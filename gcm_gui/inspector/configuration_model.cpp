@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMostRows = 500;
 
-/// Adds one row for a list of values, and one row per member for an object.
+/// Adds the rows of a value: one row for a list of values; for an object, one row per member.
 void AddRows(const QString& name, const nlohmann::ordered_json& value,
              std::vector<ConfigurationRow>& rows) {
   const bool is_list_of_objects = value.is_array() && !value.empty() && value.front().is_object();

@@ -7,7 +7,8 @@
 
 namespace tendon::gui {
 
-/// One parameter of a component, by its path in the configuration: "gains.joint[0]".
+/// One parameter of a component; its name is the path in the configuration, such as
+/// "gains.joint[0]".
 struct ConfigurationRow {
   QString name;
   QString value;
@@ -15,7 +16,7 @@ struct ConfigurationRow {
   bool operator==(const ConfigurationRow&) const = default;
 };
 
-/// The creation data of a component: class, library, and its parameters one by one.
+/// The data from which a component was created: class, library, and its parameters one by one.
 class ConfigurationModel : public RowListModel<ConfigurationRow> {
   Q_OBJECT
 

@@ -9,13 +9,14 @@
 
 namespace tendon::gui {
 
-/// The timing of a task, from two columns that every task records in its own state table:
-/// `CycleSummary`, about the last whole second, and `Cycle`, about the last cycle.
+/// The timing of a task. It comes from two columns that every task records in its own state table:
+/// `CycleSummary` describes the last whole second, `Cycle` the last cycle.
 class CycleFigures : public QObject {
   Q_OBJECT
 
  public:
-  /// All in s. Over a whole second, because the period after a late cycle is short.
+  /// All values are in s. They describe a whole second, because the single period after a late
+  /// cycle would be short.
   struct LastSecond {
     double period = 0;   ///< mean
     double late = 0;     ///< the median lateness
@@ -28,13 +29,14 @@ class CycleFigures : public QObject {
 
   explicit CycleFigures(SignalSource& source, QObject* parent = nullptr);
 
-  /// `component` is a path; empty, or a component without these columns, shows nothing.
+  /// Sets the component by its path. If the path is empty or the component does not have these
+  /// columns, there are no figures.
   void show(const QString& component);
 
-  /// Empty until a whole second was received.
+  /// Empty until the values of a whole second have arrived.
   [[nodiscard]] const std::optional<LastSecond>& lastSecond() const { return last_second_; }
-  /// Cycles skipped since the start because an earlier one took too long; empty until a row was
-  /// received.
+  /// The number of cycles that were skipped since the start because an earlier cycle took too long.
+  /// Empty until a row has arrived.
   [[nodiscard]] std::optional<std::uint64_t> skipped() const { return skipped_; }
 
  private:

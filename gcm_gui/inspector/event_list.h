@@ -10,7 +10,8 @@ class QLabel;
 
 namespace tendon::gui {
 
-/// The latest events of one component, and their rate; listens while it is visible.
+/// Shows the latest events of one component and their rate. It is subscribed to the events only
+/// while it is visible.
 class EventList : public QWidget {
   Q_OBJECT
 
@@ -19,7 +20,7 @@ class EventList : public QWidget {
 
   explicit EventList(SystemReports& reports, QWidget* parent = nullptr);
 
-  /// "robot/arm"; empty for none.
+  /// Sets the component by its path, such as "robot/arm"; empty for none.
   void show(const QString& component);
 
  protected:

@@ -50,11 +50,11 @@ QList<Property> HealthFigures::processFacts() const {
   const auto* health = entry == nullptr ? nullptr : FindHealth(health_, entry->process);
   if (health == nullptr) return {};
   return {{Words::tr("Processor"), ToQString(CpuText(health)),
-           Words::tr("Of one core, in the last second")},
+           Words::tr("Share of one core in the last second")},
           {Words::tr("Memory"), ToQString(MemoryText(health)), Words::tr("Resident")},
           {Words::tr("Clock"), ToQString(tendon::ClockText(health)),
-           Words::tr(
-               "Difference from the clock of the GCM, and its uncertainty; above 0 means ahead")}};
+           Words::tr("Difference from the clock of the GCM, with its uncertainty; above 0 if the "
+                     "clock of the process is ahead")}};
 }
 
 void HealthFigures::ask() {
@@ -112,7 +112,7 @@ void HealthFigures::onFill(const Result<MailboxFill>& fill) {
     const bool is_filling = 2 * fill->waiting >= fill->capacity;
     interfaces_[path] = {
         is_filling ? Words::tr("%1 of %2").arg(fill->waiting).arg(fill->capacity) : QString(),
-        Words::tr("%1 of %2 wait in the fullest mailbox of the component")
+        Words::tr("The fullest mailbox of the component holds %1 of at most %2 messages")
             .arg(fill->waiting)
             .arg(fill->capacity)};
   }

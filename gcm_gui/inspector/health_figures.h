@@ -20,20 +20,21 @@ struct InterfaceHealth {
   bool operator==(const InterfaceHealth&) const = default;
 };
 
-/// The health of a process and of the connections of one of its components, polled every second
-/// while shown. The figures disappear if there is no answer.
+/// The health of a process and of the connections of one of its components. Polled every second
+/// while they are shown. The figures disappear if no answer comes.
 class HealthFigures : public QObject {
   Q_OBJECT
 
  public:
   HealthFigures(SystemReports& reports, const CatalogueStore& store, QObject* parent = nullptr);
 
-  /// An empty process shows nothing, an empty component only the process.
+  /// Sets the process and the component to poll. If `component` is empty, only the process is
+  /// polled; if `process` is empty, nothing.
   void show(const std::string& process, const std::string& component);
 
-  /// Processor, memory, clock.
+  /// Facts about the processor, the memory and the clock.
   [[nodiscard]] QList<Property> processFacts() const;
-  /// By the path of an interface of the component.
+  /// The health of the component's interfaces, by path of the interface.
   [[nodiscard]] const QHash<QString, InterfaceHealth>& interfaces() const { return interfaces_; }
 
  Q_SIGNALS:
@@ -50,7 +51,7 @@ class HealthFigures : public QObject {
   QTimer timer_;
   std::string process_;
   std::string component_;
-  std::uint64_t shown_ = 0;  // counts components; answers for earlier ones are ignored
+  std::uint64_t shown_ = 0;  // number of the shown component; earlier answers are ignored
   message::SystemHealth health_;
   QHash<QString, InterfaceHealth> interfaces_;
 };

@@ -43,7 +43,7 @@ namespace {
 constexpr std::chrono::milliseconds kFiguresPeriod{250};
 enum Page { kNothingPage, kProcessPage, kComponentPage };
 
-/// The file of the running plug-in, and its difference from the running code.
+/// Returns the file of a running plug-in, and how this file differs from the running code.
 QList<Property> PluginFacts(const ProcessDescription& process, const std::string& library) {
   const auto* plugin = FindNamed(process.plugins, library);
   if (plugin == nullptr) return {};
@@ -258,7 +258,7 @@ void Inspector::addPeerLinks(QWidget& cell, const InterfaceRow& peer) {
     cell.layout()->addWidget(button);
     return button;
   };
-  if (peer.path != required) {  // shown from the side that can choose
+  if (peer.path != required) {  // the row shows the provider, so it can be replaced
     connect(add(Words::tr("Replace"), QStringLiteral("replace")), &QToolButton::clicked, this,
             [this, required] { Q_EMIT connectRequested(required); });
   }
@@ -271,9 +271,9 @@ void Inspector::showSelected() {
   showTabOfSelected();
 }
 
-/// Shows the tab that contains the selection: "interfaces" for a command, "values" for a number.
-/// Stays at the present tab if it also contains the selection: "events" for an event, both others
-/// for a column.
+/// Shows the tab that contains the selected object: "interfaces" for a command, "values" for a
+/// number. If the present tab also contains the object, it stays. This is the case for "events"
+/// with an event, and for "interfaces" and "values" with a column.
 void Inspector::showTabOfSelected() {
   if (pages_->currentIndex() != kComponentPage) return;
   const auto path = ParsePath(selection_.current().toStdString());

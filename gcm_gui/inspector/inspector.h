@@ -27,8 +27,8 @@ class LifecycleRow;
 class TabPanel;
 class ValuesPage;
 
-/// The right column: everything about the component that is selected or contains the selection, or
-/// about a process. Follows the selection and the catalogue.
+/// The right column. It shows everything about a process or a component: the one that is selected,
+/// or the component that contains the selected object. Follows the selection and the catalogue.
 class Inspector : public QWidget {
   Q_OBJECT
 
@@ -41,17 +41,18 @@ class Inspector : public QWidget {
   bool focusCall();
 
  public Q_SLOTS:
-  /// While the link is lost: states and connections are unknown; values continue.
+  /// Pass true while the link to the GCM is lost. States and connections are then unknown, but
+  /// values are still updated.
   void setOutdated(bool outdated);
 
  Q_SIGNALS:
   void plotRequested(const QString& path, const QString& unit);
-  /// The user wants to choose another provider for a connected required interface.
+  /// Emitted when the user wants another provider for a required interface that is connected.
   void connectRequested(const QString& path);
-  /// The user asks about a required interface, connected or not.
+  /// Emitted when the user asks why a required interface is connected or not.
   void whyRequested(const QString& path);
   void favouriteRequested(const QString& path, const QString& argument);
-  /// One sentence for the user.
+  /// Emitted with one sentence for the user.
   void notice(const QString& text);
 
  private:
@@ -68,7 +69,7 @@ class Inspector : public QWidget {
   void showTabOfSelected();
   void showComponent(const ProcessEntry& process, const ComponentDescription& component);
   void showProcess(const ProcessEntry& process);
-  /// Shows the form of the selected command, if any.
+  /// Shows the form of the selected command, if a command is selected.
   void showCall(const ProcessEntry& process, const ComponentDescription& component);
   void showNothing(const QString& text);
   void showFigures();
@@ -105,7 +106,7 @@ class Inspector : public QWidget {
   int values_page_ = 0;
   int events_page_ = 0;
   QString shown_component_;
-  double wanted_period_ = 0;  // s; the configured period
+  double wanted_period_ = 0;  // s; the period from the configuration
 };
 
 }  // namespace tendon::gui

@@ -99,7 +99,8 @@ class RowBuilder {
     }
   }
 
-  /// A row "teleoperation/Robot", with the process after it and the path as tool tip.
+  /// Adds a row such as "teleoperation/Robot", with the process after the name and the path as tool
+  /// tip.
   void AddPeer(const QString& arrow, const InterfaceName& peer, const InterfaceName& required,
                StateMark mark) {
     const QString name = ToQString(peer.component + '/' + peer.interface);

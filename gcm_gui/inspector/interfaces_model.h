@@ -10,7 +10,7 @@
 
 namespace tendon::gui {
 
-/// One row of the inspector's list of interfaces.
+/// One row in the inspector's list of interfaces.
 struct InterfaceRow {
   enum class Kind { kRequired, kProvided, kMember, kEvent, kColumn, kPeer };
 
@@ -20,14 +20,14 @@ struct InterfaceRow {
   QString types;
   QString value;
   StateMark mark = StateMark::kNotConnected;  ///< for interfaces and peers
-  InterfaceName required;                     ///< for a peer: the required end of the connection
-  QString expiry = {};                        ///< of a command: its time limit
+  InterfaceName required;  ///< for a peer: the required interface of the connection
+  QString expiry = {};     ///< of a command: its time limit
 
   bool operator==(const InterfaceRow&) const = default;
 };
 
-/// The interfaces of one component: each with its peers, then its commands with their types, then
-/// its events.
+/// The interfaces of one component. Below each interface come its peers, then its commands with
+/// their types, then its events.
 class InterfacesModel : public RowListModel<InterfaceRow> {
   Q_OBJECT
 
@@ -38,9 +38,9 @@ class InterfacesModel : public RowListModel<InterfaceRow> {
 
   /// Shows a component, or nothing if it does not exist.
   void show(const Catalogue& catalogue, const std::string& process, const std::string& component);
-  /// The row of exactly this path; -1 if there is none.
+  /// Returns the row with exactly this path; -1 if there is none.
   [[nodiscard]] int rowOf(const QString& path) const;
-  /// The health of the interfaces' connections, by interface path.
+  /// Sets the health of the interfaces' connections, by path of the interface.
   void showHealth(const QHash<QString, InterfaceHealth>& health);
 
  private:

@@ -10,7 +10,7 @@ namespace {
 
 const QString kNone = QStringLiteral("–");
 
-/// For a round value: "1 ms", not "1.000 ms".
+/// Formats a duration without zeros at the end: "1 ms", not "1.000 ms".
 QString ShortDuration(double seconds) {
   static const QRegularExpression zeros(QStringLiteral("\\.?0+(?= )"));
   const QString text = DurationText(seconds);
@@ -19,7 +19,7 @@ QString ShortDuration(double seconds) {
 
 QString OwnerText(const ComponentDescription& component) {
   if (!component.leader.empty()) {
-    return Words::tr("that of %1").arg(ToQString(component.leader));
+    return Words::tr("the thread of %1").arg(ToQString(component.leader));
   }
   return component.thread.empty() ? Words::tr("none of its own") : Words::tr("its own");
 }

@@ -88,7 +88,7 @@ QString ValuesModel::silenceOf(const Block& block) const {
       .arg(kPatience.count());
 }
 
-/// The text for screen readers, including the rate or the age.
+/// Returns the text for screen readers, including the rate or the age.
 QString ValuesModel::spokenOf(const RowPosition& position, const QString& field_path) const {
   const QString detail = detailOf(*position.block, position.field);
   const QString value =
@@ -215,7 +215,7 @@ void ValuesModel::show(const QString& path, const ComponentDescription* componen
     endResetModel();
   } else if (why != why_) {
     why_ = why;
-    for (Block& block : blocks_) {  // the wait for answers starts again
+    for (Block& block : blocks_) {  // the time limit for the answer starts again
       if (block.awaited != SteadyTime::max()) block.awaited = clock_.Now();
       block.refusal.clear();
     }

@@ -16,20 +16,20 @@
 
 namespace tendon::gui {
 
-/// Every number in the state tables of one component, with its newest value, unit and recent trend.
-/// The first row of a column also shows the rate of its rows, or why and since when they are old.
-/// For a column without an answer, its own row says so.
+/// Every number in the state tables of one component, with its newest value, its unit and its
+/// recent trend. The first row of a column also shows the rate at which rows arrive or, if the
+/// values are old, why and how old. If a column has no answer, its own row says so.
 class ValuesModel : public QAbstractTableModel {
   Q_OBJECT
 
  public:
   enum Column { kName, kValue, kColumnCount };
 
-  /// The number of values in a trend, of which 10 arrive per second.
+  /// The number of values in a trend. 10 values arrive per second.
   static constexpr qsizetype kTrend = 100;
-  /// How long a value counts as just changed.
+  /// A value counts as just changed for this time.
   static constexpr std::chrono::milliseconds kFresh{500};
-  /// After this time, the row shows that there is no answer.
+  /// After this time without an answer, the row of the column says so.
   static constexpr std::chrono::seconds kPatience{1};
 
   explicit ValuesModel(QObject* parent = nullptr, const Clock& clock = SteadyClock())
@@ -39,25 +39,26 @@ class ValuesModel : public QAbstractTableModel {
   [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
   [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
 
-  /// `path` names the component; a null `component` shows nothing. showValues() delivers the
-  /// values; they are old if the component does not run.
+  /// Shows the component with this path; if `component` is null, shows nothing. The values are
+  /// delivered later by showValues(). If the component does not run, `why` says why its values are
+  /// old.
   void show(const QString& path, const ComponentDescription* component, StaleReason why);
-  /// The paths of the columns to watch.
+  /// Returns the paths of the columns to subscribe to.
   [[nodiscard]] QSet<QString> columns() const;
-  /// The unit of a row; empty for none.
+  /// Returns the unit of a row; empty if it has none.
   [[nodiscard]] QString unit(int row) const;
 
   /// True if the row has a number that can be plotted.
   [[nodiscard]] bool isNumber(int row) const;
 
-  /// Starts to wait for the missing answers.
+  /// Starts the time limit for the columns that have not answered yet.
   void await();
-  /// Stops waiting for answers until the next await().
+  /// Stops that time limit until the next await().
   void awaitNothing();
-  /// If the row's column has not answered in time, restarts the wait and returns the path of the
-  /// column; otherwise returns an empty text.
+  /// If the row's column has not answered in time, restarts its time limit and returns the path of
+  /// the column. Otherwise returns an empty text.
   [[nodiscard]] QString askAgain(int row);
-  /// Updates rows that have become old since the last call; call it a few times per second.
+  /// Updates the rows that have become old since the last call. Call it a few times per second.
   void tick();
 
  public Q_SLOTS:
@@ -71,9 +72,9 @@ class ValuesModel : public QAbstractTableModel {
     ColumnValues values = {};
     std::vector<QList<std::optional<NumericValue>>> trends = {};  // by field
     std::vector<SteadyTime> changed = {};                         // by field
-    SteadyTime awaited = SteadyTime::max();                       // start of the wait for an answer
-    QString refusal = {};                                         // why no answer came, if known
-    SteadyTime arrived = {};                                      // arrival time of its newest row
+    SteadyTime awaited = SteadyTime::max();  // when the time limit for the answer began
+    QString refusal = {};                    // why no answer came, if known
+    SteadyTime arrived = {};                 // arrival time of its newest row
     RowRate rate = {};
     bool is_out = false;  // set while its rows are replaced
     [[nodiscard]] bool isKnown() const { return values.fields != nullptr; }
@@ -89,14 +90,14 @@ class ValuesModel : public QAbstractTableModel {
   void noteChanges(Block& block, const ColumnValues& values) const;
   [[nodiscard]] bool isSilent(const Block& block) const;
   [[nodiscard]] bool isOld(const Block& block) const;
-  /// The time since its newest row was written or, if unknown, since it arrived.
+  /// Returns the time since the newest row was written or, if that is unknown, since it arrived.
   [[nodiscard]] std::optional<std::chrono::nanoseconds> ageOf(const Block& block) const;
   [[nodiscard]] QString detailOf(const Block& block, std::size_t field) const;
-  /// The text for a column without an answer.
+  /// Returns the text for a column that has not answered.
   [[nodiscard]] QString silenceOf(const Block& block) const;
   [[nodiscard]] QString spokenOf(const RowPosition& position, const QString& field_path) const;
   [[nodiscard]] QVariant valueOf(const RowPosition& position, int role) const;
-  /// All digits of a value that is shown rounded; otherwise empty.
+  /// Returns all digits of a value that is shown rounded; otherwise an empty text.
   [[nodiscard]] static QString wholeOf(const RowPosition& position);
   void replaceRows(Block& block, int first, const ColumnValues& values);
 

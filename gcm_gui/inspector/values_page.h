@@ -14,16 +14,16 @@ namespace tendon::gui {
 class ImageList;
 class RowView;
 
-/// The live values of one component, and below them its pictures.
+/// Shows the live values of one component, and its pictures below them.
 class ValuesPage : public QWidget {
   Q_OBJECT
 
  public:
   ValuesPage(Selection& selection, SignalSource& source, QWidget* parent = nullptr);
 
-  /// `path` names the component; `why` says why its values are old.
+  /// Shows the component with this path. If it does not run, `why` says why its values are old.
   void showComponent(const QString& path, const ComponentDescription& component, StaleReason why);
-  /// Starts or stops the live values; true while the page is visible.
+  /// Starts or stops the live values. Pass true while the page is visible.
   void setWanted(bool wanted);
 
  Q_SIGNALS:

@@ -12,8 +12,8 @@ namespace {
 
 constexpr auto kFolder = ":/tendon/language";
 
-/// Installs the first available language of the user; none if English is earlier in the list of
-/// preferences.
+/// Installs the first available translation in the user's list of languages. Installs none if
+/// English comes before it in the list.
 void Install(const QLocale& locale, const QString& name, const QString& folder) {
   for (const QString& language : locale.uiLanguages()) {
     if (QLocale(language).language() == QLocale::English) return;

@@ -77,7 +77,7 @@
     </message>
     <message>
         <source>…
-The whole answer: Copy as command</source>
+For the whole answer, use Copy as command</source>
         <translation>…
 Die ganze Antwort: Als Befehl kopieren</translation>
     </message>
@@ -106,7 +106,7 @@ Die ganze Antwort: Als Befehl kopieren</translation>
         <translation>Erneut fragen</translation>
     </message>
     <message>
-        <source>The argument as text, instead of a form</source>
+        <source>Shows the argument as JSON text instead of a form</source>
         <translation>Das Argument als Text statt als Formular</translation>
     </message>
     <message>
@@ -130,7 +130,7 @@ Die ganze Antwort: Als Befehl kopieren</translation>
         <translation>Wiederholen</translation>
     </message>
     <message>
-        <source>Calls it again and again</source>
+        <source>Calls the command repeatedly</source>
         <translation>Ruft ihn immer wieder auf</translation>
     </message>
     <message>
@@ -154,7 +154,7 @@ Die ganze Antwort: Als Befehl kopieren</translation>
         <translation>Strg+Enter</translation>
     </message>
     <message>
-        <source>Ctrl+Enter again calls it: this can move something</source>
+        <source>Press Ctrl+Enter again to call the command: it can move something</source>
         <translation>Nochmals Strg+Enter ruft auf: das kann etwas in Bewegung setzen</translation>
     </message>
     <message>
@@ -240,7 +240,7 @@ Das kann etwas in Bewegung setzen: den Knopf 0.4&#xa0;s halten</translation>
         <translation>Kandidaten</translation>
     </message>
     <message>
-        <source>No candidate fits the filter.</source>
+        <source>No candidate matches the filter.</source>
         <translation>Kein Kandidat passt zum Filter.</translation>
     </message>
     <message>
@@ -252,8 +252,8 @@ Das kann etwas in Bewegung setzen: den Knopf 0.4&#xa0;s halten</translation>
         <translation>Kandidaten für eine Verbindung</translation>
     </message>
     <message>
-        <source>Esc leaves</source>
-        <translation>Esc beendet</translation>
+        <source>Esc cancels</source>
+        <translation>Esc bricht ab</translation>
     </message>
     <message>
         <source>Filter the candidates</source>
@@ -290,7 +290,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>ersetzt %1</translation>
     </message>
     <message>
-        <source>%1 more; type to find one</source>
+        <source>%1 more: type a part of the name to find one</source>
         <translation>%1 weitere; zum Suchen tippen</translation>
     </message>
     <message>
@@ -538,8 +538,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Suche beenden  (Esc)</translation>
     </message>
     <message>
-        <source>nothing fits</source>
-        <translation>nichts passt</translation>
+        <source>no match</source>
+        <translation>kein Treffer</translation>
     </message>
     <message>
         <source>%1 found</source>
@@ -558,7 +558,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Prozessor</translation>
     </message>
     <message>
-        <source>Of one core, in the last second</source>
+        <source>Share of one core in the last second</source>
         <translation>Von einem Kern, in der letzten Sekunde</translation>
     </message>
     <message>
@@ -574,11 +574,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Uhr</translation>
     </message>
     <message>
-        <source>Difference from the clock of the GCM, and its uncertainty; above 0 means ahead</source>
+        <source>Difference from the clock of the GCM, with its uncertainty; above 0 if the clock of the process is ahead</source>
         <translation>Abweichung von der Uhr des GCM und ihre Unsicherheit; über 0 geht die Uhr vor</translation>
     </message>
     <message>
-        <source>%1 of %2 wait in the fullest mailbox of the component</source>
+        <source>The fullest mailbox of the component holds %1 of at most %2 messages</source>
         <translation>%1 von %2 warten im vollsten Postfach der Komponente</translation>
     </message>
     <message>
@@ -882,7 +882,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Plot darunter, mit derselben Zeit  (Strg+Umschalt+T)</translation>
     </message>
     <message>
-        <source>How long the plot looks back</source>
+        <source>Time span of the plot</source>
         <translation>Wie weit der Plot zurückreicht</translation>
     </message>
     <message>
@@ -918,7 +918,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Letzte </translation>
     </message>
     <message>
-        <source>How long the plot looks back: </source>
+        <source>Time span of the plot: </source>
         <translation>Wie weit der Plot zurückreicht: </translation>
     </message>
     <message>
@@ -1130,7 +1130,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>wartet auf </translation>
     </message>
     <message>
-        <source>stands for </source>
+        <source>connected for </source>
         <translation>besteht seit </translation>
     </message>
     <message>
@@ -1174,7 +1174,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>= %1   + %2 nur laufend   − %3 fehlend   ~ %4 geändert</translation>
     </message>
     <message>
-        <source>cannot be</source>
+        <source>not possible</source>
         <translation>geht nicht</translation>
     </message>
     <message>
@@ -1334,7 +1334,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Noch nichts da.</translation>
     </message>
     <message>
-        <source>No row fits the filter.</source>
+        <source>No row matches the filter.</source>
         <translation>Keine Zeile passt zum Filter.</translation>
     </message>
     <message>
@@ -1382,7 +1382,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>nicht erreicht</translation>
     </message>
     <message>
-        <source>Neither side has a member.</source>
+        <source>Neither interface has a member.</source>
         <translation>Keine Seite hat Befehle oder Ereignisse.</translation>
     </message>
     <message>
@@ -1594,7 +1594,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Kein GCM gefunden unter </translation>
     </message>
     <message>
-        <source>looking every second</source>
+        <source>searching every second</source>
         <translation>Suche jede Sekunde</translation>
     </message>
     <message>
@@ -1634,16 +1634,12 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Suchen oder ausführen</translation>
     </message>
     <message>
-        <source>A command, or a place to go to</source>
-        <translation>Was zu tun ist oder wohin es geht</translation>
-    </message>
-    <message>
-        <source>A command, or a name to go to</source>
+        <source>A command, or the name of an object</source>
         <translation>Was zu tun ist, oder ein Name als Ziel</translation>
     </message>
     <message>
-        <source>Nothing fits.</source>
-        <translation>Nichts passt.</translation>
+        <source>No match.</source>
+        <translation>Kein Treffer.</translation>
     </message>
     <message>
         <source>&amp;System</source>
@@ -1726,8 +1722,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>&amp;Zurück zu einem Stand</translation>
     </message>
     <message>
-        <source>The demo is not beside this program: </source>
-        <translation>Die Demo liegt nicht neben diesem Programm: </translation>
+        <source>The system file of the demo cannot be read: </source>
+        <translation>Die Systemdatei der Demo kann nicht gelesen werden: </translation>
     </message>
     <message>
         <source>A plan is running; the demo starts after it</source>
@@ -1822,7 +1818,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Logo von Tendon</translation>
     </message>
     <message>
-        <source>Shows and steers a system of Tendon components.</source>
+        <source>Shows and controls a system of Tendon components.</source>
         <translation>Zeigt und steuert ein System aus Tendon-Komponenten.</translation>
     </message>
     <message>
@@ -1958,12 +1954,12 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Entf</translation>
     </message>
     <message>
-        <source>Remove it</source>
+        <source>Remove the curve</source>
         <translation>Kurve entfernen</translation>
     </message>
     <message>
-        <source>Another signal in its place</source>
-        <translation>Anderes Signal an ihrer Stelle</translation>
+        <source>Show another signal instead</source>
+        <translation>Stattdessen ein anderes Signal</translation>
     </message>
     <message>
         <source>In a form</source>
@@ -2358,8 +2354,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>%1 alt</translation>
     </message>
     <message>
-        <source>that of %1</source>
-        <translation>der von %1</translation>
+        <source>the thread of %1</source>
+        <translation>der Thread von %1</translation>
     </message>
     <message>
         <source>none of its own</source>
@@ -2494,8 +2490,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Dateien eines cisst-Komponentenmanagers (*.json)</translation>
     </message>
     <message>
-        <source>The process that has the components</source>
-        <translation>Der Prozess, der die Komponenten hat</translation>
+        <source>The process to which the components belong</source>
+        <translation>Der Prozess, zu dem die Komponenten gehören</translation>
     </message>
     <message>
         <source>Connect to another machine</source>
@@ -2510,7 +2506,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Mit einem anderen &amp;Rechner verbinden…</translation>
     </message>
     <message>
-        <source>Address of its GCM, as robot1 or robot1:10705</source>
+        <source>Address of its GCM, such as robot1 or robot1:10705</source>
         <translation>Adresse seines GCM, etwa robot1 oder robot1:10705</translation>
     </message>
     <message>
@@ -2650,11 +2646,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>nicht bekannt</translation>
     </message>
     <message>
-        <source>Rows per second that arrive in this window; – without a subscription</source>
+        <source>Rows per second that arrive in this window; – if there is no subscription</source>
         <translation>Zeilen je Sekunde, die hier ankommen; – wo nichts empfangen wird</translation>
     </message>
     <message>
-        <source>Value: time since its newest row was written. Process: time since its state changed. – if unknown</source>
+        <source>For a value: time since its newest row was written. For a process: time since its state changed. – if unknown</source>
         <translation>Wert: Zeit, seit seine neueste Zeile geschrieben wurde. Prozess: Zeit, seit sich sein Zustand geändert hat. – wenn unbekannt</translation>
     </message>
     <message>
@@ -2806,8 +2802,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>kein JSON: %1</translation>
     </message>
     <message>
-        <source>version %1 of plot layouts is not known here; this is version %2</source>
-        <translation>Version %1 von Plot-Layouts ist hier nicht bekannt; dies ist Version %2</translation>
+        <source>version %1 of plot layouts is not supported; this program supports version %2</source>
+        <translation>Version %1 von Plot-Layouts wird nicht unterstützt; dieses Programm unterstützt Version %2</translation>
     </message>
     <message>
         <source>there is no plot in it</source>
@@ -3039,8 +3035,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation> (%1-mal)</translation>
     </message>
     <message>
-        <source>there is not enough memory for it</source>
-        <translation>dafür ist kein Speicher da</translation>
+        <source>there is not enough memory</source>
+        <translation>es ist nicht genug Speicher da</translation>
     </message>
     <message>
         <source>an exception without a message</source>
@@ -3075,8 +3071,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>nicht gestartet</translation>
     </message>
     <message>
-        <source>stood still</source>
-        <translation>stand still</translation>
+        <source>did not run</source>
+        <translation>lief nicht</translation>
     </message>
     <message>
         <source> cannot be shown: </source>

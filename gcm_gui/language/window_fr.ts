@@ -77,7 +77,7 @@
     </message>
     <message>
         <source>…
-The whole answer: Copy as command</source>
+For the whole answer, use Copy as command</source>
         <translation>…
 La réponse entière&#xa0;: Copier en commande</translation>
     </message>
@@ -106,7 +106,7 @@ La réponse entière&#xa0;: Copier en commande</translation>
         <translation>Redemander</translation>
     </message>
     <message>
-        <source>The argument as text, instead of a form</source>
+        <source>Shows the argument as JSON text instead of a form</source>
         <translation>L&apos;argument en texte, au lieu d&apos;un formulaire</translation>
     </message>
     <message>
@@ -130,7 +130,7 @@ La réponse entière&#xa0;: Copier en commande</translation>
         <translation>Répéter</translation>
     </message>
     <message>
-        <source>Calls it again and again</source>
+        <source>Calls the command repeatedly</source>
         <translation>L&apos;appelle encore et encore</translation>
     </message>
     <message>
@@ -154,7 +154,7 @@ La réponse entière&#xa0;: Copier en commande</translation>
         <translation>Ctrl+Entrée</translation>
     </message>
     <message>
-        <source>Ctrl+Enter again calls it: this can move something</source>
+        <source>Press Ctrl+Enter again to call the command: it can move something</source>
         <translation>Encore Ctrl+Entrée pour appeler&#xa0;: cela peut mettre quelque chose en mouvement</translation>
     </message>
     <message>
@@ -240,7 +240,7 @@ Cela peut mettre quelque chose en mouvement&#xa0;: maintenir le bouton 0.4&#xa0;
         <translation>Candidats</translation>
     </message>
     <message>
-        <source>No candidate fits the filter.</source>
+        <source>No candidate matches the filter.</source>
         <translation>Aucun candidat ne répond au filtre.</translation>
     </message>
     <message>
@@ -252,8 +252,8 @@ Cela peut mettre quelque chose en mouvement&#xa0;: maintenir le bouton 0.4&#xa0;
         <translation>Candidats à une connexion</translation>
     </message>
     <message>
-        <source>Esc leaves</source>
-        <translation>Esc pour quitter</translation>
+        <source>Esc cancels</source>
+        <translation>Esc pour annuler</translation>
     </message>
     <message>
         <source>Filter the candidates</source>
@@ -290,7 +290,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>remplace %1</translation>
     </message>
     <message>
-        <source>%1 more; type to find one</source>
+        <source>%1 more: type a part of the name to find one</source>
         <translation>%1 autres&#xa0;; taper pour chercher</translation>
     </message>
     <message>
@@ -538,8 +538,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Terminer la recherche  (Esc)</translation>
     </message>
     <message>
-        <source>nothing fits</source>
-        <translation>rien ne convient</translation>
+        <source>no match</source>
+        <translation>aucun résultat</translation>
     </message>
     <message>
         <source>%1 found</source>
@@ -558,7 +558,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Processeur</translation>
     </message>
     <message>
-        <source>Of one core, in the last second</source>
+        <source>Share of one core in the last second</source>
         <translation>D&apos;un cœur, dans la dernière seconde</translation>
     </message>
     <message>
@@ -574,11 +574,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Horloge</translation>
     </message>
     <message>
-        <source>Difference from the clock of the GCM, and its uncertainty; above 0 means ahead</source>
+        <source>Difference from the clock of the GCM, with its uncertainty; above 0 if the clock of the process is ahead</source>
         <translation>Écart avec l&apos;horloge du GCM, et son incertitude ; au-dessus de 0, l&apos;horloge avance</translation>
     </message>
     <message>
-        <source>%1 of %2 wait in the fullest mailbox of the component</source>
+        <source>The fullest mailbox of the component holds %1 of at most %2 messages</source>
         <translation>%1 sur %2 en attente dans la boîte aux lettres la plus pleine du composant</translation>
     </message>
     <message>
@@ -882,7 +882,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Graphique en dessous, avec le même temps  (Ctrl+Maj+T)</translation>
     </message>
     <message>
-        <source>How long the plot looks back</source>
+        <source>Time span of the plot</source>
         <translation>Durée que montre le graphique</translation>
     </message>
     <message>
@@ -918,7 +918,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Dernières </translation>
     </message>
     <message>
-        <source>How long the plot looks back: </source>
+        <source>Time span of the plot: </source>
         <translation>Durée que montre le graphique&#xa0;: </translation>
     </message>
     <message>
@@ -1130,7 +1130,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>en attente de </translation>
     </message>
     <message>
-        <source>stands for </source>
+        <source>connected for </source>
         <translation>établie depuis </translation>
     </message>
     <message>
@@ -1174,7 +1174,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>= %1   + %2 seulement actifs   − %3 manquants   ~ %4 modifiés</translation>
     </message>
     <message>
-        <source>cannot be</source>
+        <source>not possible</source>
         <translation>impossible</translation>
     </message>
     <message>
@@ -1334,7 +1334,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Rien ici pour l&apos;instant.</translation>
     </message>
     <message>
-        <source>No row fits the filter.</source>
+        <source>No row matches the filter.</source>
         <translation>Aucune ligne ne répond au filtre.</translation>
     </message>
     <message>
@@ -1382,7 +1382,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>non atteint</translation>
     </message>
     <message>
-        <source>Neither side has a member.</source>
+        <source>Neither interface has a member.</source>
         <translation>Aucun côté n&apos;a de commande ni d&apos;événement.</translation>
     </message>
     <message>
@@ -1594,7 +1594,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Aucun GCM trouvé à </translation>
     </message>
     <message>
-        <source>looking every second</source>
+        <source>searching every second</source>
         <translation>recherche chaque seconde</translation>
     </message>
     <message>
@@ -1634,16 +1634,12 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Chercher ou exécuter</translation>
     </message>
     <message>
-        <source>A command, or a place to go to</source>
-        <translation>Que faire ou où aller</translation>
-    </message>
-    <message>
-        <source>A command, or a name to go to</source>
+        <source>A command, or the name of an object</source>
         <translation>Que faire, ou un nom où aller</translation>
     </message>
     <message>
-        <source>Nothing fits.</source>
-        <translation>Rien ne convient.</translation>
+        <source>No match.</source>
+        <translation>Aucun résultat.</translation>
     </message>
     <message>
         <source>&amp;System</source>
@@ -1726,8 +1722,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Re&amp;venir à un état</translation>
     </message>
     <message>
-        <source>The demo is not beside this program: </source>
-        <translation>La démo n&apos;est pas à côté de ce programme&#xa0;: </translation>
+        <source>The system file of the demo cannot be read: </source>
+        <translation>Le fichier système de la démo ne peut pas être lu&#xa0;: </translation>
     </message>
     <message>
         <source>A plan is running; the demo starts after it</source>
@@ -1822,7 +1818,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Logo de Tendon</translation>
     </message>
     <message>
-        <source>Shows and steers a system of Tendon components.</source>
+        <source>Shows and controls a system of Tendon components.</source>
         <translation>Montre et pilote un système de composants Tendon.</translation>
     </message>
     <message>
@@ -1958,11 +1954,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Suppr</translation>
     </message>
     <message>
-        <source>Remove it</source>
-        <translation>La retirer</translation>
+        <source>Remove the curve</source>
+        <translation>Retirer la courbe</translation>
     </message>
     <message>
-        <source>Another signal in its place</source>
+        <source>Show another signal instead</source>
         <translation>Un autre signal à sa place</translation>
     </message>
     <message>
@@ -2358,8 +2354,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>vieux de %1</translation>
     </message>
     <message>
-        <source>that of %1</source>
-        <translation>celui de %1</translation>
+        <source>the thread of %1</source>
+        <translation>le thread de %1</translation>
     </message>
     <message>
         <source>none of its own</source>
@@ -2494,8 +2490,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Fichiers d&apos;un gestionnaire de composants cisst (*.json)</translation>
     </message>
     <message>
-        <source>The process that has the components</source>
-        <translation>Le processus qui a les composants</translation>
+        <source>The process to which the components belong</source>
+        <translation>Le processus auquel appartiennent les composants</translation>
     </message>
     <message>
         <source>Connect to another machine</source>
@@ -2510,7 +2506,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Se connecter à une autre &amp;machine…</translation>
     </message>
     <message>
-        <source>Address of its GCM, as robot1 or robot1:10705</source>
+        <source>Address of its GCM, such as robot1 or robot1:10705</source>
         <translation>Adresse de son GCM, comme robot1 ou robot1:10705</translation>
     </message>
     <message>
@@ -2650,11 +2646,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>inconnu</translation>
     </message>
     <message>
-        <source>Rows per second that arrive in this window; – without a subscription</source>
+        <source>Rows per second that arrive in this window; – if there is no subscription</source>
         <translation>Lignes par seconde qui arrivent ici ; – là où rien n&apos;est écouté</translation>
     </message>
     <message>
-        <source>Value: time since its newest row was written. Process: time since its state changed. – if unknown</source>
+        <source>For a value: time since its newest row was written. For a process: time since its state changed. – if unknown</source>
         <translation>Valeur : temps depuis l&apos;écriture de sa dernière ligne. Processus : temps depuis le changement de son état. – si inconnu</translation>
     </message>
     <message>
@@ -2806,8 +2802,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>pas du JSON : %1</translation>
     </message>
     <message>
-        <source>version %1 of plot layouts is not known here; this is version %2</source>
-        <translation>la version %1 des dispositions est inconnue ici ; celle-ci est la version %2</translation>
+        <source>version %1 of plot layouts is not supported; this program supports version %2</source>
+        <translation>la version %1 des dispositions n’est pas prise en charge ; ce programme prend en charge la version %2</translation>
     </message>
     <message>
         <source>there is no plot in it</source>
@@ -3039,8 +3035,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation> (%1 fois)</translation>
     </message>
     <message>
-        <source>there is not enough memory for it</source>
-        <translation>il n’y a pas de mémoire pour cela</translation>
+        <source>there is not enough memory</source>
+        <translation>il n’y a pas assez de mémoire</translation>
     </message>
     <message>
         <source>an exception without a message</source>
@@ -3075,7 +3071,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>non démarré</translation>
     </message>
     <message>
-        <source>stood still</source>
+        <source>did not run</source>
         <translation>à l’arrêt</translation>
     </message>
     <message>

@@ -4,9 +4,9 @@
 
 namespace tendon::gui {
 
-/// The texts of the window: Words::tr("Pause the view") returns the text in the user's language.
-/// Names of the model (kinds, paths, commands) stay as in the console, and so do states that a
-/// filter looks for. Any thread.
+/// Translates the texts of the window: Words::tr("Pause the view") returns the text in the user's
+/// language. Names of the model (kinds, paths, commands) are not translated, nor are the states
+/// that a filter looks for: they are the same as in the console. Any thread.
 struct Words {
   Q_DECLARE_TR_FUNCTIONS(Words)
 };

@@ -57,11 +57,11 @@ void LifecycleCard::enter() {
   Q_EMIT confirmed(verb_, components_);
 }
 
-/// Ignores a key that opened the card and is still pressed.
+/// If a key has opened the card and is still pressed, its repetitions are ignored.
 void LifecycleCard::keyPressEvent(QKeyEvent* event) {
   if (event->isAutoRepeat()) return;
   const bool is_enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  // A button that must be held cannot be clicked.
+  // Enter must confirm here, because the button can only be held, not clicked.
   if (is_enter && window()->focusWidget() == button_) return enter();
   OverlayCard::keyPressEvent(event);
 }

@@ -12,7 +12,8 @@ namespace tendon::gui {
 
 class HoldButton;
 
-/// Asks for confirmation before components are started or stopped: hold the button, or press Enter.
+/// Asks for confirmation before components are started or stopped. The user confirms by holding the
+/// button or by pressing Enter.
 class LifecycleCard : public OverlayCard {
   Q_OBJECT
 
@@ -20,7 +21,7 @@ class LifecycleCard : public OverlayCard {
   /// Appears over `place`, a part of the window.
   explicit LifecycleCard(QWidget& place);
 
-  /// `lines` name the components; `effects` say what will happen to them.
+  /// Opens the card. `lines` name the components; `effects` say what will happen to them.
   void ask(LifecycleVerb verb, const std::vector<Path>& components, const QStringList& lines,
            const QStringList& effects);
 

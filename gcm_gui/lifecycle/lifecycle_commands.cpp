@@ -95,7 +95,7 @@ void LifecycleCommands::disableRefused() {
   }
 }
 
-/// Enables refused verbs, so that their keys show the reason of the refusal.
+/// Enables the verbs again when the menu is closed, so that their keys show why they are refused.
 void LifecycleCommands::enableRefused() {
   for (QAction* action : refused_) {
     action->setEnabled(true);
@@ -130,7 +130,8 @@ void LifecycleCommands::ask(LifecycleVerb verb) {
   card_->ask(verb, able, lines, effects);
 }
 
-/// The text for a component, with the time of its suspension if the verb would resume it.
+/// Returns the line for a component. If the verb would resume it, the line also says how long it
+/// was suspended.
 QString LifecycleCommands::lineOf(LifecycleVerb verb, const Path& one) const {
   const QString path = ToQString(ToString(one));
   const auto* component = store_.catalogue().FindComponent(one.process, one.component);

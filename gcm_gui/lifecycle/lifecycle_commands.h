@@ -20,8 +20,8 @@ namespace tendon::gui {
 class Commands;
 class LifecycleCard;
 
-/// Starts, suspends, stops and restarts the selected components: in the menu "System", on keys, in
-/// the palette, and in a component's own menu.
+/// The commands that start, suspend, stop and restart the selected components. They are in the menu
+/// "System", in the palette and in the context menu of a component, and have keys.
 class LifecycleCommands : public QObject {
   Q_OBJECT
 
@@ -31,24 +31,27 @@ class LifecycleCommands : public QObject {
                     QWidget& place);
 
   void addCommands(Commands& commands);
-  /// Fills the component menu with the commands of this class and the other named ones.
+  /// Fills the context menu of components with the commands of this class and with the commands
+  /// named in `others`.
   void fillMenu(const Commands& commands, const QStringList& others);
-  /// The menu for the selection.
+  /// The context menu for the selection.
   [[nodiscard]] QMenu& menu() const { return *menu_; }
   [[nodiscard]] LifecycleCard& card() const { return *card_; }
-  /// Asks for confirmation, or shows the reason why the verb is impossible.
+  /// Asks for confirmation. If the verb is impossible, shows the reason instead.
   void ask(LifecycleVerb verb);
 
  Q_SIGNALS:
-  /// One sentence for the user.
+  /// Emitted with one sentence for the user.
   void notice(const QString& text);
 
  private:
-  /// Without duplicates, in the order of selection.
+  /// Returns the selected components without duplicates, in the order of selection.
   [[nodiscard]] std::vector<Path> selectedComponents() const;
-  /// The reason why all selected components would refuse the verb; empty if one would accept it.
+  /// Returns why all selected components would refuse the verb; empty if at least one would accept
+  /// it.
   [[nodiscard]] QString refusalOf(LifecycleVerb verb) const;
-  /// Disables refused verbs while a component's menu is open.
+  /// Disables the verbs that would be refused; called while the context menu of a component is
+  /// open.
   void disableRefused();
   void enableRefused();
   [[nodiscard]] QString lineOf(LifecycleVerb verb, const Path& one) const;

@@ -22,7 +22,7 @@ LifecycleRow::LifecycleRow(QWidget* parent) : QWidget(parent) {
     connect(button, &HoldButton::called, this, [this, verb] { Q_EMIT chosen(verb); });
     connect(button, &HoldButton::releasedEarly, this,
             [this] { Q_EMIT notice(Words::tr("Nothing was done: hold the button for 0.4 s")); });
-    // All of equal width, and never wider than the panel.
+    // All buttons are equally wide, and together never wider than the panel.
     button->setMinimumWidth(1);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     line->addWidget(button);

@@ -16,18 +16,18 @@ inline constexpr std::array kLifecycleVerbs{LifecycleVerb::kStart, LifecycleVerb
 
 /// The word for a button: "Start".
 [[nodiscard]] QString WordOf(LifecycleVerb verb);
-/// "Hold to start".
+/// The text of a button that must be held down: "Hold to start".
 [[nodiscard]] QString HoldWordOf(LifecycleVerb verb);
-/// "Stop the component", "Stop 2 components".
+/// The title of a confirmation: "Stop the component", "Stop 2 components".
 [[nodiscard]] QString TitleOf(LifecycleVerb verb, std::size_t components);
-/// The effect of a verb on a component in this state, in words that hold for every component. Empty
-/// if the verb itself says enough.
+/// The effect of a verb on a component in this state, in words that are true for every component.
+/// Empty if the verb needs no explanation.
 [[nodiscard]] QString EffectOf(LifecycleVerb verb, ComponentState state);
-/// "robot/arm · suspended for 4 min": the state, and its duration if `since`, ns since 1970, is
-/// known.
+/// The state and its duration: "robot/arm · suspended for 4 min". Without the duration if `since`
+/// (ns since 1970) is unknown.
 [[nodiscard]] QString StateWithDuration(const QString& path, ComponentState state,
                                         std::optional<std::int64_t> since, std::int64_t now);
-/// The risk of a verb and how to confirm it: "This can move something: hold …".
+/// The risk of a verb, and how to confirm it: "This can move something: hold …".
 [[nodiscard]] QString ButtonAdviceOf(LifecycleVerb verb);
 [[nodiscard]] QString CardAdviceOf(LifecycleVerb verb);
 

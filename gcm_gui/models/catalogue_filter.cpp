@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kTypingPause{120};
 
-/// The parent; null for a process.
+/// Returns the parent of an item; null for a process.
 const CatalogueItem* Above(const CatalogueItem& item) {
   return item.parent->parent == nullptr ? nullptr : item.parent;
 }
@@ -60,10 +60,10 @@ void CatalogueFilter::onDataChanged(const QModelIndex& first, const QModelIndex&
                                     const QList<int>& roles) {
   if (!active()) return Q_EMIT dataChanged(mapFromSource(first), mapFromSource(last), roles);
   for (int row = first.row(); row <= last.row(); ++row) {
-    // A signal with roles means changed values, on which no filter depends.
+    // A signal with roles means that only values have changed, and no filter depends on values.
     if (roles.isEmpty()) recheck(*model_.item(first.siblingAtRow(row).siblingAtColumn(0)));
   }
-  // One signal is enough, as in the model, because the visible rows are adjacent.
+  // One signal for all rows is enough, as in the model, because the visible rows are adjacent.
   QModelIndex from;
   QModelIndex to;
   for (int row = first.row(); row <= last.row(); ++row) {
@@ -136,7 +136,7 @@ bool CatalogueFilter::collect(const CatalogueItem& item, Shown& shown, int& mean
   return true;
 }
 
-/// Shows a new item that matches, and those of its parents that are not yet shown.
+/// Shows a new item that matches, and all its parents that are not shown yet.
 void CatalogueFilter::takeIn(const CatalogueItem& item) {
   int meant = 0;
   if (!collect(item, shown_, meant)) return;
@@ -155,7 +155,7 @@ void CatalogueFilter::takeIn(const CatalogueItem& item) {
   endInsertRows();
 }
 
-/// Hides a removed item, and parents that were only shown because of it.
+/// Hides a removed item, and the parents that were shown only because of it.
 void CatalogueFilter::takeOut(const CatalogueItem& item) {
   if (!isShown(item)) return;
   const CatalogueItem* top = &item;
@@ -181,7 +181,7 @@ void CatalogueFilter::drop(const CatalogueItem& item) {
   for (const CatalogueItem* row : rows) drop(*row);
 }
 
-/// Checks an item again, with everything below it, after a change that may affect the match.
+/// After a change, checks again whether an item and the rows below it match the filter.
 void CatalogueFilter::recheck(const CatalogueItem& item) {
   matches_.reset();
   Shown now;
@@ -263,7 +263,7 @@ QModelIndex CatalogueFilter::mapToSource(const QModelIndex& index) const {
 QModelIndex CatalogueFilter::mapFromSource(const QModelIndex& index) const {
   const CatalogueItem* here = model_.item(index);
   if (here == nullptr) return {};
-  // Only if all its parents are shown as well.
+  // The index is valid only if all parents are shown as well.
   for (const CatalogueItem* above = here; above != nullptr; above = Above(*above)) {
     if (!isShown(*above)) return {};
   }

@@ -12,8 +12,9 @@
 
 namespace tendon::gui {
 
-/// Shows the rows of a CatalogueModel that match a filter, and their parents. A new filter visits
-/// every row of the model once and resets this model; without a filter it passes all rows through.
+/// Shows the rows of a CatalogueModel that match a filter, together with their parents. Setting a
+/// filter visits every row of the model once and resets this model. Without a filter, all rows are
+/// shown.
 class CatalogueFilter : public QAbstractProxyModel {
   Q_OBJECT
 
@@ -22,7 +23,7 @@ class CatalogueFilter : public QAbstractProxyModel {
 
   [[nodiscard]] CatalogueModel& catalogue() const { return model_; }
   [[nodiscard]] bool active() const { return !expression_.empty(); }
-  /// The number of matching rows; without a filter all rows of the model.
+  /// Returns the number of matching rows; without a filter, the number of all rows of the model.
   [[nodiscard]] int matchCount() const;
   [[nodiscard]] QModelIndex indexOf(const QString& path) const;
   [[nodiscard]] const CatalogueItem* item(const QModelIndex& index) const;
@@ -38,9 +39,9 @@ class CatalogueFilter : public QAbstractProxyModel {
                                     int role) const override;
 
  public Q_SLOTS:
-  /// Takes effect after 120 ms without another call.
+  /// Sets the filter after a delay of 120 ms. A call within this time starts the delay again.
   void setText(const QString& text);
-  /// Takes effect at once.
+  /// Sets the filter at once.
   void applyText(const QString& text);
 
  Q_SIGNALS:
@@ -48,12 +49,12 @@ class CatalogueFilter : public QAbstractProxyModel {
 
  private:
   using Rows = std::vector<const CatalogueItem*>;
-  /// The shown child rows by parent; the null key holds the processes.
+  /// The shown child rows of each parent. The key null holds the processes.
   using Shown = std::unordered_map<const CatalogueItem*, Rows>;
 
   void connectModel();
-  /// Adds the shown rows at and below `item` to `shown`, and adds the number of matches to `meant`.
-  /// Returns false if there are none.
+  /// Adds `item` and the rows below it to `shown` as far as the filter shows them, and adds the
+  /// number of matches to `meant`. Returns false if no row is shown.
   bool collect(const CatalogueItem& item, Shown& shown, int& meant) const;
   void collectAll();
   void takeIn(const CatalogueItem& item);
@@ -61,7 +62,7 @@ class CatalogueFilter : public QAbstractProxyModel {
   void drop(const CatalogueItem& item);
   void recheck(const CatalogueItem& item);
   void onDataChanged(const QModelIndex& first, const QModelIndex& last, const QList<int>& roles);
-  /// The number of rows with children at and below `item`.
+  /// Returns the number of rows that have children, among `item` and the rows below it.
   [[nodiscard]] std::size_t parentsIn(const CatalogueItem& item) const;
   [[nodiscard]] bool isShown(const CatalogueItem& item) const;
   [[nodiscard]] const Rows& below(const CatalogueItem* item) const;
@@ -70,8 +71,8 @@ class CatalogueFilter : public QAbstractProxyModel {
 
   CatalogueModel& model_;
   FilterExpression expression_;
-  Shown shown_;                 // of an active filter
-  std::optional<int> matches_;  // of an active filter; unset after the model has changed
+  Shown shown_;                 // rows shown by the active filter
+  std::optional<int> matches_;  // matches of the active filter; empty after the model has changed
   QString pending_;
   QTimer typing_;
 };

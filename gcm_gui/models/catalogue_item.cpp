@@ -50,13 +50,14 @@ void AddColumns(CatalogueItem& interface, const TableDescription& table) {
   }
 }
 
-/// "arm", or "robot/arm" if its process is not `process`.
+/// Returns "arm", or "robot/arm" if the component is in another process than `process`.
 QString ComponentSeenFrom(const std::string& process, const InterfaceName& other) {
   const QString name = ToQString(other.component);
   return other.process == process ? name : ToQString(other.process) + '/' + name;
 }
 
-/// "arm/Drives", likewise with the process if it is not `process`.
+/// Returns "arm/Drives"; with the process before it if the interface is in another process than
+/// `process`.
 QString NameSeenFrom(const std::string& process, const InterfaceName& other) {
   return ComponentSeenFrom(process, other) + '/' + ToQString(other.interface);
 }
@@ -109,7 +110,7 @@ Item BuildRequired(const ConnectionIndex& connections, const CatalogueItem& pare
   return item;
 }
 
-/// The peers of all interfaces of the component.
+/// Returns the peers of all interfaces of the component.
 QString PeersOf(const ConnectionIndex& connections, const std::string& process,
                 const ComponentDescription& component) {
   QStringList peers;
@@ -140,7 +141,8 @@ std::vector<QString> Segments(const std::string& path) {
   return segments;
 }
 
-/// The last child if it has this segment, else a new one: fields come in wire order.
+/// Returns the last child if it has this segment, otherwise a new child. This is enough, because
+/// fields are in the order of the wire format.
 CatalogueItem& Group(CatalogueItem& parent, const QString& segment) {
   const QString path = parent.path + segment;
   if (!parent.children.empty() && parent.children.back()->path == path) {
@@ -152,7 +154,8 @@ CatalogueItem& Group(CatalogueItem& parent, const QString& segment) {
   return parent.Add(std::move(item));
 }
 
-/// If all numbers of a group have the same unit, shows it at the group instead of at each number.
+/// If all numbers of a group have the same unit, shows the unit at the group instead of at each
+/// number.
 void LiftUnits(CatalogueItem& item) {
   for (const auto& child : item.children) LiftUnits(*child);
   if (item.children.empty()) return;

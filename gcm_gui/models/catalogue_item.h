@@ -27,7 +27,7 @@ enum class ItemKind {
   kField,   ///< one number in a column
 };
 
-/// One row of the catalogue, and its child rows. The path is the identity of a row: unique, and the
+/// One row of the catalogue with its child rows. The path identifies the row: it is unique, and the
 /// same after a restart.
 struct CatalogueItem {
   ItemKind kind = ItemKind::kProcess;
@@ -35,14 +35,14 @@ struct CatalogueItem {
   QString path;
   QString folded;  ///< the path in lower case, for filters
   QString detail;  ///< payload types, or the peer of a required interface
-  QString value;   ///< the second column; for numbers the model has it
+  QString value;   ///< the text in the second column; the model itself has the values of numbers
   QString unit;
-  /// The peers of an interface or of a component's interfaces; empty without any. Not set for other
-  /// kinds.
+  /// The peers of an interface, or of all interfaces of a component; an empty text if there are
+  /// none. No value for other kinds of rows.
   std::optional<QString> connected;
   std::optional<StateMark> mark;
-  QString state;                           ///< the word for filters: "active", "lost", "connected"
-  bool gone = false;                       ///< its process is lost or has left
+  QString state;      ///< the state as a word for filters: "active", "lost", "connected"
+  bool gone = false;  ///< its process is lost or has left
   StaleReason still = StaleReason::kNone;  ///< of a component: why its values are old
   QString host;                            ///< of a process, in lower case
   std::int64_t since = 0;  ///< of a process: when it entered its state, ns since 1970
@@ -55,23 +55,24 @@ struct CatalogueItem {
 
   /// Appends `child` as the last child.
   CatalogueItem& Add(std::unique_ptr<CatalogueItem> child);
-  /// The number of rows from this one downwards, itself included.
+  /// Returns the number of rows from this one downwards, including this one.
   [[nodiscard]] int Count() const;
 };
 
-/// The word for `type:` in filters and for screen readers: "process", "command", "column".
+/// Returns the word for the kind, used by `type:` in filters and by screen readers: "process",
+/// "command", "column".
 [[nodiscard]] QString KindWord(ItemKind kind);
 
-/// The rows of one process. Columns have no children yet, because the structure of a value is known
-/// only when a value has arrived.
+/// Builds the rows of one process. Columns have no children yet, because the structure of a value
+/// is known only when a value has arrived.
 [[nodiscard]] std::unique_ptr<CatalogueItem> BuildProcess(const ConnectionIndex& connections,
                                                           const ProcessEntry& entry);
 [[nodiscard]] std::unique_ptr<CatalogueItem> BuildComponent(const ConnectionIndex& connections,
                                                             const ProcessEntry& entry,
                                                             const ComponentDescription& component);
 
-/// The rows below a column with these fields, grouped by field and index. A column that is a
-/// single number has none.
+/// Builds the rows below a column with these fields, grouped by field and index. A column that is a
+/// single number has no rows below it.
 [[nodiscard]] std::vector<std::unique_ptr<CatalogueItem>> BuildFieldItems(
     const CatalogueItem& column, const std::vector<NumericField>& fields);
 

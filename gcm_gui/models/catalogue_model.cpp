@@ -22,7 +22,7 @@ bool IsSame(const CatalogueItem& a, const CatalogueItem& b) {
   return a.kind == b.kind && a.path == b.path;
 }
 
-/// Takes the data of the row itself from `fresh`; returns false if nothing differs.
+/// Copies the data of the row itself from `fresh`. Returns false if nothing has changed.
 bool TakeOver(CatalogueItem& item, const CatalogueItem& fresh) {
   const auto all = [](auto& i) {
     return std::tie(i.name, i.detail, i.value, i.unit, i.connected, i.mark, i.state, i.gone,
@@ -85,11 +85,11 @@ QString ColumnTitle(int column) {
 QString ExplanationOf(int column) {
   switch (column) {
     case CatalogueModel::kRate:
-      return Words::tr("Rows per second that arrive in this window; – without a subscription");
+      return Words::tr("Rows per second that arrive in this window; – if there is no subscription");
     case CatalogueModel::kAge:
       return Words::tr(
-          "Value: time since its newest row was written. Process: time since its state changed. – "
-          "if unknown");
+          "For a value: time since its newest row was written. For a process: time since its state "
+          "changed. – if unknown");
     case CatalogueModel::kConnected:
       return Words::tr("The connected interfaces; for a component, the connected components");
     default:
@@ -200,7 +200,7 @@ const CatalogueItem& CatalogueModel::itemFor(const QModelIndex& index) const {
 void CatalogueModel::update(const Catalogue& catalogue, const ChangedParts& touched) {
   const ConnectionIndex connections(catalogue);
   const std::string* whole = nullptr;
-  for (const ChangedPart& part : touched) {  // processes come before their components
+  for (const ChangedPart& part : touched) {  // a process comes before its components
     if (whole != nullptr && part.process == *whole) continue;
     if (part.component.empty()) {
       updateProcess(catalogue, connections, part.process);
@@ -284,7 +284,7 @@ void CatalogueModel::mergeChildren(CatalogueItem& parent,
   for (std::size_t row = 0; row < fresh.size(); ++row) {
     const auto& children = parent.children;
     const CatalogueItem* known = by_path_.value(fresh[row]->path);
-    // Removes a row that has moved; it is inserted again at its new position.
+    // If the known row has moved, it is removed here and inserted again at its new position.
     while (known != nullptr && known->parent == &parent && children[row].get() != known) {
       removeChild(parent, static_cast<int>(row));
     }
@@ -363,8 +363,8 @@ void CatalogueModel::emitValuesChanged(CatalogueItem& item) {
   }
 }
 
-/// Marks a new row, but not soon after the first rows, because a returning GCM sends everything
-/// again.
+/// Marks a new row. Rows that arrive soon after the first rows are not marked, because a GCM that
+/// was restarted sends everything again.
 void CatalogueModel::markFresh(const CatalogueItem& item) {
   if (begun_ == 0) begun_ = now_;
   if (outdated_ || now_ < begun_ + kFresh || item.kind >= ItemKind::kColumn) return;
@@ -396,12 +396,12 @@ void CatalogueModel::setOutdated(bool outdated) {
   if (outdated == outdated_) return;
   outdated_ = outdated;
   if (!outdated) begun_ = now_;
-  // Qt redraws all visible rows for any range.
+  // For any range, Qt redraws all visible rows.
   if (root_->children.empty()) return;
   Q_EMIT dataChanged(indexFor(*root_->children.front()), indexFor(*root_->children.back(), kLast));
 }
 
-// The contents of the cells.
+// The following functions return the contents of the cells.
 
 QVariant CatalogueModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal) return {};
@@ -559,7 +559,7 @@ QString CatalogueModel::factText(const CatalogueItem& item, int column) const {
   return item.connected->isEmpty() ? Words::tr("nothing") : *item.connected;
 }
 
-/// For an item with several columns, the highest rate.
+/// Returns the rate of an item; if it contains several columns, the highest rate.
 std::optional<double> CatalogueModel::rateOf(const CatalogueItem& item) const {
   if (item.gone || standstillOf(item) != StaleReason::kNone) return std::nullopt;
   if (item.kind >= ItemKind::kColumn) return arrivals_.rate(columnFor(item)->path);
@@ -597,7 +597,7 @@ QString CatalogueModel::oldTextOf(const CatalogueItem& item) const {
   const CatalogueItem& column = *columnFor(item);
   if (!values_.contains(column.path)) return {};
   const StaleReason why = standstillOf(item);
-  // Without a subscription, the age of a running component's values is unknown.
+  // If a running component has no subscription, the age of its values is unknown.
   const auto age =
       why == StaleReason::kNone && !arrivals_.age(column.path) ? std::nullopt : rowAgeOf(item);
   return IsStale(why, age, arrivals_.usualRate(column.path)) ? OldText(why, age) : QString();

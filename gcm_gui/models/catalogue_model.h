@@ -20,10 +20,10 @@
 
 namespace tendon::gui {
 
-/// The catalogue as a tree of processes, components, interfaces and members, with the values below
-/// the columns of state tables. Further columns show rate, age and connections. New rows are marked
-/// for ten seconds, except those of the first snapshot. An update keeps unchanged rows, even across
-/// a restart of the process. GUI thread.
+/// The catalogue as a tree of processes, components, interfaces and members. Below the columns of
+/// state tables are their values. Further columns of the view show rate, age and connections. New
+/// rows are marked for ten seconds, except those of the first snapshot. An update keeps unchanged
+/// rows, even if the process was restarted. GUI thread.
 class CatalogueModel : public QAbstractItemModel {
   Q_OBJECT
 
@@ -44,28 +44,32 @@ class CatalogueModel : public QAbstractItemModel {
   [[nodiscard]] QStringList mimeTypes() const override;
   [[nodiscard]] QMimeData* mimeData(const QModelIndexList& indexes) const override;
 
-  /// Invalid if there is none.
+  /// Returns an invalid index if no row has this path.
   [[nodiscard]] QModelIndex indexOf(const QString& path) const;
-  /// Null for an invalid index. Valid until the next update.
+  /// Returns the item at an index; null if the index is invalid. The pointer is valid until the
+  /// next update.
   [[nodiscard]] const CatalogueItem* item(const QModelIndex& index) const;
-  /// The number of all rows, without those below columns.
+  /// Returns the number of all rows, without those below columns.
   [[nodiscard]] int itemCount() const;
 
-  /// The numbers at and below a path, in order; empty while they are unknown.
+  /// Returns the numbers at and below a path, in order. Empty while the structure of the values is
+  /// unknown.
   [[nodiscard]] QList<CurveKey> signalsBelow(const QString& path) const;
-  /// The reason why the values at and below this path (of a component or a signal) are old.
+  /// Returns why the values at and below this path (of a component or a signal) are old.
   [[nodiscard]] StaleReason standstill(const QString& path) const;
-  /// The column that contains a row, or empty.
+  /// Returns the path of the column that contains a row; empty if there is none.
   [[nodiscard]] QString columnOf(const QModelIndex& index) const;
 
  public Q_SLOTS:
   void update(const tendon::Catalogue& catalogue, const tendon::gui::ChangedParts& touched);
   void showValues(const QString& column, const tendon::gui::ColumnValues& values);
-  /// Sets the columns with a subscription; only their silence counts as an interruption.
+  /// Sets the columns that have a subscription. Only for these, missing rows count as an
+  /// interruption.
   void setWatched(const QSet<QString>& columns) { arrivals_.setWatched(columns); }
-  /// The present time, ns since 1970, for "lost 12 s".
+  /// Sets the present time in ns since 1970, for texts such as "lost 12 s".
   void setNow(qint64 now);
-  /// While the link is lost: shows everything except values in its last known state.
+  /// Pass true while the link to the GCM is lost: everything except the values is then shown in its
+  /// last known state.
   void setOutdated(bool outdated);
 
  private:
@@ -88,24 +92,25 @@ class CatalogueModel : public QAbstractItemModel {
   [[nodiscard]] const CatalogueItem& itemFor(const QModelIndex& index) const;
   [[nodiscard]] const CatalogueItem* columnFor(const CatalogueItem& item) const;
   [[nodiscard]] QString valueText(const CatalogueItem& item) const;
-  /// The present value of a column or number; empty until a row has arrived.
+  /// Returns the present value of a column or number; empty until a row has arrived.
   [[nodiscard]] std::optional<Quantity> quantityOf(const CatalogueItem& item) const;
   [[nodiscard]] QString unitText(const CatalogueItem& item) const;
-  /// The full value if the shown one is rounded or may be too long; otherwise empty.
+  /// Returns the full value if the shown value is rounded or may be too long; otherwise an empty
+  /// text.
   [[nodiscard]] QString wholeText(const CatalogueItem& item) const;
   [[nodiscard]] QVariant nameData(const CatalogueItem& item, int role) const;
   [[nodiscard]] QVariant valueData(const CatalogueItem& item, int role) const;
-  /// The data of the columns after the value; a dash stands for an unknown fact.
+  /// Returns the data of the columns after the value. A dash stands for an unknown fact.
   [[nodiscard]] QVariant factData(const CatalogueItem& item, int column, int role) const;
   [[nodiscard]] QString factText(const CatalogueItem& item, int column) const;
   [[nodiscard]] QString spokenText(const CatalogueItem& item, int column) const;
   [[nodiscard]] std::optional<double> rateOf(const CatalogueItem& item) const;       // Hz
   [[nodiscard]] std::optional<std::int64_t> ageOf(const CatalogueItem& item) const;  // ns
-  /// The reason why the values of the item's component are old.
+  /// Returns why the values of the item's component are old.
   [[nodiscard]] static StaleReason standstillOf(const CatalogueItem& item);
-  /// The time since the row of a value was written.
+  /// Returns the time since the row with this value was written.
   [[nodiscard]] std::optional<std::chrono::nanoseconds> rowAgeOf(const CatalogueItem& item) const;
-  /// "suspended · 12 s old" for an old value; otherwise empty.
+  /// Returns a text such as "suspended · 12 s old" for an old value; otherwise an empty text.
   [[nodiscard]] QString oldTextOf(const CatalogueItem& item) const;
 
   std::unique_ptr<CatalogueItem> root_;
@@ -113,9 +118,9 @@ class CatalogueModel : public QAbstractItemModel {
   QHash<QString, ColumnValues> values_;  // by column path
   const Clock& clock_;
   ColumnArrivals arrivals_;
-  QHash<QString, std::int64_t> fresh_;  // new rows by path, with the end time of their mark
+  QHash<QString, std::int64_t> fresh_;  // new rows by path, with the time at which their mark ends
   std::int64_t now_ = 0;
-  std::int64_t begun_ = 0;  // arrival time of the first rows
+  std::int64_t begun_ = 0;  // the time when the first rows arrived
   bool outdated_ = false;
 };
 

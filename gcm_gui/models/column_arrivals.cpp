@@ -6,7 +6,7 @@ namespace tendon::gui {
 
 void ColumnArrivals::onValues(const QString& column, const ColumnValues& values) {
   Arrival& arrival = all_[column];
-  // The subscription may have ended meanwhile; then its rows are counted from 0 again.
+  // If the subscription has ended meanwhile, the new subscription counts its rows from 0.
   if (isLeft(column, arrival)) arrival = {};
   arrival.rate.onValues(values);
   arrival.written = values.time;

@@ -13,27 +13,29 @@
 
 namespace tendon::gui {
 
-/// Tracks the arrival of rows of columns. Drops a silent column that is not watched, because its
-/// subscription may have ended. GUI thread.
+/// Records when rows of columns arrive. A column without rows for kSilence is dropped if it is not
+/// watched, because its subscription may have ended. GUI thread.
 class ColumnArrivals {
  public:
-  /// How long a column that is not watched may be silent.
+  /// The maximum time without rows for a column that is not watched.
   static constexpr std::chrono::seconds kSilence{2};
 
   explicit ColumnArrivals(const Clock& clock = SteadyClock()) : clock_(clock) {}
 
   void onValues(const QString& column, const ColumnValues& values);
-  /// Sets the columns with a certain subscription; only their silence counts as an interruption.
+  /// Sets the columns that certainly have a subscription. Only for these, missing rows count as an
+  /// interruption.
   void setWatched(const QSet<QString>& columns) { watched_ = columns; }
   void forget(const QString& column) { all_.remove(column); }
-  /// Forgets silent columns that are not watched; returns the remaining ones.
+  /// Drops the columns that are not watched and have had no rows for kSilence. Returns the
+  /// remaining ones.
   QStringList dropSilent();
 
-  /// Rows per second; empty if unknown or if rows have stopped.
+  /// Returns the number of rows per second; empty if it is unknown or if no more rows arrive.
   [[nodiscard]] std::optional<double> rate(const QString& column) const;
-  /// The last known rate in Hz, even if rows have stopped; 0 if unknown.
+  /// Returns the last known rate in Hz, even if no more rows arrive; 0 if it is unknown.
   [[nodiscard]] double usualRate(const QString& column) const;
-  /// The time in ns since the newest row was written.
+  /// Returns the time in ns since the newest row was written; empty if unknown.
   [[nodiscard]] std::optional<std::int64_t> age(const QString& column) const;
 
  private:

@@ -7,17 +7,17 @@
 
 namespace tendon::gui {
 
-/// The connections of a catalogue, indexed by their ends. Built in one pass. It points into the
-/// catalogue, so it must not outlive the next change.
+/// Finds the connections of a catalogue by their interfaces. Built in one pass. It contains
+/// pointers into the catalogue, so it must not outlive the next change.
 class ConnectionIndex {
  public:
   explicit ConnectionIndex(const Catalogue& catalogue);
 
-  /// Null if there is none.
+  /// Returns the connection of this required interface; null if there is none.
   [[nodiscard]] const ConnectionDescription* Of(const InterfaceName& required) const;
-  /// The number of required interfaces connected to `provided`.
+  /// Returns the number of required interfaces that are connected to `provided`.
   [[nodiscard]] int Clients(const InterfaceName& provided) const;
-  /// These required interfaces, sorted.
+  /// Returns the required interfaces that are connected to `provided`, sorted.
   [[nodiscard]] const std::vector<InterfaceName>& ClientsOf(const InterfaceName& provided) const;
 
  private:

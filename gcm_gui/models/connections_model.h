@@ -8,7 +8,8 @@
 
 namespace tendon::gui {
 
-/// All connections, one per row, sorted by the required interface, which names the row.
+/// All connections, one per row, sorted by the required interface, whose path is the path of the
+/// row.
 class ConnectionsModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -28,7 +29,7 @@ class ConnectionsModel : public QAbstractTableModel {
   [[nodiscard]] int rowOf(const QString& required) const;
 
  public Q_SLOTS:
-  /// While the link is lost: shows everything in its last known state.
+  /// Pass true while the link to the GCM is lost: everything is then shown in its last known state.
   void setOutdated(bool outdated);
   void update(const tendon::Catalogue& catalogue);
 

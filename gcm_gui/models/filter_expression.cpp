@@ -6,21 +6,23 @@
 namespace tendon::gui {
 namespace {
 
-/// True if `text` is the item's kind, or the execution kind of a command or function.
+/// Returns true if `text` is the kind of the item or, for a command or function, its execution
+/// kind.
 bool IsOfType(const CatalogueItem& item, const QString& text) {
   const CatalogueItem* it = &item;
   for (; it != nullptr && it->parent != nullptr; it = it->parent) {
     if (KindWord(it->kind).startsWith(text)) return true;
     const bool has_way = it->kind == ItemKind::kCommand || it->kind == ItemKind::kFunction;
     if (has_way && it->value.startsWith(text)) return true;
-    // Processes and components contain all kinds, so only their own kind counts.
+    // Stops here: processes and components contain items of all kinds, so only their own kind
+    // counts.
     if (it->kind <= ItemKind::kComponent) return false;
     if (it->parent->kind <= ItemKind::kComponent) return false;
   }
   return false;
 }
 
-/// Compares with the state of this row, or of the nearest parent that has a state.
+/// Compares with the state of the item, or of its nearest parent that has a state.
 bool IsInState(const CatalogueItem& item, const QString& text) {
   const CatalogueItem* it = &item;
   while (it != nullptr && it->state.isEmpty()) it = it->parent;

@@ -8,17 +8,18 @@
 
 namespace tendon::gui {
 
-/// A filter as the user types it. Every word must occur in the path, in any order; `-word` must
-/// not. `type:command` and `state:active` test the kind and state of a row or of its parents,
-/// `proc:arm*` its process, `host:robot1` the host of the process; `-`, or `!` after the colon,
-/// negates a test. `/expression/` is a regular expression that the path must match, ignoring case.
+/// A filter as the user types it. Every word must occur in the path, in any order; with `-word`,
+/// the word must not occur. `type:command` and `state:active` test the kind and the state of a row
+/// or of its parents. `proc:arm*` tests the process of the row, `host:robot1` the host of this
+/// process. A `-` before a test, or a `!` after its colon, negates the test. `/expression/` is a
+/// regular expression that the path must match, ignoring case.
 class FilterExpression {
  public:
   FilterExpression() = default;
   explicit FilterExpression(const QString& text);
 
   [[nodiscard]] bool empty() const { return terms_.empty(); }
-  /// True if the row itself matches, regardless of its parents and children.
+  /// Returns true if the row itself matches, whether or not its parents and children do.
   [[nodiscard]] bool Matches(const CatalogueItem& item) const;
 
  private:
@@ -30,7 +31,7 @@ class FilterExpression {
     bool negated = false;
   };
 
-  /// `word` without a `-`.
+  /// Parses a word, given without its leading `-`.
   [[nodiscard]] static Term Read(QString word);
   [[nodiscard]] static bool Holds(const Term& term, const CatalogueItem& item);
 

@@ -6,13 +6,15 @@
 
 namespace tendon::gui {
 
-/// The version of a plug-in that is running, without folder: "arm.so of 2025-11-21 15:40:03".
+/// Returns the name (without folder) and the version of a plug-in that is running: "arm.so of
+/// 2025-11-21 15:40:03".
 [[nodiscard]] QString PluginWords(const PluginDescription& plugin);
 
-/// The difference of its file from the running code, and the remedy; empty if there is none.
+/// Returns how the plug-in's file differs from the running code, and the remedy; empty if they are
+/// the same.
 [[nodiscard]] QString PluginChangeWords(const PluginDescription& plugin);
 
-/// The same as a sentence about the process.
+/// Returns the same information as a sentence about the process.
 [[nodiscard]] QString OldPluginWords(const QString& process, const PluginDescription& plugin);
 
 }  // namespace tendon::gui

@@ -7,8 +7,8 @@
 
 namespace tendon::gui {
 
-/// A flat list that is always replaced as a whole. Views keep the rows above the first one that is
-/// different.
+/// A flat list that is always replaced as a whole. The rows before the first difference are not
+/// touched, so views keep them.
 template <typename Row>
 class RowListModel : public QAbstractListModel {
  public:

@@ -6,11 +6,11 @@
 
 namespace tendon::gui {
 
-/// The number of rows of one column per second, from their write times over at least one second.
-/// O(1).
+/// Measures the number of rows of one column per second, from their write times over at least one
+/// second. O(1).
 class RowRate {
  public:
-  /// Takes the newest row. A restart of the source restarts the measurement.
+  /// Called with the newest row. If the source was restarted, the measurement starts again.
   void onValues(const ColumnValues& values);
   /// 0 while unknown.
   [[nodiscard]] double hz() const { return hz_; }

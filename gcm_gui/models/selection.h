@@ -7,14 +7,14 @@
 namespace tendon::gui {
 
 /// The selected paths, shared by all views: tree, graph, tables and inspector. A path stays
-/// selected while its object is gone. GUI thread.
+/// selected even while its object does not exist. GUI thread.
 class Selection : public QObject {
   Q_OBJECT
 
  public:
   using QObject::QObject;
 
-  /// In the order of selection; the last is the current one.
+  /// The selected paths in the order of selection. The last one is the current one.
   [[nodiscard]] const QStringList& paths() const { return paths_; }
   [[nodiscard]] QString current() const { return paths_.isEmpty() ? QString() : paths_.last(); }
   [[nodiscard]] bool contains(const QString& path) const { return paths_.contains(path); }

@@ -18,30 +18,33 @@ class ConnectionIndex;
 [[nodiscard]] StateMark MarkOf(ProcessState state);
 [[nodiscard]] StateMark MarkOf(ComponentState state);
 [[nodiscard]] StateMark MarkOf(ConnectionState state);
-/// Null means not connected.
+/// Returns the mark of a connection; null means that the interface is not connected.
 [[nodiscard]] StateMark MarkOf(const ConnectionDescription* connection);
 
-/// "suspended", "no answer", in the user's language; empty for none.
+/// Returns the reason in the user's language: "suspended", "no answer"; empty for kNone.
 [[nodiscard]] QString WordOf(StaleReason why);
-/// "suspended · 12 s old"; without the age if it is unknown.
+/// Returns reason and age: "suspended · 12 s old"; without the age if it is unknown.
 [[nodiscard]] QString OldText(StaleReason why, std::optional<std::chrono::nanoseconds> age);
-/// The connections that a component still waits for, by the same rules as in core. `connections`
-/// must belong to the same catalogue as the component.
+/// Returns the connections for which a component still waits, by the same rules as in core.
+/// `connections` and the component must belong to the same catalogue.
 [[nodiscard]] std::vector<UnsatisfiedInterface> WaitsOf(const ConnectionIndex& connections,
                                                         const ProcessEntry& process,
                                                         const ComponentDescription& component);
-/// The mark of a component; a warning if it runs but waits for a connection.
+/// Returns the mark of a component: a warning if it runs but waits for a connection.
 [[nodiscard]] StateMark MarkOf(ComponentState state,
                                const std::vector<UnsatisfiedInterface>& waits);
-/// "waiting for Robot", in the user's language; the state if it waits for nothing.
+/// Returns "waiting for Robot" in the user's language; the state of the component if it waits for
+/// nothing.
 [[nodiscard]] QString WordOf(ComponentState state, const std::vector<UnsatisfiedInterface>& waits);
-/// "Robot: not connected", in the user's language; empty if it waits for nothing.
+/// Returns what is missing, in the user's language: "Robot: not connected". Empty if the component
+/// waits for nothing.
 [[nodiscard]] QString ReasonsText(const std::vector<UnsatisfiedInterface>& waits);
 
-/// "alive", "no answer", "lost", in the user's language.
+/// Returns the state in the user's language: "alive", "no answer", "lost".
 [[nodiscard]] QString WordOf(ProcessState state);
 
-/// True if the process is gone or only starting, so that its contents are shown grey.
+/// Returns true if the process does not run (any more) or is only starting. Its contents are then
+/// shown grey.
 [[nodiscard]] bool IsGone(ProcessState state);
 
 }  // namespace tendon::gui

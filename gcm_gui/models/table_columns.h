@@ -6,8 +6,8 @@
 
 namespace tendon::gui {
 
-/// The columns of a state table: first the component's own, then the cycle statistics that every
-/// task records. The pointers refer to `table`.
+/// Returns the columns of a state table: first the columns of the component, then the cycle
+/// statistics that every task records. The pointers point into `table`.
 [[nodiscard]] std::vector<const ColumnDescription*> ColumnsOf(const TableDescription& table);
 
 }  // namespace tendon::gui

@@ -9,17 +9,17 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kLastExact = 1e15;  // a double holds every integer up to here
-constexpr double kMostPlain = 1e12;  // so that seconds since 1970 stay readable
+constexpr double kLastExact = 1e15;  // a double can represent every integer up to this limit
+constexpr double kMostPlain = 1e12;  // larger than seconds since 1970, which must stay readable
 
-/// Chooses the number of decimals such that four digits are visible.
+/// Formats a number with so many decimals that it has four digits.
 QString FourDigits(double value) {
   const double size = std::abs(value);
   const int decimals = size < 10 ? 3 : size < 100 ? 2 : size < 1000 ? 1 : 0;
   return QString::number(value, 'f', decimals);
 }
 
-/// The limits avoid a rounded text of 1000 in the smaller unit.
+/// The limits are chosen so that rounding never gives 1000 of the smaller unit.
 Quantity DurationOf(double seconds) {
   const double size = std::abs(seconds);
   if (size < 999.5e-9) return {QString::number(seconds * 1e9, 'f', 0), QStringLiteral("ns")};
@@ -29,7 +29,7 @@ Quantity DurationOf(double seconds) {
   return {QString::number(seconds, 'f', 2), QStringLiteral("s")};
 }
 
-/// False for states and counts, which are shown with all digits.
+/// Returns false for states and counts, because they are shown with all digits.
 bool IsRounded(const NumericValue& value) {
   return value.is_real() || value.kind() == NumericValue::Kind::kDuration;
 }
@@ -128,7 +128,7 @@ std::int64_t WallClock() {
 }
 
 QStringList CountsLines(const ConnectionCounts& counts) {
-  QStringList lines{Words::tr("stands for ") + AgeText(counts.age.count())};
+  QStringList lines{Words::tr("connected for ") + AgeText(counts.age.count())};
   if (counts.round_trip.count() >= 0) {
     const double seconds = std::chrono::duration<double>(counts.round_trip).count();
     lines << Words::tr("round trip ") + DurationText(seconds);

@@ -5,8 +5,8 @@
 
 namespace tendon::gui {
 
-/// Chooses the time between two frames: slow frames are drawn less often, so that drawing takes at
-/// most half of the thread's time. Does not affect the data.
+/// Chooses the time between two frames. If drawing a frame is slow, frames are drawn less often, so
+/// that drawing takes at most half of the thread's time. The data is not affected.
 class FrameGovernor {
  public:
   using Time = std::chrono::microseconds;
@@ -14,7 +14,7 @@ class FrameGovernor {
   static constexpr Time kShortest{16'000};
   static constexpr Time kLongest{250'000};
 
-  /// Records the cost of a frame. A higher cost counts at once, a lower one gradually.
+  /// Records how long a frame took. A longer time takes effect at once, a shorter time gradually.
   void drew(Time cost) { cost_ = std::max(cost, cost_ + (cost - cost_) / kForgetting); }
   [[nodiscard]] Time interval() const { return std::clamp(2 * cost_, kShortest, kLongest); }
 

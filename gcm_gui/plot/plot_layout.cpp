@@ -25,14 +25,14 @@ struct CurveLayout {
 
 struct PlotLayout {
   nanoseconds window = std::chrono::seconds(30);
-  QString name;  // of its page
+  QString name;  // name of the page
   bool is_below = false;
   bool is_sweeping = false;
   bool is_logarithmic = false;
   std::vector<CurveLayout> curves;
 };
 
-// Omits default values.
+// Returns the JSON of a plot, without the values that are the default.
 QJsonObject JsonOf(const PlotView& view, const QString& name, bool is_below) {
   QJsonArray curves;
   for (const auto& curve : view.curves().curves()) {
@@ -53,7 +53,7 @@ QJsonObject JsonOf(const PlotView& view, const QString& name, bool is_below) {
   return plot;
 }
 
-/// The number; `usual` if it is missing; empty if it is not a number.
+/// Returns the number; `usual` if it is missing; empty if it is not a number.
 std::optional<double> NumberOr(const QJsonValue& json, double usual) {
   if (json.isUndefined()) return usual;
   return json.isDouble() ? std::optional(json.toDouble()) : std::nullopt;
@@ -77,7 +77,7 @@ QString ReadCurve(const QJsonValue& json, CurveLayout& curve) {
   return refusal ? curve.key.path + QStringLiteral(": ") + *refusal : QString();
 }
 
-/// The same for a plot.
+/// Reads a plot. Returns the mistake in it, or an empty text.
 QString ReadPlot(const QJsonValue& json, PlotLayout& plot) {
   if (!json.isObject() || !json["curves"].isArray()) return Words::tr("it has no curves");
   const double seconds = json["window"].toDouble();
@@ -113,7 +113,8 @@ std::optional<QString> ShowLayout(PlotPanel& panel, const QByteArray& layout) {
   if (document.isNull()) return Words::tr("not JSON: %1").arg(error.errorString());
   const int version = document["version"].toInt();
   if (version != kVersion) {
-    return Words::tr("version %1 of plot layouts is not known here; this is version %2")
+    return Words::tr(
+               "version %1 of plot layouts is not supported; this program supports version %2")
         .arg(version)
         .arg(kVersion);
   }

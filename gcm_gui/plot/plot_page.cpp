@@ -16,7 +16,7 @@ namespace {
 
 constexpr auto kCloseName = "closePlot";
 
-// Above the right end of the canvas, where there is no unit.
+// Places the close button above the right end of the canvas, where no unit is shown.
 void PlaceClose(PlotView& view) {
   auto* close = view.findChild<QToolButton*>(kCloseName);
   const QRect canvas = view.canvas()->geometry();
@@ -52,7 +52,7 @@ PlotView& PlotPage::insert(int place) {
   close->setIconSize({PlotAxes::kTop - kGrid, PlotAxes::kTop - kGrid});
   close->setFocusPolicy(Qt::TabFocus);
   SetRole(*close, "dim");
-  close->setStyleSheet("QToolButton { padding: 0; }");  // as small as its strip
+  close->setStyleSheet("QToolButton { padding: 0; }");  // as small as the strip above the canvas
   connect(close, &QToolButton::clicked, this, [this, view] { Q_EMIT closeRequested(view); });
   view->canvas()->installEventFilter(this);
   connect(view, &PlotView::sideRoomChanged, this, &PlotPage::align);
@@ -64,7 +64,7 @@ PlotView& PlotPage::split() {
   PlotView& view = insert(place);
   QList<int> heights;
   for (std::size_t i = 0; i < views_.size(); ++i) heights << std::max(1, height());
-  rows_->setSizes(heights);  // relative sizes: equal
+  rows_->setSizes(heights);  // only the ratios count, so all plots get the same height
   setCurrent(view);
   align();
   return view;
@@ -101,7 +101,7 @@ void PlotPage::updatePlotsAbove() {
   }
 }
 
-// A single plot needs neither a mark nor a close button.
+// Marks the current plot. If there is only one plot, it needs neither a mark nor a close button.
 void PlotPage::markCurrent() {
   const bool are_several = views_.size() > 1;
   for (PlotView* view : views_) {

@@ -13,25 +13,26 @@ namespace tendon::gui {
 
 class PlotView;
 
-/// Plots below each other with a common time: a change of time applies to all of them, and their
-/// canvases are aligned. The current plot is the last that was clicked or had the focus. The first
-/// plot with curves has the button that makes all plots live again. GUI thread.
+/// Several plots below each other with a common time: a change of the time applies to all of them,
+/// and their canvases are aligned. The current plot is the one that was clicked or had the focus
+/// last. The button that makes all plots live again is in the first plot that has curves. GUI
+/// thread.
 class PlotPage : public QWidget {
   Q_OBJECT
 
  public:
-  /// Starts with one plot.
+  /// Creates a page with one plot.
   explicit PlotPage(QWidget* parent = nullptr);
 
   /// Adds an empty plot below the current one and makes it current.
   PlotView& split();
-  /// Deletes `view` later. It must not be the last one.
+  /// Removes `view` from the page and deletes it later. It must not be the only plot.
   void close(PlotView& view);
   [[nodiscard]] const std::vector<PlotView*>& views() const { return views_; }
   [[nodiscard]] bool holds(const PlotView& view) const;
   [[nodiscard]] PlotView& current() const { return *current_; }
   void setCurrent(PlotView& view);
-  /// The name given by the user; empty while the name follows the content.
+  /// The name given by the user. Empty if the user has given none; the tab then shows the contents.
   [[nodiscard]] const QString& name() const { return name_; }
   void setName(const QString& name) { name_ = name; }
 

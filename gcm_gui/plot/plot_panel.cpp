@@ -127,7 +127,7 @@ void PlotPanel::removeSignal(const QString& path) {
 
 void PlotPanel::removeFrom(PlotView& view, const QString& given) {
   if (view.curve(given) == nullptr) return;
-  const QString path = given;  // a copy, because it may refer to the curve's own path
+  const QString path = given;  // a copy, because `given` may refer to the path in the curve itself
   view.removeCurve(path);
   shareMemory();
   nameTab(view);
@@ -135,7 +135,7 @@ void PlotPanel::removeFrom(PlotView& view, const QString& given) {
   if (!isPlotted(path)) Q_EMIT subscriptionReleased(path);
 }
 
-// Finds the names in another plot of the same signal, because names are only announced once.
+// Returns the names from another plot that has this signal, because names are announced only once.
 ValueNamesPointer PlotPanel::namesOf(const QString& path) const {
   for (const PlotView* view : plots()) {
     if (const Curve* curve = view->curve(path)) return curve->allNames();
@@ -320,7 +320,7 @@ void PlotPanel::askForRemap(const QString& path) {
 }
 
 void PlotPanel::remap(const QString& given, const CurveKey& to) {
-  const QString from = given;  // a copy, because it may refer to a curve's own path
+  const QString from = given;  // a copy, because `given` may refer to the path in a curve itself
   if (from == to.path || to.path.isEmpty()) return;
   for (PlotView* view : plots()) {
     if (view->curve(from) == nullptr) continue;
@@ -470,8 +470,8 @@ void PlotPanel::setName(PlotView& view, const QString& name) {
 
 QString PlotPanel::name(int index) const { return pageOf(plot(index)).name(); }
 
-// Sets the title of a tab: the given name, otherwise the column of the first curve, or a number
-// while the page is empty.
+// Sets the title of a tab: the name given by the user; otherwise the column of the first curve; for
+// an empty page, a number.
 void PlotPanel::nameTab(PlotView& view) {
   const PlotPage& page = pageOf(view);
   const int index = pages_->indexOf(&page);
@@ -480,7 +480,7 @@ void PlotPanel::nameTab(PlotView& view) {
     return curves.empty() ? Words::tr("Plot %1").arg(index + 1) : ColumnOf(curves.front()->path());
   };
   const auto& views = page.views();
-  for (std::size_t i = 0; i < views.size(); ++i) {  // the plots below the first also have a number
+  for (std::size_t i = 0; i < views.size(); ++i) {  // all plots except the first also get a number
     const QString number = i == 0 ? QString() : ' ' + QString::number(i + 1);
     views[i]->setAccessibleName(Words::tr("Plot ") + name_of(*views[i]) + number);
     views[i]->canvas()->setAccessibleName(views[i]->accessibleName());
@@ -527,7 +527,8 @@ int PlotPanel::currentIndex() const {
   return static_cast<int>(std::find(all.begin(), all.end(), &currentPlot()) - all.begin());
 }
 
-// Moves a curve with its samples; if the path is already there, only removes it.
+// Moves a curve with its samples to `to`. If that plot already has the path, only removes the
+// curve.
 void PlotPanel::move(const QString& path, quint64 from, PlotView& to) {
   for (PlotView* view : plots()) {
     if (view->id() != from || view == &to) continue;

@@ -24,11 +24,12 @@ class PlotHeader;
 class PlotPage;
 class PlotView;
 
-/// The plots of the window: pages, each with a tab, of plots below each other that show the same
-/// time. Plot indices start at the top of the first page.
+/// The plots of the window. Each page has a tab and contains plots below each other that show the
+/// same time. The index of a plot counts from the top of the first page.
 ///
-/// The owner subscribes on subscriptionWanted(), unsubscribes on subscriptionReleased(), and passes
-/// samples to append(). A path in several plots is subscribed only once. GUI thread.
+/// The owner must subscribe to a path on subscriptionWanted(), unsubscribe on
+/// subscriptionReleased(), and pass samples to append(). A path in several plots is subscribed only
+/// once. GUI thread.
 class PlotPanel : public QWidget {
   Q_OBJECT
 
@@ -37,65 +38,67 @@ class PlotPanel : public QWidget {
 
   explicit PlotPanel(QWidget* parent = nullptr);
 
-  /// Adds the signal to the current plot, unless it is already there.
+  /// Adds the signal to the current plot. Does nothing if the plot already has it.
   void addSignal(const QString& path, const QString& unit);
   /// Removes the signal from all plots.
   void removeSignal(const QString& path);
-  /// Ignores paths that no plot has.
+  /// Appends samples to all curves of the path. Ignored if no plot has this path.
   void append(const QString& path, std::span<const Sample> samples);
-  /// Sets the names of a signal's values in all present and future plots; null for numbers.
+  /// Sets the names of a signal's values in all present and future plots; null if the values are
+  /// plain numbers.
   void setNames(const QString& path, const ValueNamesPointer& names);
   /// Called when the source was restarted, so that its ticks start again.
   void beginEpoch(const QString& path);
-  /// No samples will come until the next append(). With an empty `reason`, the text says for which
-  /// source's rows the curve waits.
+  /// Called when no samples arrive until the next append(). With an empty `reason`, the curve shows
+  /// for which source it waits.
   void setStale(const QString& path, const QString& reason = {});
   [[nodiscard]] QStringList paths() const;
   /// Adds a mark to all plots.
   void addMark(Mark mark);
   [[nodiscard]] const MarkTrack& marks() const { return marks_; }
-  /// Shows or hides the marks in all plots. Marks that arrive while hidden are kept.
+  /// Shows or hides the marks in all plots. Marks that are added while hidden are stored.
   void setMarksShown(bool shown);
   [[nodiscard]] bool areMarksShown() const { return marks_shown_; }
 
-  /// Stops the views; samples are still stored.
+  /// True stops all plots at the present time; false makes them live. Samples are stored meanwhile.
   void setPaused(bool paused);
   [[nodiscard]] bool isPaused() const { return paused_; }
   /// Sets the time span of the current plot.
   void setWindow(std::chrono::nanoseconds length);
-  /// Asks for a file name and saves every sample that is visible in the current plot at that
-  /// moment. The file is written in the background.
+  /// Asks for a file name, and saves all samples that are visible in the current plot at the time
+  /// of the answer. The file is written in the background.
   void askForCsv();
-  /// The same for a picture, PNG or SVG.
+  /// Asks for a file name, and saves a picture of the current plot as PNG or SVG.
   void askForPicture();
-  /// Asks for a file name and saves which signals are in which plot; see LayoutOf().
+  /// Asks for a file name, and saves the layout of the plots; see LayoutOf().
   void askToSaveLayout();
   void askForLayout();
-  /// Reads `file` in the background and replaces the plots by it; a mistake in it is reported by
-  /// notice().
+  /// Reads `file` in the background and replaces all plots by its layout. A mistake in the file is
+  /// reported by notice().
   void openLayout(const QString& file);
   void saveLayout(const QString& file);
-  /// Shows `to` in place of `from` everywhere.
+  /// Replaces the signal `from` by the signal `to` in all plots.
   void remap(const QString& from, const CurveKey& to);
   /// Sets the function that suggests replacements for a signal, the most likely first.
   void setCandidates(std::function<QList<CurveKey>(const QString& path)> candidates);
-  /// Sets the function that says where rows of a signal were lost.
+  /// Sets the function that returns where rows of a signal were lost.
   void setLosses(std::function<RowLosses(const QString& path)> losses);
-  /// Returns the reason why a signal is old, and since when; empty if it is not old. `newest_ns` is
-  /// the time of its newest sample. See Curve::setStandstill(); called a few times per second.
+  /// Returns why a signal is old and since when; empty if it is not old. `newest_ns` is the time of
+  /// its newest sample. Called a few times per second; the result is passed to
+  /// Curve::setStandstill().
   using Standstills =
       std::function<QString(const QString& path, std::optional<std::int64_t> newest_ns)>;
   void setStandstills(Standstills standstills);
   void toggleCursors();
 
-  /// In bytes, for the samples of all plots.
+  /// Sets the memory in bytes for the samples of all plots together.
   void setMemoryBudget(std::size_t bytes);
 
   /// Adds an empty plot on a new page and makes it current.
   PlotView& addPlot();
   /// Adds an empty plot below the current one, with the same time.
   PlotView& splitPlot();
-  /// Closes a plot; the last one is only emptied.
+  /// Closes a plot. If it is the only one, removes its curves instead.
   void closePlot(int index);
   void closePlot(PlotView& view);
   [[nodiscard]] PlotView& currentPlot() const;
@@ -105,9 +108,9 @@ class PlotPanel : public QWidget {
   void showPlot(int index);
   /// True if the plot is on the same page as the plot before it.
   [[nodiscard]] bool isBelow(int index) const;
-  /// Asks for a name of the current page.
+  /// Asks for a name for the current page.
   void askForName();
-  /// Names the page of the plot; with an empty name, it follows the content.
+  /// Sets the name of the plot's page. With an empty name, the tab shows the contents of the page.
   void setName(PlotView& view, const QString& name);
   [[nodiscard]] QString name(int index) const;
 
@@ -116,7 +119,7 @@ class PlotPanel : public QWidget {
   void subscriptionReleased(const QString& path);
   void pausedChanged(bool paused);
   void marksShownChanged(bool shown);
-  /// One sentence for the user.
+  /// Emitted with one sentence for the user.
   void notice(const QString& text);
 
  private:

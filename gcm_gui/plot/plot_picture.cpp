@@ -26,7 +26,8 @@ QByteArray SvgOf(PlotView& view) {
   generator.setViewBox(view.rect());
   generator.setTitle(view.accessibleName());
   auto& canvas = static_cast<QwtPlotCanvas&>(*view.canvas());
-  canvas.setPaintAttribute(QwtPlotCanvas::BackingStore, false);  // the backing store is an image
+  // The backing store is an image, which is not scalable.
+  canvas.setPaintAttribute(QwtPlotCanvas::BackingStore, false);
   QPainter painter(&generator);
   painter.fillRect(view.rect(), Theme::instance().color(Token::kPanel));
   view.render(&painter);

@@ -9,13 +9,13 @@ namespace tendon::gui {
 
 class PlotView;
 
-/// Copies the plot to the clipboard as it looks now.
+/// Copies a picture of the plot, as it looks now, to the clipboard.
 void CopyPicture(PlotView& view);
 
-/// Saves the plot as it looks now: as SVG with scalable curves if the name of `file` ends in .svg,
-/// otherwise as an image at double resolution. Another thread encodes and writes it. Then `report`
-/// is called, if `context` still exists, with a sentence for the user: the saved file, or the
-/// reason of the failure.
+/// Saves a picture of the plot, as it looks now. If the name of `file` ends in .svg, the picture is
+/// an SVG with scalable curves, otherwise an image at double resolution. Another thread encodes and
+/// writes it. Then `report` is called with a sentence for the user: the saved file, or why saving
+/// failed. `report` is not called if `context` no longer exists.
 void SavePicture(PlotView& view, const QString& file, const QObject* context,
                  const std::function<void(const QString& sentence)>& report);
 

@@ -33,9 +33,9 @@ namespace tendon::gui {
 namespace {
 
 constexpr int kFrame = 16;       // ms
-constexpr int kLegendTicks = 6;  // frames between updates of its numbers
+constexpr int kLegendTicks = 6;  // frames between two updates of the numbers in the legend
 constexpr int kCurrentMark = 2;  // pixels at the left edge
-constexpr double kGrab = 5;      // pixels around a cursor
+constexpr double kGrab = 5;      // pixels on both sides of a cursor
 constexpr auto kHint = QT_TRANSLATE_NOOP("Words", "Select a value and press P, or drag it here");
 
 std::uint64_t NextId() {
@@ -63,7 +63,7 @@ PlotView::PlotView(std::shared_ptr<SharedTimeAxis> time_axis, QWidget* parent)
   setAccessibleName(Words::tr("Plot"));
   setAcceptDrops(true);
   setSizePolicy(QSizePolicy::Expanding,
-                QSizePolicy::Expanding);  // overrides QwtPlot's size hint
+                QSizePolicy::Expanding);  // replaces the policy of QwtPlot
   setAutoReplot(false);
   build();
   takeTheme();
@@ -118,7 +118,7 @@ void PlotView::takeTheme() {
   changed();
   axes_.showValues(curves_.axes(), curves_.scale());
   updateLegend();
-  if (curves_.empty()) replot();  // the timer is stopped
+  if (curves_.empty()) replot();  // the timer does not redraw an empty plot
 }
 
 Curve& PlotView::addCurve(const CurveKey& key) {
@@ -164,7 +164,7 @@ void PlotView::setFit(Fit fit) {
 
 void PlotView::setScale(ValueScale scale) {
   curves_.setScale(scale);
-  time_axis_->leave(curves_);  // ranges in the history belong to the other scale
+  time_axis_->leave(curves_);  // because the ranges in the history belong to the other scale
   time_axis_->join(curves_);
   changed();
   updateLegend();
@@ -205,7 +205,7 @@ void PlotView::setStatistics(bool shown) {
 }
 
 void PlotView::setMarks(const MarkTrack& marks) {
-  delete flags_;  // removes itself from the plot
+  delete flags_;  // the destructor detaches it from the plot
   flags_ = new MarkFlags(marks, window_);
   flags_->attach(this);
   changed();
@@ -225,7 +225,7 @@ QString PlotView::marksAt(double x) const {
   return flags_->textAt(x, map, canvas()->contentsRect());
 }
 
-// A text for screen readers.
+// Sets the texts of the marks as a description for screen readers.
 void PlotView::describeMarks() {
   const bool are_told = flags_ != nullptr && flags_->isVisible() && canvas()->hasFocus();
   const QString text =
@@ -255,7 +255,7 @@ void PlotView::changed() {
   noticeChange();
 }
 
-// Called after a change of this plot, or of another plot with the same time.
+// Called after a change of this plot or of another plot with the same time axis.
 void PlotView::noticeChange() {
   if (time_axis_->revision() == seen_revision_) return;
   seen_revision_ = time_axis_->revision();
@@ -264,9 +264,10 @@ void PlotView::noticeChange() {
 }
 
 void PlotView::updateLive() {
-  // The time is shared with other plots, the value axes are not.
+  // The button is shown if something does not follow the data. The time is shared with other plots,
+  // so only the first one shows the button for it; value axes belong to one plot.
   live_pill_->setVisible(!curves_.empty() && (isLive() ? !isFitted() : isFirst()));
-  // "Fit" if the time is live, but value axes are not fitted.
+  // The text is "Fit" if the time is live but a value axis is not fitted.
   live_pill_->setText(isLive() ? Words::tr("Fit") : Words::tr("Live"));
   live_pill_->setIcon(ThemeIcon(isLive() ? "fit" : "play", Token::kOnAccent));
   live_pill_->setAccessibleName(isLive() ? Words::tr("Fit the values again")
@@ -281,7 +282,7 @@ void PlotView::updateLive() {
 
 std::int64_t PlotView::now() const { return time_axis_->clock().now(LocalNow()); }
 
-// The width of the time axis in columns; slightly different from the canvas.
+// Returns the width of the time axis in columns. It differs slightly from that of the canvas.
 double PlotView::columns() const {
   const QwtScaleMap map = canvasMap(QwtAxis::XBottom);
   return std::max(1.0, map.p2() - map.p1());
@@ -295,7 +296,8 @@ void PlotView::noticeSamples() {
   dirty_ = true;
 }
 
-// The visible part of the curves. A sweeping window also shows the end of the previous pass.
+// Returns the visible part of the curves. In a sweeping window, this includes the end of the
+// previous pass.
 std::vector<SeenSlices> PlotView::seenSlices() const {
   const QwtScaleMap map = canvasMap(QwtAxis::XBottom);
   const QRect rect = canvas()->contentsRect();
@@ -312,7 +314,7 @@ std::vector<SeenSlices> PlotView::seenSlices() const {
   return seen;
 }
 
-/// If the computation throws, drawing would fail too, so the plot is covered.
+/// Redraws. If the computation throws an exception, drawing would fail too, so the plot is covered.
 void PlotView::refreshGuarded() {
   if (!ExceptionGuard::instance().isCovered(this)) {
     ExceptionGuard::run(this, ViewWork::kDrawing, [this] { refresh(); });
@@ -495,9 +497,10 @@ void PlotView::zoomTime(double factor, double x) {
 }
 
 // Sets the range of an axis. Refuses a range that cannot be shown, and a range between two whole
-// numbers, where the axis would have no labels.
+// numbers, because the axis would have no labels there.
 void PlotView::choose(UnitAxis& axis, const AxisRange& range) const {
-  constexpr double kNarrower = 1 - 1e-9;  // rounding changes a moved range by less
+  // If a range was only moved, rounding changes its span by less than this.
+  constexpr double kNarrower = 1 - 1e-9;
   const bool has_whole =
       curves_.scale() == ValueScale::kLinear && axis.numbers == NumberKind::kWhole;
   const bool is_between = has_whole && range.span() < std::min(1.0, axis.range.span() * kNarrower);
@@ -508,7 +511,8 @@ void PlotView::choose(UnitAxis& axis, const AxisRange& range) const {
 void PlotView::zoomValues(double factor, double y) {
   time_axis_->remember(SharedTimeAxis::Gesture::kZoomValues);
   const QwtScaleMap map = canvasMap(QwtAxis::YLeft);
-  const double at = (y - map.p1()) / (map.p2() - map.p1());  // of the height, from below
+  // The fraction of the height, from the bottom.
+  const double at = (y - map.p1()) / (map.p2() - map.p1());
   for (UnitAxis& axis : curves_.axes()) {
     const double fixed = axis.range.low + at * axis.range.span();
     choose(axis, {.low = fixed + (axis.range.low - fixed) * factor,

@@ -30,115 +30,121 @@ class MarkFlags;
 class MarkTrack;
 class PlotOverlay;
 
-/// One live plot. Its curves share a time axis, which several plots may have in common; each unit
-/// has its own Y axis.
+/// One live plot. All its curves have the same time axis, which may be shared with other plots.
+/// Each unit has a Y axis of its own.
 ///
-/// Draws itself at 60 Hz at most, and less often if drawing is slow (FrameGovernor); only while
-/// visible, and only if something has moved. The curves keep all samples, whatever part is shown.
-/// GUI thread.
+/// Redraws itself at most at 60 Hz, and less often if drawing is slow (FrameGovernor). It redraws
+/// only while it is visible, and only if something has changed. The curves keep all samples,
+/// whatever part is shown. GUI thread.
 class PlotView : public QwtPlot {
   Q_OBJECT
 
  public:
-  /// With a time axis of its own.
+  /// Creates a plot with a time axis of its own.
   explicit PlotView(QWidget* parent = nullptr);
-  /// Shares `time_axis`: a change applies to all plots that share it.
+  /// Creates a plot with a shared time axis. A change of the axis applies to all plots that share
+  /// it.
   explicit PlotView(std::shared_ptr<SharedTimeAxis> time_axis, QWidget* parent = nullptr);
   ~PlotView() override;
 
-  /// Returns the existing curve if the path is already plotted. Feed it by Curve::append().
+  /// Adds a curve, or returns the existing curve if the path is already plotted. Pass samples to
+  /// Curve::append().
   Curve& addCurve(const CurveKey& key);
   void removeCurve(const QString& path);
   /// Redraws after a change of a curve's state.
   void curveStateChanged() { changed(); }
   /// Unique among all plots of this program.
   [[nodiscard]] std::uint64_t id() const { return id_; }
-  /// Removes a curve with its samples, for adoptCurve() of another plot; nullptr if none.
+  /// Removes a curve with its samples and returns it, so that another plot can adoptCurve() it;
+  /// nullptr if the path is not plotted.
   [[nodiscard]] std::unique_ptr<Curve> takeCurve(const QString& path);
   void adoptCurve(std::unique_ptr<Curve> curve);
   [[nodiscard]] Curve* curve(const QString& path) const { return curves_.find(path); }
   [[nodiscard]] const CurveSet& curves() const { return curves_; }
 
-  /// The time span of a live plot.
+  /// Sets the time span of a live plot.
   void setWindow(std::chrono::nanoseconds length);
   [[nodiscard]] const TimeWindow& window() const { return window_; }
-  /// How a live plot moves.
+  /// Sets how a live plot moves.
   void setMotion(TimeWindow::Motion motion);
-  /// True stops the view at the present moment; false makes the time live.
+  /// True stops the view at the present time; false makes the view live.
   void setPaused(bool paused);
-  /// Makes the time live, and lets all axes follow the data.
+  /// Makes the view live, and lets all axes follow the data.
   void goLive();
-  /// The same, for all plots that share the time.
+  /// Does the same for all plots that share the time axis.
   void goLiveTogether();
   [[nodiscard]] bool isLive() const;
-  /// The sources' present time in ns of their steady clock: see LiveClock.
+  /// Returns the present time of the sources, in ns of their steady clock; see LiveClock.
   [[nodiscard]] std::int64_t now() const;
 
-  // In pixels of the canvas. Each of these leaves the live view; goBack() undoes it.
+  // `x` and `y` are in pixels of the canvas. Each of these functions ends the live view; goBack()
+  // undoes it.
   void zoomTime(double factor, double x);
   void zoomValues(double factor, double y);
   void panTime(double pixels);
   void panValues(double pixels);
   void zoomTo(const QRect& rect);
-  /// Ends the present step of the history; see SharedTimeAxis::Gesture.
+  /// Ends the present step of the history, so that the next gesture begins a new step; see
+  /// SharedTimeAxis::Gesture.
   void endRun();
-  // See SharedTimeAxis.
+  // For both functions see SharedTimeAxis.
   void goBack();
   void goForward();
   [[nodiscard]] bool hasFormerView() const;
   [[nodiscard]] bool hasLaterView() const;
 
-  /// Places the cursor at the time of canvas column `x`, live or not.
+  /// Places the cursor at the time of canvas column `x`, in a live plot too.
   void placeCursor(Cursor cursor, double x);
-  /// The cursor drawn within some pixels of `x`.
+  /// Returns the cursor that is drawn within a few pixels of `x`.
   [[nodiscard]] std::optional<Cursor> cursorAt(double x) const;
-  /// Shows A and B in the middle of the view, or removes both.
+  /// True places A and B in the middle of the view; false removes both.
   void showCursors(bool shown);
   [[nodiscard]] const Cursors& cursors() const { return cursors_; }
 
-  /// The room that the labels need, and the minimum room to keep; the same for all plots of a page.
-  /// See PlotAxes.
+  /// The width that the labels need, and the minimum width that was set. All plots of a page get
+  /// the same minimum. See PlotAxes.
   [[nodiscard]] SideRoom sideRoom() const { return axes_.wantedRoom(); }
-  /// Sets the plots above this one on the page. If one of them shows curves, its button makes all
-  /// plots live.
+  /// Sets the plots above this one on the page. If one of them shows curves, that plot has the
+  /// button that makes all plots live.
   void setPlotsAbove(const std::vector<PlotView*>& plots);
-  /// Marks the current one of several plots with a line at the left edge.
+  /// Marks this plot as the current one of several plots, by a line at its left edge.
   void setMarkedCurrent(bool marked);
   void setSideRoom(const SideRoom& least) { axes_.setRoom(least); }
 
-  /// Draws these marks, which must outlive the plot. Call marksChanged() when they change.
+  /// Draws these marks, which must outlive the plot. Call marksChanged() when the marks change.
   void setMarks(const MarkTrack& marks);
   void marksChanged() { changed(); }
   void setMarksShown(bool shown);
-  /// The marks at canvas column `x`, one per line.
+  /// Returns the texts of the marks at canvas column `x`, one per line.
   [[nodiscard]] QString marksAt(double x) const;
 
   void setFit(Fit fit);
   [[nodiscard]] Fit fit() const { return curves_.fit(); }
-  /// Sets the scale of all value axes; see CurveSet::setScale(). Values of 0 or less on a
-  /// logarithmic axis are drawn at its bottom, and a note says so.
+  /// Sets the scale of all value axes; see CurveSet::setScale(). On a logarithmic axis, values of 0
+  /// or less are drawn at the bottom, and a note tells the user.
   void setScale(ValueScale scale);
   [[nodiscard]] ValueScale scale() const { return curves_.scale(); }
   /// Changes the look of an existing curve and refits its axis.
   void setLook(const QString& path, const CurveLook& look);
-  /// Sets the names of an existing curve's values; null for numbers.
+  /// Sets the names of an existing curve's values; null if the values are plain numbers.
   void setNames(const QString& path, const ValueNamesPointer& names);
-  /// Asks the user for the look of a curve.
+  /// Opens an editor in which the user changes the look of a curve.
   void askForLook(const QString& path);
-  /// Shows minimum, maximum, mean and more of each curve's visible part in the legend.
+  /// Shows statistics (minimum, maximum, mean, …) of the visible part of each curve in the legend.
   void setStatistics(bool shown);
   [[nodiscard]] bool hasStatistics() const { return statistics_; }
 
-  /// Makes the legend show the values at canvas column `x` instead of the present ones.
+  /// If `x` is set, the legend shows the values at canvas column `x`; otherwise the present values.
   void setHover(std::optional<int> x);
   [[nodiscard]] std::vector<SourceFigures> figures() const;
   [[nodiscard]] Legend& legendBox();
   [[nodiscard]] PlotOverlay& overlay() { return *overlay_; }
-  /// Paints the background, because QwtPlot would use the palette, which the style sheet changes.
+  /// Paints the background here because QwtPlot would use the palette, which the style sheet has
+  /// changed.
   void drawCanvas(QPainter* painter) override;
   [[nodiscard]] QSize minimumSizeHint() const override { return {240, 120}; }
   [[nodiscard]] QSize sizeHint() const override { return {640, 280}; }
-  /// The timer calls this to redraw what has changed.
+  /// Redraws what has changed; called by a timer.
   void refresh();
 
  Q_SIGNALS:
@@ -149,11 +155,11 @@ class PlotView : public QwtPlot {
   void sideRoomChanged();
   void cursorsChanged(bool shown);
   void curvesDropped(const QList<CurveKey>& keys);
-  /// The user dragged these curves here from the plot with this id.
+  /// Emitted when the user has dragged these curves here from the plot with the id `from`.
   void curvesMoved(const QList<CurveKey>& keys, quint64 from);
   void curveRemovalRequested(const QString& path);
   void remapRequested(const QString& path);
-  /// The user wants the menu at this place of the canvas.
+  /// Emitted when the user wants the context menu at this position of the canvas.
   void menuRequested(const QPoint& position);
 
  protected:
@@ -188,7 +194,7 @@ class PlotView : public QwtPlot {
   PlotAxes axes_;
   CurveSet curves_;
   std::shared_ptr<SharedTimeAxis> time_axis_;
-  TimeWindow& window_;  // belongs to the shared time axis, like the cursors
+  TimeWindow& window_;  // belongs to the shared time axis, as do the cursors
   Cursors& cursors_;
   const std::uint64_t id_;
   std::uint64_t seen_revision_ = 0;
@@ -204,7 +210,7 @@ class PlotView : public QwtPlot {
   FrameGovernor governor_;
   int ticks_ = 0;
   QTimer timer_;
-  CurveLayer* layer_ = nullptr;  // QwtPlot owns this and the items below
+  CurveLayer* layer_ = nullptr;  // QwtPlot owns this item and the items below
   QwtPlotGrid* grid_ = nullptr;
   MarkFlags* flags_ = nullptr;
   PlotOverlay* overlay_ = nullptr;

@@ -5,7 +5,7 @@
 namespace tendon::gui {
 namespace {
 
-// Restores the axes. Ignores units that no longer exist.
+// Restores the ranges of the axes. Ignores the axes whose units no longer exist.
 void TakeOver(std::vector<UnitAxis>& axes, const std::vector<UnitAxis>& former) {
   for (UnitAxis& axis : axes) {
     for (const UnitAxis& there : former) {

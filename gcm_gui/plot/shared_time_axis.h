@@ -13,23 +13,24 @@
 
 namespace tendon::gui {
 
-/// The state that plots of one page share: the visible time, the sources' present time, the
-/// cursors, the column under the mouse, and the history of views.
+/// The state that the plots of one page share: the visible time, the present time of the sources,
+/// the cursors, the column under the mouse, and the history of views.
 ///
-/// A plot that changes something calls touch(); the others compare revision(). GUI thread.
+/// A plot that changes something must call touch(). The other plots compare revision() to notice
+/// the change. GUI thread.
 class SharedTimeAxis {
  public:
   /// The maximum number of steps in the history.
   static constexpr std::size_t kMostSteps = 64;
 
   enum class Gesture {
-    kOnce,      ///< a separate step
-    kZoomTime,  ///< successive ones form a single step, until another gesture or endRun()
+    kOnce,      ///< a step of its own
+    kZoomTime,  ///< repeated gestures of this kind form one step, until another gesture or endRun()
     kZoomValues,
     kMove,
   };
 
-  /// Includes the curves' axes in the history, until leave().
+  /// Adds the curves' axes to the states in the history, until leave().
   void join(CurveSet& curves);
   void leave(CurveSet& curves);
   /// Lets all axes follow the data.
@@ -45,10 +46,10 @@ class SharedTimeAxis {
   void touch() { ++revision_; }
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
-  /// Call it before `gesture` changes the view.
+  /// Adds the present view to the history. Call it before `gesture` changes the view.
   void remember(Gesture gesture);
   void endRun() { last_gesture_ = Gesture::kOnce; }
-  // Both do nothing at the end of the history.
+  // Both functions do nothing if the history has no further step.
   void goBack() { go(former_, later_); }
   void goForward() { go(later_, former_); }
   [[nodiscard]] bool hasFormer() const { return !former_.empty(); }

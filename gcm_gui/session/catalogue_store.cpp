@@ -11,12 +11,13 @@ void Touch(ChangedParts& touched, const ConnectionDescription& connection) {
   touched.insert({connection.provided.process, connection.provided.component});
 }
 
-/// Adds both ends of a process's connections, because the rows of both show the connection.
+/// Adds both interfaces of each connection of a process, because the rows of both show the
+/// connection.
 void TouchConnections(ChangedParts& touched, const ProcessEntry& entry) {
   for (const auto& [id, connection] : entry.connections) Touch(touched, connection);
 }
 
-/// The parts that `change` touches, in the catalogue before it is applied.
+/// Adds the parts that `change` touches. `before` is the catalogue before the change is applied.
 void Touch(ChangedParts& touched, const Catalogue& before, const CatalogueChange& change) {
   const ProcessEntry* entry = before.FindProcess(change.process);
   switch (change.kind) {
@@ -53,8 +54,8 @@ void TouchAll(ChangedParts& touched, const Catalogue& catalogue) {
   }
 }
 
-/// Moves about `most` components from the front of `parts` to the result; a whole process counts as
-/// all its components.
+/// Removes about `most` components from the front of `parts` and returns them. A whole process
+/// counts as all its components.
 ChangedParts TakeSome(ChangedParts& parts, const Catalogue& catalogue, std::size_t most) {
   ChangedParts some;
   for (std::size_t count = 0; !parts.empty() && count < most;) {
@@ -107,7 +108,7 @@ void CatalogueStore::replace(Catalogue catalogue) {
   });
   for (const auto& [name, entry] : catalogue.processes()) {
     for (const auto& [unused, component] : entry.components) {
-      noteState(name, component, std::nullopt);  // changed at an unknown time
+      noteState(name, component, std::nullopt);  // the time of the last change is unknown
     }
   }
   TouchAll(unannounced_, catalogue_);

@@ -14,8 +14,8 @@
 
 namespace tendon::gui {
 
-/// A component that has changed, or a component with a changed connection. An empty component means
-/// the whole process.
+/// A component that has changed or whose connections have changed. If `component` is empty, the
+/// whole process has changed.
 struct ChangedPart {
   std::string process;
   std::string component;
@@ -24,36 +24,38 @@ struct ChangedPart {
 };
 using ChangedParts = std::set<ChangedPart>;
 
-/// The window's copy of the catalogue, shared by all views. GUI thread.
+/// The window's copy of the catalogue. All views use it. GUI thread.
 class CatalogueStore : public QObject {
   Q_OBJECT
 
  public:
-  /// The number of changed components (plus the rest of a process) that are announced in one step;
-  /// more need several steps.
+  /// The maximum number of changed components that are announced in one step. A changed process
+  /// counts as all its components. More changes are announced in several steps.
   static constexpr std::size_t kMostAtOnce = 100;
 
   explicit CatalogueStore(QObject* parent = nullptr);
 
   [[nodiscard]] const Catalogue& catalogue() const { return catalogue_; }
 
-  /// The time, ns since 1970, at which a component entered its state; empty if that was before this
-  /// window was connected.
+  /// Returns the time, in ns since 1970, at which a component entered its present state. Empty if
+  /// this was before the window was connected.
   [[nodiscard]] std::optional<std::int64_t> stateSince(const std::string& process,
                                                        const std::string& component) const;
 
-  /// Takes a snapshot; all old and new parts count as touched.
+  /// Replaces the catalogue by a snapshot. All parts of the old and of the new catalogue count as
+  /// touched.
   void replace(Catalogue catalogue);
-  /// Takes the next changes. Ignores changes after a missing one: a snapshot will follow.
+  /// Applies the next changes. If a change is missing, ignores the changes after it, because a
+  /// snapshot will follow.
   void apply(const std::vector<CatalogueChange>& changes);
-  /// True if not all changes were announced to the views yet.
+  /// Returns true while some changes have not been announced to the views yet.
   [[nodiscard]] bool isAnnouncing() const { return !unannounced_.empty(); }
 
  Q_SIGNALS:
-  /// Announces changes that arrived together; if they touch many components, in steps from the
-  /// event loop, so that no step blocks the window.
+  /// Announces changes that have arrived together. If they touch many components, they are
+  /// announced in several steps from the event loop, so that no step blocks the window.
   void changed(const tendon::Catalogue& catalogue, const tendon::gui::ChangedParts& touched);
-  /// FindSchema() now knows more types of the catalogue.
+  /// Emitted when FindSchema() knows more types of the catalogue.
   void typesLearned();
 
  private:

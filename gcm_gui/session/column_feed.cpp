@@ -29,7 +29,7 @@ bool SameShape(const std::vector<NumericField>& a, const std::vector<NumericFiel
                     [](const NumericField& x, const NumericField& y) { return x.path == y.path; });
 }
 
-/// Drops the samples above the limit; returns their number.
+/// Drops the oldest samples above the limit. Returns the number of dropped samples.
 std::size_t DropOldest(std::vector<ColumnFeed::Run>& runs, std::size_t& waiting) {
   if (waiting <= ColumnFeed::kMostWaiting) return 0;
   std::size_t dropped = 0;
@@ -87,7 +87,7 @@ void ColumnFeed::OnSubscribed(const std::vector<Schema>& columns) {
   is_picture_ = DescribesImage(*schema_);
   varies_ = !is_picture_ && HasSequence(*schema_);
   shape_ = std::make_shared<const std::vector<NumericField>>(NumericFields(*schema_));
-  if (is_healed) {  // a renewed subscription, not the first
+  if (is_healed) {  // the subscription was renewed
     newest_row_.clear();
     is_renewed_ = true;
   }

@@ -22,11 +22,11 @@ std::optional<Error> ErrorOf(const Result<T>& result) {
   return result.ok() ? std::nullopt : std::optional(result.error());
 }
 
-/// The action of a window that corresponds to this step of the history.
+/// Returns the action of a window that corresponds to a step in the history of the GCM.
 Action ActionOf(const message::HistoryEntry& step) {
   Action action;
   if (IsLifecycleStep(step)) {
-    action.verb = Action::Verb::kUndo;  // for a step that windows cannot make
+    action.verb = Action::Verb::kUndo;  // for a step that a window cannot make
     action.component = step.lifecycle.process + '/' + step.lifecycle.component;
     for (const LifecycleVerb verb :
          {LifecycleVerb::kStart, LifecycleVerb::kSuspend, LifecycleVerb::kStop}) {
@@ -65,7 +65,8 @@ class GcmSession::Listener final : public GcmListener {
   }
 
  private:
-  GcmSession& session_;  // used only in the session's thread, while the session lives
+  // Used only in the thread of the session, and only while the session exists.
+  GcmSession& session_;
   std::shared_ptr<GuiPoster> poster_;
 };
 
@@ -110,7 +111,7 @@ void GcmSession::onChanges(const std::vector<CatalogueChange>& changes) {
   if (std::any_of(changes.begin(), changes.end(), is_component)) learnTypes();
 }
 
-/// Learns types in advance, so that mismatches can be explained when the user asks.
+/// Requests types in advance, so that a mismatch can be explained as soon as the user asks.
 void GcmSession::learnTypes() {
   client_->LearnConflictingTypes([this, poster = poster_](const auto& /*as far as they answer*/) {
     poster->post([this] { Q_EMIT store_.typesLearned(); });
@@ -311,7 +312,7 @@ void GcmSession::diagnose(const message::Wire& wire, DiagnosisHandler handler) {
                          : Result<std::chrono::microseconds>(answer.error()));
     report(complete, answers ? Result<ConnectionCounts>(ConnectionCounts()) : answer.error());
   };
-  // A request that the process itself answers, without a thread of the component.
+  // The process itself answers this request, without a thread of the component.
   client_->GetFill(wire.provided.process, wire.provided.component, on_answer);
 }
 

@@ -22,8 +22,8 @@
 
 namespace tendon::gui {
 
-/// The window's only connection to the system, and the only class that is called by network
-/// threads. It delivers everything in the GUI thread, in order; no request waits.
+/// The window's only connection to the system, and the only class whose handlers are called by
+/// network threads. Everything is delivered in the GUI thread, in order. No request blocks.
 class GcmSession : public QObject,
                    public SystemActions,
                    public CommandCalls,
@@ -31,8 +31,8 @@ class GcmSession : public QObject,
   Q_OBJECT
 
  public:
-  /// Searches for the GCM at `address` without a time limit; requests time out after `timeout`. A
-  /// viewer is denied every change.
+  /// Searches for the GCM at `address` without a time limit. Other requests time out after
+  /// `timeout`. If the role is viewer, every change is denied.
   GcmSession(std::shared_ptr<Middleware> middleware, const std::string& address, bool hosted,
              Role role = Role::kOperator,
              std::chrono::milliseconds timeout = GcmClient::Options().timeout);
@@ -64,7 +64,7 @@ class GcmSession : public QObject,
  private:
   class Listener;
   using Finish = std::function<void(const std::optional<Error>&)>;
-  /// A call that has no answer yet.
+  /// A call that has not been answered yet.
   struct PendingCall {
     std::string process;
     std::chrono::steady_clock::time_point start;
@@ -75,13 +75,13 @@ class GcmSession : public QObject,
   void onChanges(const std::vector<CatalogueChange>& changes);
   void onLinkLost(const Error& reason);
   void learnTypes();
-  /// Adds the action to the list; the returned function takes its result from any thread.
+  /// Adds the action to the activity list. Any thread may pass the result to the returned function.
   Finish begin(Action action);
   void undoStep(ActivityModel::Id id, std::chrono::steady_clock::time_point start,
                 std::uint64_t step);
-  /// Finishes a call. Ignores the answer to a call that was already given up.
+  /// Finishes a call in the activity list. Ignored if the call was already given up.
   void finishCall(ActivityModel::Id id, const Result<std::string>& answer);
-  /// Gives up the calls to lost processes.
+  /// Gives up the calls to lost processes; they count as failed.
   void failCallsToLostProcesses();
   void finish(ActivityModel::Id id, double seconds, const std::optional<Error>& refusal);
 

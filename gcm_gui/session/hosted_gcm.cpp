@@ -18,7 +18,7 @@ Result<std::unique_ptr<HostedGcm>> HostedGcm::Start(const std::shared_ptr<Middle
     hosted->process_ = std::make_unique<Process>(
         "gcm", ProcessOptions{.middleware = middleware, .gcm = hosted->address()});
   } catch (const ConfigurationError& error) {
-    // The GCM still serves the other processes.
+    // The GCM continues without its own process, because it serves other processes.
     Log(LogLevel::kWarning, "gcm-gui", error.what());
   }
   return hosted;
@@ -27,7 +27,7 @@ Result<std::unique_ptr<HostedGcm>> HostedGcm::Start(const std::shared_ptr<Middle
 HostedGcm::HostedGcm(std::unique_ptr<GlobalManager> manager) : manager_(std::move(manager)) {}
 
 HostedGcm::~HostedGcm() {
-  process_.reset();  // leaves the manager properly
+  process_.reset();  // first, so that the process leaves the GCM properly
 }
 
 std::string HostedGcm::address() const { return manager_->address(); }

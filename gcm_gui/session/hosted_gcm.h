@@ -14,11 +14,11 @@ class Process;
 
 namespace tendon::gui {
 
-/// A GCM in this program, with this program's own process, "gcm", as its first member.
+/// A GCM inside this program. Its first member is the process of this program, "gcm".
 class HostedGcm {
  public:
-  /// `launch` starts processes. Errors: kExists if there is already a GCM at this address, and
-  /// those of Middleware::Listen().
+  /// Starts the GCM; `launch` starts processes for it. Errors: kExists if there is already a GCM at
+  /// this address, and the errors of Middleware::Listen().
   static Result<std::unique_ptr<HostedGcm>> Start(const std::shared_ptr<Middleware>& middleware,
                                                   const std::string& address,
                                                   LaunchOptions launch = {});
@@ -26,7 +26,7 @@ class HostedGcm {
   HostedGcm& operator=(const HostedGcm&) = delete;
   ~HostedGcm();
 
-  /// The announced address.
+  /// Returns the address that the GCM announces.
   [[nodiscard]] std::string address() const;
 
  private:

@@ -12,25 +12,25 @@ class LinkState : public QObject {
 
  public:
   enum class State {
-    kSearching,  ///< not found yet
+    kSearching,  ///< never found so far
     kConnected,
-    kLost,  ///< found before, now unreachable
+    kLost,  ///< found before, but unreachable now
   };
 
   using QObject::QObject;
 
   [[nodiscard]] State state() const { return state_; }
   [[nodiscard]] const QString& address() const { return address_; }
-  /// True if this program hosts the GCM itself.
+  /// True if the GCM runs inside this program.
   [[nodiscard]] bool isHosted() const { return hosted_; }
-  /// Why the GCM is unreachable.
+  /// The reason why the GCM is unreachable.
   [[nodiscard]] const QString& reason() const { return reason_; }
-  /// The start of the present state, ns since 1970.
+  /// The time at which the present state began, in ns since 1970.
   [[nodiscard]] std::int64_t since() const { return since_; }
 
   void setAddress(const QString& address, bool hosted);
   void setConnected();
-  /// Sets the state kLost, or kSearching if there never was a link.
+  /// Sets the state kLost; if the GCM was never found, the state kSearching.
   void setUnreachable(const QString& reason);
   /// Requests the whole state of the system again.
   void requestResync() { Q_EMIT resyncRequested(); }

@@ -15,8 +15,8 @@ constexpr milliseconds kValuesPeriod{100};
 constexpr milliseconds kSweepPeriod{1000};
 constexpr int kIdleSweeps = 3;
 
-/// Receives the row that was written before the subscription, because a subscription to every row
-/// gets only new rows.
+/// Receives the row that was written before the subscription. It is needed because a subscription
+/// to every row delivers only new rows.
 class InitialRowSink final : public RowSink {
  public:
   explicit InitialRowSink(std::shared_ptr<ColumnFeed> feed) : feed_(std::move(feed)) {}
@@ -107,7 +107,8 @@ void LiveSignals::watch(const QObject* owner, const QSet<QString>& columns) {
 }
 
 void LiveSignals::requestInitialRow(Column& column) {
-  if (column.feed->takeRenewed()) endInitialRow(column);  // its row may have been dropped
+  // Its row may have been dropped, so it is requested again.
+  if (column.feed->takeRenewed()) endInitialRow(column);
   if (column.initial && column.feed->hasRow()) endInitialRow(column);
   if (column.initial || column.watchers.isEmpty() || !column.feed->lacksRow()) return;
   TableSubscription wanted = column.table;
@@ -129,7 +130,7 @@ void LiveSignals::retry(const QString& column) {
 }
 
 void LiveSignals::drain() {
-  // Takes everything first, because a receiver may subscribe or release in its handler.
+  // Takes all data first, because a receiver may call subscribe() or release() in its handler.
   std::vector<std::pair<QString, ColumnFeed::NewSamples>> arrived;
   for (const auto& [path, column] : columns_) {
     for (const auto& [signal, user] : column.users) {

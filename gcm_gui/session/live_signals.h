@@ -18,14 +18,15 @@ namespace tendon::gui {
 
 class ColumnFeed;
 
-/// Live data over the network. All users of a column share one subscription. A second subscription
-/// fetches the row that existed before, and ends when that row has arrived. The first one ends some
-/// time after its last user. Delivers rows 30 times a second, newest values 10 times.
+/// Live data over the network. All users of a column share one subscription, which ends some time
+/// after its last user has left. A second subscription fetches the row that existed before, and
+/// ends when this row has arrived. Rows are delivered 30 times a second, newest values 10 times a
+/// second.
 class LiveSignals : public SignalSource {
   Q_OBJECT
 
  public:
-  /// `telemetry` must outlive it.
+  /// `telemetry` must outlive this object.
   explicit LiveSignals(TelemetryClient& telemetry, QObject* parent = nullptr);
   ~LiveSignals() override;
 
@@ -38,15 +39,15 @@ class LiveSignals : public SignalSource {
   /// The number of subscribed columns.
   [[nodiscard]] std::size_t columnCount() const { return columns_.size(); }
 
-  /// Delivers new data; called by the timers.
+  /// Delivers the rows that have arrived; called by a timer.
   void drain();
   void drainValues();
-  /// Ends subscriptions that have been unused for a while.
+  /// Ends the subscriptions that have not been used for a while.
   void dropUnused();
 
  private:
   struct User {
-    int count = 0;      // of subscriptions to the signal
+    int count = 0;      // number of subscriptions to the signal
     std::string field;  // the part of the signal after the column: ".position[0]"
   };
 
@@ -54,7 +55,7 @@ class LiveSignals : public SignalSource {
     std::shared_ptr<ColumnFeed> feed;
     TableSubscription table;
     TelemetryClient::Id id = 0;
-    std::optional<TelemetryClient::Id> initial;  // of the initial row, set until a row has arrived
+    std::optional<TelemetryClient::Id> initial;  // for the initial row; set until a row arrives
     std::map<QString, User> users;               // by signal
     QSet<const QObject*> watchers;
     int idle_sweeps = 0;
@@ -62,10 +63,11 @@ class LiveSignals : public SignalSource {
     [[nodiscard]] bool used() const { return !users.empty() || !watchers.isEmpty(); }
   };
 
-  /// Null if `column` is not the path of a column.
+  /// Subscribes to a column, unless it is subscribed already. Returns null if `column` is not the
+  /// path of a column.
   Column* open(const QString& column);
-  /// Requests the row that existed before the subscription, if the column has users and no row yet;
-  /// does so again after a lost link, because there may be another row.
+  /// Requests the row that existed before the subscription if the column has watchers but no row
+  /// yet. After a lost link, requests it again, because there may be a newer row.
   void requestInitialRow(Column& column);
   void endInitialRow(Column& column);
   void end(const Column& column);
@@ -78,7 +80,8 @@ class LiveSignals : public SignalSource {
   QTimer sweep_timer_;
 };
 
-/// "robot/arm/state.Joints" of "robot/arm/state.Joints.position[0]"; empty for other paths.
+/// Returns the column of a signal: "robot/arm/state.Joints" for
+/// "robot/arm/state.Joints.position[0]". Empty for other paths.
 [[nodiscard]] QString ColumnPathOf(const QString& signal);
 
 }  // namespace tendon::gui

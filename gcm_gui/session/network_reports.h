@@ -15,16 +15,16 @@
 
 namespace tendon::gui {
 
-/// The system's reports, received through the session's client. Delivers events 10 times a second,
-/// and at most as many as the window can show without delay.
+/// The reports of the system, received by the client of the session. Events are delivered 10 times
+/// a second, and only as many as the window can show without delay.
 class NetworkReports final : public SystemReports {
   Q_OBJECT
 
  public:
-  /// The number of events delivered at once; further ones are counted as lost.
+  /// The maximum number of events that are delivered at once. Further events count as lost.
   static constexpr std::size_t kMostAtOnce = 1000;
 
-  /// `client` and `store` must outlive it; `poster` delivers to the GUI thread.
+  /// `client` and `store` must outlive this object. `poster` posts calls to the GUI thread.
   NetworkReports(GcmClient& client, const CatalogueStore& store, std::shared_ptr<GuiPoster> poster,
                  QObject* parent = nullptr);
   ~NetworkReports() override;
@@ -38,7 +38,8 @@ class NetworkReports final : public SystemReports {
   void askChildren(Handler<message::Children> handler) override;
   void askClasses(const std::string& process, Handler<message::Classes> handler) override;
 
-  /// Updates the subscriptions to the requested events that exist; called by a timer.
+  /// Subscribes to all requested events that exist now, and ends the other subscriptions; called by
+  /// a timer.
   void follow();
   /// Delivers the events that have arrived; called by a timer.
   void drain();
@@ -50,7 +51,7 @@ class NetworkReports final : public SystemReports {
   };
 
   void learn(const console::EventInbox::Content& content);
-  /// The event's value as text; empty while its type is being requested.
+  /// Returns the event's value as text. No value while the type of the event is being requested.
   [[nodiscard]] std::optional<QString> valueOf(const console::ReceivedEvent& event) const;
 
   GcmClient& client_;

@@ -17,56 +17,60 @@ namespace tendon::gui {
 
 struct RawImage;
 
-/// The numbers in a column, in wire order; a new list if their number changes.
+/// The numbers in a column, in the order of the wire format. If the numbers change, a new list is
+/// made.
 using NumericFieldList = std::shared_ptr<const std::vector<NumericField>>;
 
 /// The newest row of one column, decoded.
 struct ColumnValues {
   NumericFieldList fields;  ///< never null
-  /// By field; no value if the row does not have it. Empty before the first row.
+  /// One value for each field. An entry is nullopt if the row does not have the field. The vector
+  /// is empty before the first row.
   std::vector<std::optional<NumericValue>> values;
-  QString text;                                  ///< of a column without numbers, as JSON
-  std::shared_ptr<const RawImage> picture = {};  ///< of a column with a picture; otherwise null
-  std::uint64_t rows = 0;                        ///< the number of rows so far, this one included
-  std::int64_t time = 0;                         ///< of this row, ns on this process's steady clock
+  QString text;                                  ///< JSON; only for a column without numbers
+  std::shared_ptr<const RawImage> picture = {};  ///< null if the column has no picture
+  std::uint64_t rows = 0;                        ///< number of rows so far, including this one
+  std::int64_t time = 0;  ///< time of this row, in ns on this process's steady clock
 };
 
-/// Live data of state tables, by path, in two ways: every row of one number (a signal, for plots),
-/// or the newest row of a column a few times a second (for tables). GUI thread; no function waits.
+/// Live data of state tables, requested by path. There are two ways: subscribe() delivers every row
+/// of one number (a signal, for plots), watch() delivers the newest row of a column a few times a
+/// second (for tables). GUI thread; no function blocks.
 class SignalSource : public QObject {
   Q_OBJECT
 
  public:
   using QObject::QObject;
 
-  /// Delivers every row of `signal`, "robot/arm/state.Joints.position[0]", until release() is
-  /// called as often. Waits for a signal that does not exist yet.
+  /// Delivers every row of `signal`, such as "robot/arm/state.Joints.position[0]", until release()
+  /// has been called as often as subscribe(). The signal may come into existence later.
   virtual void subscribe(const QString& signal) = 0;
   virtual void release(const QString& signal) = 0;
 
-  /// Sets the columns, "robot/arm/state.Joints", whose newest values `owner` needs; replaces
-  /// earlier ones. Ends when `owner` is destroyed.
+  /// Sets the columns, such as "robot/arm/state.Joints", whose newest values `owner` needs. They
+  /// replace the earlier columns of `owner`. Ends when `owner` is destroyed.
   virtual void watch(const QObject* owner, const QSet<QString>& columns) = 0;
 
-  /// The losses of the signal's column since its subscription.
+  /// Returns the losses of the signal's column since its subscription.
   [[nodiscard]] virtual RowLosses losses(const QString& signal) const = 0;
 
-  /// Asks the process of this column again, at once.
+  /// Repeats the request to the process of this column at once.
   virtual void retry(const QString& column) = 0;
 
  Q_SIGNALS:
-  /// New samples, in order and complete. They are valid only during the call.
+  /// Emitted with new samples, in order and complete. They are valid only during the call.
   void samplesArrived(const QString& signal, std::span<const tendon::gui::Sample> samples);
-  /// The names of a signal's values; null for plain numbers. Emitted before its samples, and again
-  /// when its type may have changed.
+  /// Emitted with the names of a signal's values; null if they are plain numbers. Emitted before
+  /// the first samples, and again when the type of the signal may have changed.
   void namesLearned(const QString& signal, const tendon::gui::ValueNamesPointer& names);
-  /// The source was restarted: its ticks start again with the following samples.
+  /// Emitted when the source was restarted: its ticks start again with the following samples.
   void epochBegan(const QString& signal);
-  /// No samples arrive for now. `reason` says why; it is empty if the process is unreachable.
+  /// Emitted when no samples arrive for now. `reason` says why; it is empty if the process is
+  /// unreachable.
   void wentStale(const QString& signal, const QString& reason);
 
   void valuesArrived(const QString& column, const tendon::gui::ColumnValues& values);
-  /// No values arrive for now; emitted repeatedly during this time.
+  /// Emitted repeatedly while no values arrive. `reason` says why.
   void valuesRefused(const QString& column, const QString& reason);
 };
 

@@ -11,19 +11,20 @@
 
 namespace tendon::gui {
 
-/// An event that was raised.
+/// An event that a component has raised.
 struct EventRecord {
-  /// The time of the event in ns since 1970 by this machine's clock, computed from the event's age
-  /// on the steady clock.
+  /// The time of the event in ns since 1970 by this machine's clock. It is computed from the age of
+  /// the event, which is measured on the steady clock.
   std::int64_t when = 0;
   QString path;   ///< "robot/arm/Control.GoalReached"
-  QString value;  ///< JSON; empty if it has none
+  QString value;  ///< JSON; empty if the event has no value
 
   bool operator==(const EventRecord&) const = default;
 };
 
-/// The system's reports in addition to its catalogue: log, events, and the health of processes and
-/// connections. GUI thread; no function waits, and handlers are called in the GUI thread.
+/// The reports of the system that are not in its catalogue: the log, events, and the health of
+/// processes and connections. GUI thread. No function blocks, and handlers are called in the GUI
+/// thread.
 class SystemReports : public QObject {
   Q_OBJECT
 
@@ -33,30 +34,33 @@ class SystemReports : public QObject {
   template <typename T>
   using Handler = std::function<void(const Result<T>&)>;
 
-  /// Starts the log of all processes, beginning with the records that the GCM has kept.
+  /// Subscribes to the log of all processes. It begins with the records that the GCM has stored.
   virtual void watchLog() = 0;
 
-  /// Sets the events that `owner` wants by patterns, "robot/arm/*" or "**"; replaces earlier ones.
-  /// Ends when `owner` is destroyed. Every receiver gets the events of all owners.
+  /// Sets the patterns of the events that `owner` wants, such as "robot/arm/*" or "**". They
+  /// replace the earlier patterns of `owner`. Ends when `owner` is destroyed. eventsArrived() has
+  /// the events of all owners.
   virtual void listen(const QObject* owner, const QStringList& patterns) = 0;
 
   virtual void askHealth(Handler<message::SystemHealth> handler) = 0;
-  /// Requests the counters of a connection from its process. Errors are those of
+  /// Requests the counters of a connection from its process. The errors are those of
   /// GcmClient::GetCounts().
   virtual void askCounts(const InterfaceName& required, Handler<ConnectionCounts> handler) = 0;
-  /// Requests the fill levels of a component's mailboxes.
+  /// Requests the fill levels of the mailboxes of a component.
   virtual void askFill(const std::string& process, const std::string& component,
                        Handler<MailboxFill> handler) = 0;
-  /// Requests the processes started by the GCM. Errors are those of GcmClient::GetChildren().
+  /// Requests the list of processes that the GCM has started. The errors are those of
+  /// GcmClient::GetChildren().
   virtual void askChildren(Handler<message::Children> handler) = 0;
   /// Requests the classes from which a process can create components.
   virtual void askClasses(const std::string& process, Handler<message::Classes> handler) = 0;
 
  Q_SIGNALS:
   void logArrived(const tendon::LogBatch& batch);
-  /// In order of arrival, except that events of a new type wait until the type is known.
+  /// Emitted with events in the order of arrival. However, events of an unknown type are delayed
+  /// until the type is known.
   void eventsArrived(const std::vector<tendon::gui::EventRecord>& events);
-  /// `count` further events were lost, because there was not enough room or time.
+  /// Emitted when `count` further events were lost because of missing memory or time.
   void eventsLost(const QString& path, std::uint64_t count);
 };
 

@@ -13,8 +13,8 @@
 
 namespace tendon::gui {
 
-/// The changes that a user can make to the system. Each function returns at once; the activity list
-/// shows the outcome, and the catalogue the new state.
+/// The changes that a user can make to the system. Each function returns at once. The activity list
+/// shows the result of the request, and the catalogue shows the new state.
 class SystemActions {
  public:
   SystemActions() = default;
@@ -22,30 +22,31 @@ class SystemActions {
   SystemActions& operator=(const SystemActions&) = delete;
   virtual ~SystemActions() = default;
 
-  /// The GCM refuses it if `required` is connected already.
+  /// Connects two interfaces. The GCM refuses this if `required` is already connected.
   virtual void connectInterfaces(const InterfaceName& required, const InterfaceName& provided) = 0;
-  /// The same, but replaces an existing connection of `required` in one step; restores it if the
-  /// new one is refused.
+  /// Connects two interfaces. If `required` is already connected, the connection is replaced in one
+  /// step; if the new connection is refused, the old one is restored.
   virtual void connectOrReplace(const InterfaceName& required, const InterfaceName& provided) = 0;
   virtual void disconnectInterface(const InterfaceName& required) = 0;
-  /// Undoes the newest step that is not undone, whoever made it. A step of another user, or on a
-  /// component's lifecycle, is only undone at the second call.
+  /// Undoes the newest step that is not undone, even if another user made it. A step of another
+  /// user, or a step on the lifecycle of a component, is undone only at the second call.
   virtual void undo() = 0;
-  /// Removes the remains of a lost process.
+  /// Removes a lost process from the catalogue.
   virtual void forget(const std::string& process) = 0;
   /// Starts, suspends, stops or restarts a component.
   virtual void executeLifecycleOrder(LifecycleVerb verb, const std::string& process,
                                      const std::string& component) = 0;
-  /// From now on the process drops records below `level`.
+  /// From now on, the process drops log records below `level`.
   virtual void setLogLevel(const std::string& process, LogLevel level) = 0;
 };
 
-/// Calls commands for the user. Each function returns at once; a handler is called in the GUI
-/// thread, at most once, and not after the end of the session.
+/// Calls commands for the user. Each function returns at once. A handler is called in the GUI
+/// thread, at most once, and never after the end of the session.
 class CommandCalls {
  public:
   using SchemaHandler = std::function<void(const Result<Schema>&)>;
-  /// The answer as JSON, empty if the command has no result; and the duration in s.
+  /// Receives the answer as JSON, which is empty if the command has no result, and the duration in
+  /// s.
   using AnswerHandler = std::function<void(const Result<std::string>&, double)>;
 
   CommandCalls() = default;
@@ -59,14 +60,14 @@ class CommandCalls {
   /// the activity list.
   virtual void callCommand(const std::string& path, const std::string& argument,
                            AnswerHandler handler) = 0;
-  /// Reads a value as JSON by a read command. It is not in the activity list, because the user did
-  /// not request it.
+  /// Reads a value as JSON with a read command. The call is not in the activity list, because the
+  /// user did not request it.
   using ValueHandler = std::function<void(const Result<std::string>&)>;
   virtual void readValue(const std::string& path, ValueHandler handler) = 0;
 };
 
-/// Checks an existing or requested connection. Each function returns at once; a handler is called
-/// in the GUI thread, at most once, and not after the end of the session.
+/// Checks an existing or requested connection. Each function returns at once. A handler is called
+/// in the GUI thread, at most once, and never after the end of the session.
 class ConnectionChecks {
  public:
   using DiagnosisHandler = std::function<void(const Result<Diagnosis>&)>;
@@ -76,8 +77,9 @@ class ConnectionChecks {
   ConnectionChecks& operator=(const ConnectionChecks&) = delete;
   virtual ~ConnectionChecks() = default;
 
-  /// Makes the seven checks of `gcm explain`, up to the first failure. Asks the provider's process,
-  /// which may take as long as any request. Errors of Diagnose().
+  /// Makes the seven checks of `gcm explain`, up to the first failure. One check asks the
+  /// provider's process, which may take as long as any other request. The errors are those of
+  /// Diagnose().
   virtual void diagnose(const message::Wire& wire, DiagnosisHandler handler) = 0;
 };
 

@@ -13,20 +13,22 @@
 
 namespace tendon::gui {
 
-/// Schedules requests for types, by fingerprint. A failed request is repeated after a pause that
-/// doubles from kFirstPause to kLongestPause. Not thread-safe.
+/// Schedules the requests for types, by fingerprint. A failed request is repeated after a pause.
+/// With each failure the pause doubles, from kFirstPause up to kLongestPause. Not thread-safe.
 class TypeRequests {
  public:
   static constexpr std::chrono::seconds kFirstPause{1};
   static constexpr std::chrono::seconds kLongestPause{30};
 
-  /// Adds a type to request from `process`; a later call may name another process.
+  /// Adds a type that must be requested from `process`. A later call for the same type may name
+  /// another process.
   void want(Fingerprint type, const std::string& process);
-  /// The types to request now, each with its process. Call onAnswer() for each of them.
+  /// Returns the types that must be requested now, each with its process. The caller must report
+  /// each answer by onAnswer().
   [[nodiscard]] std::vector<std::pair<Fingerprint, std::string>> takeDue(SteadyTime now);
-  /// Takes the result of a request.
+  /// Called with the result of a request.
   void onAnswer(Fingerprint type, const Result<Schema>& answer, SteadyTime now);
-  /// The last answer; null if there is none.
+  /// Returns the last answer for a type; null if there is none.
   [[nodiscard]] const Result<Schema>* find(Fingerprint type) const;
 
  private:

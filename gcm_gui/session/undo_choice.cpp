@@ -12,7 +12,8 @@
 namespace tendon::gui {
 namespace {
 
-/// With a certificate, the GCM puts its name first: "anna (gcm-gui of ...)".
+/// Returns true if `who` is `program`. If there is a certificate, the GCM writes its name first:
+/// "anna (gcm-gui of ...)".
 bool IsBy(const std::string& who, const std::string& program) {
   return who == program || who.ends_with(" (" + program + ")");
 }

@@ -132,7 +132,7 @@ QVariant PlanModel::data(const QModelIndex& index, int role) const {
 void PlanModel::show(const PlanController& restore) {
   std::vector<PlanLine> lines;
   for (const std::string& obstacle : restore.plan().obstacles) {
-    lines.push_back({PlanLine::Kind::kObstacle, ToQString(obstacle), Words::tr("cannot be")});
+    lines.push_back({PlanLine::Kind::kObstacle, ToQString(obstacle), Words::tr("not possible")});
   }
   for (const std::string& note : restore.plan().notes) {
     lines.push_back({PlanLine::Kind::kNote, ToQString(note), {}});

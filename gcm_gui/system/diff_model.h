@@ -19,10 +19,10 @@ class DiffModel : public RowListModel<SystemDifference> {
   void show(const SystemComparison& comparison) { showRows(comparison.differences); }
 };
 
-/// "= 29   + 2 only running   − 1 missing   ~ 1 changed".
+/// Returns the summary: "= 29   + 2 only running   − 1 missing   ~ 1 changed".
 [[nodiscard]] QString SummaryOf(const SystemComparison& comparison);
 
-/// A line of a plan: a step and its outcome, or a goal that no step can reach.
+/// A line of a plan: a step with its result, or a part of the goal that no step can reach.
 struct PlanLine {
   enum class Kind { kObstacle, kNote, kWaiting, kDone, kFailed, kLeft };
 
@@ -33,7 +33,7 @@ struct PlanLine {
   bool operator==(const PlanLine&) const = default;
 };
 
-/// The obstacles and remarks of a plan, and below them its steps in order.
+/// A plan: first its obstacles and remarks, then its steps in order.
 class PlanModel : public RowListModel<PlanLine> {
   Q_OBJECT
 

@@ -26,7 +26,7 @@ QPushButton* MakeButton(const QString& text, const char* name, QHBoxLayout& row)
   return button;
 }
 
-/// A line of text above a list, and buttons below it.
+/// Fills a page: a line of text, a list below it, and buttons below the list.
 QVBoxLayout* Frame(QWidget& page, QLabel& words, RowView& list, QHBoxLayout& buttons) {
   auto* column = new QVBoxLayout(&page);
   column->setContentsMargins(0, 0, 0, 0);
@@ -147,7 +147,7 @@ void DiffPanel::showDiff() {
   showButtons();
 }
 
-/// Selects the same difference again; if it does not exist any more, selects none.
+/// Selects the difference that was selected before. If it does not exist any more, selects none.
 void DiffPanel::choose(const std::string& what) {
   int row = 0;
   while (row < differences_.rowCount() && !what.empty() && differences_.row(row).what != what)
@@ -217,7 +217,8 @@ void DiffPanel::showPlan() {
   back_->setEnabled(phase != PlanController::Phase::kRunning);
   pages_->setCurrentIndex(page);
   if (!is_new) return;
-  // Moves the focus away from the buttons, because a key may still be pressed.
+  // Moves the focus away from the buttons, because a key that is still pressed could press another
+  // button.
   if (waits || phase == PlanController::Phase::kAsking) step_list_->setFocus();
   if (phase == PlanController::Phase::kDone) back_->setFocus();
   if (turned && page == 0) diff_list_->setFocus();

@@ -16,13 +16,13 @@ namespace tendon::gui {
 
 class RowView;
 
-/// Compares the running system with its file, line by line, and shows the steps from one to the
-/// other before and while they are executed.
+/// Compares the running system with its file, line by line. Before and during their execution, it
+/// also shows the steps that lead from one to the other.
 class DiffPanel : public QWidget {
   Q_OBJECT
 
  public:
-  /// `refusal` says why this window cannot change anything; empty if it can.
+  /// `refusal` says why this window cannot change anything; it is empty if it can.
   DiffPanel(SystemDocument& document, PlanController& restore, const QString& refusal,
             QWidget* parent = nullptr);
 

@@ -11,8 +11,8 @@ namespace tendon::gui {
 class PlanController;
 class SystemDocument;
 
-/// Records each executed plan in the activity list as one action, with the shell command for its
-/// file. GUI thread; all arguments must outlive this.
+/// Records each executed plan in the activity list, as one action with the shell command for the
+/// plan's file. GUI thread; all arguments must outlive this object.
 class PlanActivity : public QObject {
   Q_OBJECT
 

@@ -9,8 +9,8 @@
 namespace tendon::gui {
 namespace {
 
-/// The target of an undo: without the components that the plan creates in processes that it starts,
-/// and with a start command for a process that it ends.
+/// Returns the target of an undo. It does not contain the components that the plan creates in
+/// processes that it starts. It contains the start command of a process that the plan ends.
 SystemFile Before(const Plan& plan, SystemFile running) {
   for (const PlanStep& step : plan.steps) {
     const bool is_there = running.FindProcess(step.process) != nullptr;
@@ -61,7 +61,8 @@ void PlanController::plan(const SystemFile& wanted, const QString& goal, Finish 
     reports_.askClasses(process, [self = QPointer(this), question, process,
                                   make](const Result<message::Classes>& classes) {
       if (self == nullptr || self->question_ != question) return;
-      if (classes) question->known[process] = *classes;  // otherwise the process itself refuses
+      // Without the classes, the process itself refuses the step.
+      if (classes) question->known[process] = *classes;
       if (--question->open == 0) make(question->known);
     });
   }
@@ -109,7 +110,7 @@ void PlanController::execute(AfterError after_error) {
       });
 }
 
-/// Records the process that the last step has started; the catalogue already has it.
+/// Stores which process the last step has started. The catalogue already contains this process.
 void PlanController::recordStartedProcess() {
   if (outcomes_.size() > plan_.steps.size()) return;
   const PlanStep& step = plan_.steps[outcomes_.size() - 1];

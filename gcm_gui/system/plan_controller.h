@@ -16,9 +16,9 @@
 
 namespace tendon::gui {
 
-/// Brings the running system to a target state: shows a plan, executes it step by step, and can
-/// undo it. Before it shows a plan, it requests the classes of the processes that must create
-/// components. GUI thread.
+/// Changes the running system to a target state: shows a plan, executes it step by step, and can
+/// undo it. A plan may create components, so the classes of the processes concerned are requested
+/// first. GUI thread.
 class PlanController : public QObject {
   Q_OBJECT
 
@@ -32,28 +32,29 @@ class PlanController : public QObject {
   /// The name of the target state: "demo.gcm.json", "the state at 12:04".
   [[nodiscard]] const QString& goal() const { return goal_; }
   [[nodiscard]] const Plan& plan() const { return plan_; }
-  /// Of the finished steps, in order.
+  /// The results of the finished steps, in order.
   [[nodiscard]] const std::vector<StepOutcome>& outcomes() const { return outcomes_; }
   [[nodiscard]] const PlanOutcome& outcome() const { return outcome_; }
   [[nodiscard]] bool canUndo() const { return before_.has_value() && phase_ == Phase::kDone; }
 
-  /// Makes a plan without executing it; ignored during an execution. An earlier plan for the same
-  /// goal stays visible until the new one is ready.
+  /// Makes a plan without executing it. Ignored while a plan is executed. A plan for the same goal
+  /// that is shown already stays visible until the new plan is ready.
   void preview(const SystemFile& wanted, const QString& goal);
   void execute(AfterError after_error);
-  /// Stops after the present step.
+  /// Stops the execution after the present step.
   void stop() { runner_.stop(); }
-  /// Previews the system as before execute(); the plan ends processes that were started.
+  /// Makes a plan for the state of the system before execute(). The plan also stops the processes
+  /// that were started since then.
   void undo();
-  /// Returns from the preview of an undo to the executed plan, and ignores answers that are still
-  /// missing.
+  /// Ends the preview of an undo and shows the executed plan again. Answers that have not arrived
+  /// yet are ignored.
   void leave();
 
  Q_SIGNALS:
   void changed();
 
  private:
-  /// An executed plan with its outcome.
+  /// An executed plan with the results of its steps.
   struct ExecutedPlan {
     Plan plan;
     QString goal;
@@ -61,14 +62,14 @@ class PlanController : public QObject {
     PlanOutcome outcome;
   };
 
-  /// The known classes for a plan, and the number of missing answers.
+  /// The known classes for a plan, and the number of answers that are still missing.
   struct ClassQuery {
     KnownClasses known;
     std::size_t open = 0;
   };
   using Finish = std::function<Plan(Plan)>;
 
-  /// Makes the plan when all processes have answered; `finish` may still change it.
+  /// Makes the plan as soon as all processes have answered. `finish` can then still change it.
   void plan(const SystemFile& wanted, const QString& goal, Finish finish);
   void show(Plan plan, const QString& goal);
   void recordStartedProcess();
@@ -80,12 +81,12 @@ class PlanController : public QObject {
   QString goal_;
   SystemFile wanted_;  // of the newest plan
   Plan plan_;
-  std::shared_ptr<ClassQuery> question_;  // of the newest plan; null if no answer is missing
+  std::shared_ptr<ClassQuery> question_;  // for the newest plan; null if no answer is missing
   std::vector<StepOutcome> outcomes_;
   PlanOutcome outcome_;
   std::optional<SystemFile> before_;
-  std::optional<ExecutedPlan> to_undo_;      // the executed plan while its undo is previewed
-  std::vector<PlanStep> started_processes_;  // processes started since then, with their instances
+  std::optional<ExecutedPlan> to_undo_;      // the executed plan, while its undo is previewed
+  std::vector<PlanStep> started_processes_;  // processes started by that plan, with instances
 };
 
 }  // namespace tendon::gui

@@ -7,11 +7,11 @@
 
 namespace tendon::gui {
 
-/// Executes plans, one at a time. Each function returns at once; handlers are called in the GUI
-/// thread, and not after the runner is destroyed.
+/// Executes plans, one at a time. Each function returns at once. Handlers are called in the GUI
+/// thread, and never after the runner is destroyed.
 class PlanRunner {
  public:
-  /// The outcome of one step; the first has number 1.
+  /// Called with the result of one step; the first step has number 1.
   using Progress = std::function<void(std::size_t number, const StepOutcome& outcome)>;
   using Done = std::function<void(const PlanOutcome& outcome)>;
 
@@ -21,7 +21,7 @@ class PlanRunner {
   virtual ~PlanRunner() = default;
 
   virtual void carryOut(Plan plan, AfterError after_error, Progress progress, Done done) = 0;
-  /// Stops after the present step.
+  /// Stops the execution after the present step.
   virtual void stop() = 0;
 };
 

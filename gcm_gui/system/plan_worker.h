@@ -12,14 +12,14 @@
 
 namespace tendon::gui {
 
-/// Executes the steps of plans in its own thread, through requests to a GCM.
+/// Executes the steps of plans in its own thread, by requests to a GCM.
 class PlanWorker final : public QObject, public PlanRunner {
   Q_OBJECT
 
  public:
-  /// `timeout` is how long `client` waits for an answer.
+  /// `timeout` is the time that `client` waits for an answer.
   PlanWorker(std::shared_ptr<GcmClient> client, std::chrono::milliseconds timeout);
-  /// Waits for the present step, for a limited time.
+  /// Waits for a limited time until the present step is finished.
   ~PlanWorker() override;
 
   void carryOut(Plan plan, AfterError after_error, Progress progress, Done done) override;
@@ -29,7 +29,7 @@ class PlanWorker final : public QObject, public PlanRunner {
   std::shared_ptr<GcmClient> client_;
   const std::chrono::milliseconds timeout_;
   std::shared_ptr<GuiPoster> poster_;
-  std::shared_ptr<Flag> is_stopped_;  // of the newest plan: stops it after the present step
+  std::shared_ptr<Flag> is_stopped_;  // set to stop the newest plan after its present step
   Background thread_{QT_TRANSLATE_NOOP("Words", "a step of a plan")};
 };
 

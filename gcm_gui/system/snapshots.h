@@ -9,7 +9,7 @@
 
 namespace tendon::gui {
 
-/// The last states of a system, one per change, oldest first.
+/// The last states of a system, oldest first. Each change adds one state.
 class Snapshots {
  public:
   static constexpr std::size_t kMost = 50;
@@ -19,7 +19,7 @@ class Snapshots {
     SystemFile system{};
   };
 
-  /// Adds a state; ignored if nothing has changed.
+  /// Adds a state, unless it is the same as the last one.
   void add(std::int64_t when, SystemFile system) {
     if (!all_.empty() && all_.back().system == system) return;
     all_.push_back({when, std::move(system)});

@@ -18,11 +18,11 @@
 namespace tendon::gui {
 namespace {
 
-constexpr std::chrono::milliseconds kSoon{200};  // delay, to collect several changes
+constexpr std::chrono::milliseconds kSoon{200};  // so that several changes are handled together
 
 using Layout = std::map<std::string, SystemFile::Position>;
 
-/// The positions of those components that the file has.
+/// Returns the positions of the components that are in the file.
 Layout LayoutFor(const SystemFile& file, Layout layout) {
   const SystemIndex index(file);
   std::erase_if(layout, [&](const auto& one) {
@@ -32,7 +32,8 @@ Layout LayoutFor(const SystemFile& file, Layout layout) {
   return layout;
 }
 
-/// Keeps those components and connections of the file that do not exist yet in present processes.
+/// Keeps the components and connections of the file that do not exist yet, if their process exists
+/// now.
 void KeepMissing(const SystemFile& former, RunningSystem& running) {
   const SystemIndex now(running.file);
   std::vector<SystemFile::Connection> connections;
@@ -58,7 +59,7 @@ void KeepMissing(const SystemFile& former, RunningSystem& running) {
 
 enum class Missing { kLeftOut, kKept };
 
-/// The content to save, or the reason why it cannot be saved.
+/// Returns the content to save, or the reason why it cannot be saved.
 Result<SystemFile> SystemToSave(const std::string& path, RunningSystem running,
                                 const message::Children& children,
                                 const std::optional<Layout>& layout, Missing missing) {
@@ -91,7 +92,8 @@ std::string SystemName(const QString& path) {
   return FileName(path).section('.', 0, 0).toStdString();
 }
 
-/// Never overwrites a file, because its content would be lost.
+/// Imports a file and writes it as a system file. Never overwrites a file, because its content
+/// would be lost.
 Result<ImportedSystem> ImportTo(const QString& to, const QString& from,
                                 const std::string& process) {
   auto imported = Import(from, process);

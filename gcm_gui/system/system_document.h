@@ -22,66 +22,70 @@
 namespace tendon::gui {
 
 /// The system file of a window, and its differences from the running system. One thread reads and
-/// writes files, another compares; everything else is in the GUI thread. Before a file is written,
-/// the GCM is asked for the processes it has started.
+/// writes files, another one compares; all other work is done in the GUI thread. Before a file is
+/// written, the GCM is asked which processes it has started.
 class SystemDocument : public QObject {
   Q_OBJECT
 
  public:
   SystemDocument(const CatalogueStore& store, SystemReports& reports, QObject* parent = nullptr);
-  /// Waits, for a limited time, for files that are being read or written. A requested save is
-  /// executed even if the GCM has not answered yet.
+  /// Waits for a limited time until all files are read or written. If the GCM has not answered yet,
+  /// a requested save is executed without its answer.
   ~SystemDocument() override;
 
   [[nodiscard]] bool isOpen() const { return !path_.isEmpty(); }
   [[nodiscard]] const QString& path() const { return path_; }
-  /// "demo.gcm.json".
+  /// The name of the file without its folder: "demo.gcm.json".
   [[nodiscard]] QString name() const { return path_.section('/', -1); }
   [[nodiscard]] const SystemFile& file() const { return file_; }
   [[nodiscard]] const Catalogue& catalogue() const { return store_.catalogue(); }
   /// The comparison of the file with the running system.
   [[nodiscard]] const SystemComparison& comparison() const { return comparison_; }
-  /// "demo.gcm.json", "demo.gcm.json, modified since 12:04"; empty without a file.
+  /// The title: "demo.gcm.json", or "demo.gcm.json, modified since 12:04"; empty without a file.
   [[nodiscard]] QString title() const;
   [[nodiscard]] const Snapshots& snapshots() const { return snapshots_; }
 
-  /// Sets the positions of components in the graph, by path. From now on they are saved instead of
-  /// those in the file.
+  /// Sets the positions of components in the graph, by path. From now on these positions are saved,
+  /// instead of those in the file.
   void setLayout(std::map<std::string, SystemFile::Position> layout);
   void open(const QString& path);
-  /// Imports a file of the cisst component manager; components without a process go to `process`.
-  /// Writes the result beside it as a system file; does nothing if that file already exists.
+  /// Imports a file of the cisst component manager and writes it as a system file into the same
+  /// folder. Components without a process are assigned to `process`. If the system file already
+  /// exists, nothing is written.
   void importFrom(const QString& path, const QString& process);
-  /// Reads a system file, without making it this window's file.
+  /// Reads a system file without making it the file of this window.
   void read(const QString& path, std::function<void(const Result<SystemFile>&)> done);
-  /// Saves the running system. Keeps other content of the file and, in an imported file, the parts
-  /// that do not run yet.
+  /// Saves the running system. Other contents of the file are kept and, in an imported file, also
+  /// the parts that do not run yet.
   void save(const QString& path);
-  /// Updates one item of the file to its running state; `what` names it as SystemDifference does.
+  /// Changes one item of the file to its running state. `what` names the item as in
+  /// SystemDifference.
   void update(const std::string& what);
 
  Q_SIGNALS:
   void changed();
-  /// Emitted after open(), when the file was read.
+  /// Emitted when the file of open() has been read.
   void opened();
-  /// A sentence about the outcome.
+  /// Emitted with one sentence about the result.
   void notice(const QString& sentence);
 
  private:
   void onCatalogueChanged();
-  /// Compares soon with the running system; again if something has changed meanwhile.
+  /// Compares the file with the running system in another thread. If something changes meanwhile,
+  /// compares again.
   void compare();
   void show(SystemComparison comparison);
-  /// Makes `file` the window's file when it was compared; then calls `done`.
+  /// Makes `file` the file of the window as soon as it is compared, and then calls `done`.
   void take(const QString& path, const SystemFile& file, std::function<void()> done);
 
-  /// The processes started by the GCM; empty if the GCM is too old to report them, which `note`
-  /// then says.
+  /// The processes that the GCM has started. Empty if the GCM is too old to report them; `note`
+  /// then says so.
   struct StartedProcesses {
     message::Children children;
     QString note;
   };
-  /// Empty if the answer is any other error; then notice() is emitted, and nothing is written.
+  /// Returns no value if the answer is any other error. Then nothing is written, and notice() is
+  /// emitted.
   std::optional<StartedProcesses> startedBy(const Result<message::Children>& answer);
   void write(const QString& path, const StartedProcesses& started);
   void writePart(const std::string& what, const StartedProcesses& started);
@@ -89,16 +93,16 @@ class SystemDocument : public QObject {
   const CatalogueStore& store_;
   SystemReports& reports_;
   QString path_;
-  QString imported_;     // the path of an imported file that was not opened again
-  QStringList unsaved_;  // files to be written after the GCM's answer
+  QString imported_;     // path of an imported file; empty once a file is opened
+  QStringList unsaved_;  // files that will be written after the GCM's answer
   SystemFile file_;
   SystemComparison comparison_;
-  std::int64_t modified_ = 0;  // ns since 1970; 0 while it equals the file
+  std::int64_t modified_ = 0;  // ns since 1970; 0 while file and running system are the same
   Snapshots snapshots_;
   std::optional<std::map<std::string, SystemFile::Position>> layout_;
   QTimer soon_;
   bool is_comparing_ = false;
-  bool is_behind_ = false;     // must be compared again
+  bool is_behind_ = false;     // another comparison is needed after the present one
   std::uint64_t version_ = 0;  // version of file_
   std::shared_ptr<GuiPoster> poster_;
   Background thread_{QT_TRANSLATE_NOOP("Words", "a system file")};

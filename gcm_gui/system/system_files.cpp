@@ -65,7 +65,7 @@ void SystemFiles::bringUp(const QString& path) {
   document_.open(path);
 }
 
-/// Updates the plan whenever a process joins, until the user executes or dismisses it.
+/// Makes the plan again whenever a process joins, until the user executes or dismisses the plan.
 void SystemFiles::previewBringUp() {
   if (brings_up_ && link_.state() == LinkState::State::kConnected) panel_->previewAll();
 }
@@ -80,7 +80,7 @@ bool SystemFiles::isBringUpInSight() const {
 void SystemFiles::startDemo() {
   document_.read(demo_, [this](const Result<SystemFile>& demo) {
     if (demo) return carryOutDemo(*demo);
-    Q_EMIT notice(Words::tr("The demo is not beside this program: ") +
+    Q_EMIT notice(Words::tr("The system file of the demo cannot be read: ") +
                   ToQString(demo.error().message));
   });
 }
@@ -98,7 +98,7 @@ void SystemFiles::carryOutDemo(SystemFile demo) {
   restore_.preview(demo, NameOfDemo());
 }
 
-/// Executes the demo's plan as soon as it is ready, unless another plan has replaced it.
+/// Executes the plan of the demo as soon as it is ready, unless another plan has replaced it.
 void SystemFiles::carryOutDemoPlan() {
   const Plan& plan = restore_.plan();
   if (!plan.steps.empty()) return restore_.execute(AfterError::kStop);
@@ -125,7 +125,7 @@ void SystemFiles::showDemo() {
   starts_demo_ = false;
   if (restore_.phase() != PlanController::Phase::kDone) return;
   if (const auto& error = restore_.outcome().error) {
-    showTab();  // shows the failed step and those before it
+    showTab();  // where the failed step and the steps before it are shown
     return Q_EMIT notice(Words::tr("The demo was not started: ") + ToQString(error->message));
   }
   Q_EMIT notice(Words::tr("The demo runs: click a hollow port, then a port that lights up"));
@@ -156,7 +156,8 @@ void SystemFiles::importFile() {
   dialog->open();
 }
 
-/// Asks for a process name, because a file to import describes one process without its name.
+/// Asks for the name of the process, because the imported file describes one process without a
+/// name.
 void SystemFiles::askForProcess(const QString& file) {
   QStringList names;
   for (const auto& [name, entry] : document_.catalogue().processes()) {
@@ -166,7 +167,7 @@ void SystemFiles::askForProcess(const QString& file) {
   dialog->setObjectName(QStringLiteral("importProcess"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(Words::tr("Import a file of cisst"));
-  dialog->setLabelText(Words::tr("The process that has the components"));
+  dialog->setLabelText(Words::tr("The process to which the components belong"));
   dialog->setComboBoxItems(names);
   dialog->setComboBoxEditable(true);
   dialog->setTextValue(names.isEmpty() ? QFileInfo(file).baseName() : names.front());

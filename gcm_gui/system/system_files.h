@@ -17,7 +17,7 @@ class Commands;
 class DiffPanel;
 class TabPanel;
 
-/// The window's handling of its system file: menus, keys, and the tab in the middle.
+/// Handles the system file of the window: its menus, its keys, and its tab in the middle.
 class SystemFiles : public QObject {
   Q_OBJECT
 
@@ -28,13 +28,13 @@ class SystemFiles : public QObject {
   [[nodiscard]] SystemDocument& document() { return document_; }
   [[nodiscard]] PlanController& restore() { return restore_; }
 
-  /// Opens a system file and shows its plan; the user must confirm it.
+  /// Opens a system file and shows the plan that starts the system. The user must confirm the plan.
   void bringUp(const QString& path);
-  /// Starts the demo system on the GCM's host.
+  /// Starts the demo system on the host of the GCM.
   void startDemo();
 
  Q_SIGNALS:
-  /// One sentence for the user.
+  /// Emitted with one sentence for the user.
   void notice(const QString& text);
   void titleChanged();
 
@@ -64,7 +64,7 @@ class SystemFiles : public QObject {
   int page_;
   QString demo_;
   bool starts_demo_ = false;
-  bool brings_up_ = false;  // show the plan of the file when processes join
+  bool brings_up_ = false;  // when processes join, show the plan of the file
 };
 
 }  // namespace tendon::gui

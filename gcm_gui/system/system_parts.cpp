@@ -18,7 +18,7 @@ auto Named(const std::string& name) {
   return [name](const auto& one) { return one.name == name; };
 }
 
-/// Makes one element of `list` as in `from`; null removes it.
+/// Makes one element of `list` equal to `from`. If `from` is null, removes the element.
 template <typename T, typename Same>
 void Take(std::vector<T>& list, const T* from, Same same) {
   T* const there = Find(list, same);
@@ -71,7 +71,7 @@ SystemFile WithPartOf(SystemFile base, const SystemFile& from, const std::string
   const std::size_t space = what.find(' ');
   const std::string kind = what.substr(0, space);
   std::string path = space == std::string::npos ? std::string() : what.substr(space + 1);
-  path = path.substr(0, path.find(" -> "));  // for a connection, its required interface
+  path = path.substr(0, path.find(" -> "));  // a connection is named by its required interface
   if (kind == "process") TakeProcess(base, from, path);
   if (kind == "component") TakeComponent(base, from, path);
   if (kind == "connection") TakeConnection(base, from, path);

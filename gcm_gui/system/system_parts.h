@@ -7,12 +7,13 @@
 
 namespace tendon::gui {
 
-/// Returns `base` with one item replaced by that of `from`, or removed if `from` does not have it.
-/// `what` names the item as SystemDifference does: "component robot/arm".
+/// Returns `base` with one item replaced by the item of `from`. If `from` does not have the item,
+/// it is removed. `what` names the item as in SystemDifference: "component robot/arm".
 [[nodiscard]] SystemFile WithPartOf(SystemFile base, const SystemFile& from,
                                     const std::string& what);
 
-/// The running system, including connections whose other end does not exist now.
+/// Returns the running system, including the connections of which the other interface does not
+/// exist now.
 [[nodiscard]] SystemFile WholeSystem(const Catalogue& catalogue);
 
 }  // namespace tendon::gui

@@ -7,20 +7,20 @@ class QLabel;
 
 namespace tendon::gui {
 
-/// The head of a panel: 32 pixels high, with a line below it, the title on the left and tools on
+/// The header of a panel: 32 pixels high, with a line below it, the title on the left and tools on
 /// the right.
 class HeaderRow : public QFrame {
   Q_OBJECT
 
  public:
   explicit HeaderRow(QWidget* parent = nullptr);
-  /// With a title in the strong font.
+  /// Creates a header with a title in the strong font.
   explicit HeaderRow(const QString& title, QWidget* parent = nullptr);
 
   void setTitle(const QString& title);
-  /// Appends on the left, after the title; takes ownership.
+  /// Adds a widget on the left, after the title. Takes ownership.
   void addLeft(QWidget* widget);
-  /// Appends on the right; takes ownership.
+  /// Adds a widget on the right. Takes ownership.
   void addRight(QWidget* widget);
 
  private:

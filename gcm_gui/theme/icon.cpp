@@ -13,7 +13,8 @@
 namespace tendon::gui {
 namespace {
 
-// The parsed drawing of a name and colour. Cached, because there are few.
+// Returns the parsed drawing of this name and colour. All drawings are cached, because there are
+// only a few.
 QSvgRenderer& Drawing(const QString& name, const QColor& color) {
   static QHash<std::pair<QString, QRgb>, std::shared_ptr<QSvgRenderer>> drawings;
   auto& drawing = drawings[{name, color.rgb()}];

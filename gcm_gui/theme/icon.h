@@ -10,11 +10,11 @@ class QRectF;
 
 namespace tendon::gui {
 
-/// The drawing `name` of resources/icons in a colour of the theme. Sharp at every scale, and
-/// follows changes of the theme; a disabled icon has the colour kStale.
+/// Returns the drawing `name` of resources/icons in a colour of the theme. The icon is sharp at
+/// every scale and follows changes of the theme. A disabled icon has the colour kStale.
 [[nodiscard]] QIcon ThemeIcon(const QString& name, Token token = Token::kDim);
 
-/// Paints the same icon, for delegates and scenes.
+/// Paints the same icon; used by delegates and scenes.
 void PaintIcon(QPainter& painter, const QRectF& rect, const QString& name, Token token);
 
 }  // namespace tendon::gui

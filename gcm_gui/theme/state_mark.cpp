@@ -19,7 +19,7 @@ struct Look {
   Token color;
 };
 
-// In the order of StateMark.
+// One entry for each StateMark, in the same order.
 constexpr std::array<Look, kStateMarkCount> kLooks{{
     {QT_TRANSLATE_NOOP("Words", "constructed"), Shape::kRing, Token::kDim},
     {QT_TRANSLATE_NOOP("Words", "ready"), Shape::kHalfDisc, Token::kDim},
@@ -37,7 +37,7 @@ constexpr std::array<Look, kStateMarkCount> kLooks{{
 
 const Look& LookOf(StateMark mark) { return kLooks.at(static_cast<std::size_t>(mark)); }
 
-// In the square from -1 to 1.
+// Paints the shape in the square from -1 to 1.
 void PaintShape(QPainter& painter, Shape shape, const QColor& color) {
   QPen pen(color, 0.42);
   pen.setCapStyle(Qt::RoundCap);

@@ -27,15 +27,17 @@ enum class StateMark {
 inline constexpr int kStateMarkCount = 12;
 inline constexpr double kStaleMarkOpacity = 0.45;
 
-/// "active", "not connected", in the user's language; always shown or spoken beside the shape.
+/// Returns the state in the user's language: "active", "not connected". It is always shown or
+/// spoken beside the shape.
 [[nodiscard]] QString WordOf(StateMark mark);
-/// The same in the console's words, for filters.
+/// Returns the state in the words of the console, for filters.
 [[nodiscard]] QString KeyOf(StateMark mark);
 
 [[nodiscard]] Token ColorOf(StateMark mark);
 
-/// Draws a shape that shows the state without colour: disc, ring, half disc, square, bars,
-/// triangle, cross. Takes about 8 pixels in the centre of a 16-pixel `rect`, and scales with it.
+/// Draws a shape that shows the state without colour: disc, ring, half disc, square, bars, triangle
+/// or cross. The shape is about 8 pixels wide in the centre of a 16-pixel `rect`, and scales with
+/// `rect`.
 void PaintMark(QPainter& painter, const QRectF& rect, StateMark mark);
 
 }  // namespace tendon::gui

@@ -19,7 +19,7 @@ constexpr auto kKey = "color-scheme";
 constexpr uint kPreferDark = 1;
 constexpr uint kPreferLight = 2;
 
-// An older portal wraps its answer twice.
+// Removes the variants around an answer; an older portal puts it into two of them.
 QVariant Unwrapped(QVariant value) {
   while (value.canConvert<QDBusVariant>()) value = value.value<QDBusVariant>().variant();
   return value;
@@ -33,7 +33,7 @@ Appearance OfPalette() {
 }  // namespace
 
 SystemAppearance::SystemAppearance(QObject* parent) : QObject(parent), appearance_(OfPalette()) {
-  // Without an address, Qt would start a bus for us, which may take long.
+  // If the address of the bus is not set, Qt would start a bus, and this may take long.
   if (!qEnvironmentVariableIsEmpty("DBUS_SESSION_BUS_ADDRESS")) askPortal();
 }
 

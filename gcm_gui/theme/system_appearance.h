@@ -8,10 +8,10 @@ class QDBusVariant;
 
 namespace tendon::gui {
 
-/// The desktop's preference for dark or light windows.
+/// Knows whether the user of the desktop prefers dark or light windows.
 ///
-/// Asks the desktop portal without waiting. Until the portal answers, or without one, uses the
-/// palette at the start of the application.
+/// The desktop portal is asked asynchronously. Until it answers, or if there is no portal, the
+/// palette at the start of the application decides.
 class SystemAppearance : public QObject {
   Q_OBJECT
 

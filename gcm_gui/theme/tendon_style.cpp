@@ -16,7 +16,7 @@
 namespace tendon::gui {
 namespace {
 
-// Draws ▸ and ▾, because not every font has them.
+// Draws the arrows ▸ and ▾ as shapes, because not every font contains these characters.
 void DrawBranchArrow(const QStyleOption& option, QPainter& painter) {
   if (!option.state.testFlag(QStyle::State_Children)) return;
   constexpr double kHalf = 4;
@@ -49,18 +49,20 @@ TendonStyle::TendonStyle() : QProxyStyle("Fusion") {}
 void TendonStyle::polish(QWidget* widget) {
   QProxyStyle::polish(widget);
   if (auto* view = qobject_cast<QAbstractItemView*>(widget)) view->setFrameShape(QFrame::NoFrame);
-  // Names and descriptions of processes may contain markup; a tool tip is a label, too.
+  // Names and descriptions of processes may contain markup, so labels show plain text. A tool tip
+  // is a label, too.
   auto* const label = qobject_cast<QLabel*>(widget);
   const bool guesses = label != nullptr && label->textFormat() == Qt::AutoText;
   if (guesses) label->setTextFormat(Qt::PlainText);
   if (qobject_cast<QAbstractSpinBox*>(widget) != nullptr ||
       qobject_cast<QComboBox*>(widget) != nullptr) {
     if (widget->focusPolicy() == Qt::WheelFocus) widget->setFocusPolicy(Qt::StrongFocus);
-    widget->installEventFilter(this);  // only once, however often it is polished
+    // Installed only once, even if a widget is polished several times.
+    widget->installEventFilter(this);
   }
 }
 
-// Qt passes an event that is not accepted to the parent.
+// Ignores a wheel event for a widget without the focus; Qt then passes the event to the parent.
 bool TendonStyle::eventFilter(QObject* watched, QEvent* event) {
   const auto* const widget = qobject_cast<QWidget*>(watched);
   const bool passes = event->type() == QEvent::Wheel && widget != nullptr && !widget->hasFocus();
@@ -121,7 +123,8 @@ void TendonStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
     case PE_IndicatorBranch:
       return DrawBranchArrow(*option, *painter);
     case PE_FrameFocusRect:
-      // Item views frame whole rows themselves, and a mouse user needs no frame.
+      // Item views draw the frame around whole rows themselves, and a user of the mouse needs no
+      // frame.
       if (option->state.testFlag(State_KeyboardFocusChange) &&
           qobject_cast<const QAbstractItemView*>(widget) == nullptr) {
         DrawFocus(*option, *painter);

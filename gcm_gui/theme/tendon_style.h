@@ -6,10 +6,11 @@ class QAbstractScrollArea;
 
 namespace tendon::gui {
 
-/// The parts of the look that palette and style sheet cannot set: row heights, arrows of trees,
-/// width of splitters, plain text in labels and tool tips that do not set another format, and a
-/// mouse wheel that scrolls the page instead of changing a spin box or choice without focus. Also
-/// draws item views, because a style sheet would make them slow.
+/// The parts of the look that neither palette nor style sheet can set: row heights, arrows of
+/// trees, the width of splitters, and plain text in labels and tool tips that do not set another
+/// format. If a spin box or choice does not have the focus, the mouse wheel scrolls the page
+/// instead of changing its value. The style also draws item views, because a style sheet would make
+/// them slow.
 class TendonStyle : public QProxyStyle {
   Q_OBJECT
 
@@ -29,11 +30,11 @@ class TendonStyle : public QProxyStyle {
   bool eventFilter(QObject* watched, QEvent* event) override;
 };
 
-/// True if the widget got the focus by a key, so that the focus must be visible.
+/// Returns true if the widget got the focus by a key. The focus must then be visible.
 [[nodiscard]] bool HasKeyboardFocus(const QWidget& widget);
 
-/// Frames `place` of the viewport while the area has the keyboard focus. Call it after all other
-/// painting.
+/// Draws a frame around `place` in the viewport while the area has the keyboard focus. Call it
+/// after all other painting.
 void PaintFocus(const QAbstractScrollArea& area, const QRect& place);
 
 }  // namespace tendon::gui

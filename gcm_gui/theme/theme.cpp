@@ -14,7 +14,7 @@
 #include <array>
 #include <utility>
 
-// The macro must be outside namespaces. The resources are in a static library.
+// Loads the resources, which are in a static library. The macro must be used outside of namespaces.
 static void LoadResources() { Q_INIT_RESOURCE(theme); }
 
 namespace tendon::gui {
@@ -121,7 +121,7 @@ void Theme::applyLook() {
   qApp->setStyleSheet(styleSheet());
 }
 
-// Light letters on a dark background look bolder.
+// Makes light text thinner, because on a dark background it looks bolder.
 void Theme::setFontWeights() {
   const bool lighter = appearance_ == Appearance::kDark && text_.family() == kTextFamily;
   text_.setWeight(lighter ? QFont::Light : QFont::Normal);

@@ -23,18 +23,19 @@ class Theme : public QObject {
  public:
   enum class Choice { kSystem, kDark, kLight };
 
-  /// The theme of this QApplication, which owns it. The first call applies it to the application.
+  /// Returns the theme of this QApplication, which owns it. The first call applies the theme to the
+  /// application.
   static Theme& instance();
 
   [[nodiscard]] Choice choice() const { return choice_; }
-  /// Takes effect at once, also in open windows.
+  /// Sets dark, light or the choice of the system. Takes effect at once, in open windows too.
   void choose(Choice choice);
-  /// Switches between dark and light.
+  /// Switches from dark to light, or from light to dark.
   void toggle();
   [[nodiscard]] Appearance appearance() const { return appearance_; }
 
   [[nodiscard]] QColor color(Token token) const { return ColorOf(token, appearance_); }
-  /// `opacity` from 0 to 1.
+  /// `opacity` is from 0 to 1.
   [[nodiscard]] QColor color(Token token, double opacity) const;
   [[nodiscard]] QColor curve(int index) const { return CurveColor(index, appearance_); }
 
@@ -65,12 +66,12 @@ class Theme : public QObject {
   QFont small_mono_;
 };
 
-/// Sets the style sheet roles of a label or a tool button: "dim", "strong", "mono", "ok",
-/// "warning", "bad", "accent", several with blanks between; "" for none. A push button may be
-/// "primary".
+/// Sets the roles of a label or a tool button in the style sheet: "dim", "strong", "mono", "ok",
+/// "warning", "bad", "accent". Several roles are separated by blanks; "" means none. A push button
+/// may have the role "primary".
 void SetRole(QWidget& widget, const QString& role);
 
-/// An empty label for plain text that wraps, with this style role; the caller owns it.
+/// Makes an empty label for plain text that is wrapped, with this style role. The caller owns it.
 [[nodiscard]] QLabel* MakeTextLine(const QString& name, const QString& role);
 
 }  // namespace tendon::gui

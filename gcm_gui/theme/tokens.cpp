@@ -15,7 +15,7 @@ struct Tones {
   }
 };
 
-// In the order of Token.
+// One entry for each Token, in the same order.
 constexpr std::array<Tones, kTokenCount> kColors{{
     {0xff14171c, 0xffeceff3},
     {0xff1b1f26, 0xffffffff},

@@ -14,11 +14,11 @@ enum class Token {
   kDim,        ///< secondary text
   kAccent,     ///< selection, links, the suggested next action
   kOnAccent,   ///< text on a surface of kAccent
-  kSelection,  ///< background of a selection
+  kSelection,  ///< the background of selected items
   kOk,
   kWarning,
   kBad,
-  kStale,  ///< marks and lines of lost things; too faint for text; use kDim for text
+  kStale,  ///< marks and lines of lost objects; too faint for text: use kDim
 };
 inline constexpr int kTokenCount = 13;
 
@@ -26,8 +26,8 @@ enum class Appearance { kDark, kLight };
 
 [[nodiscard]] QColor ColorOf(Token token, Appearance appearance);
 
-/// The colours of Okabe and Ito, adapted for contrast with kPanel. The colours repeat after
-/// kCurveColorCount.
+/// Returns the colour of a curve: the colours of Okabe and Ito, adapted for contrast with kPanel.
+/// They repeat after kCurveColorCount.
 [[nodiscard]] QColor CurveColor(int index, Appearance appearance);
 inline constexpr int kCurveColorCount = 8;
 

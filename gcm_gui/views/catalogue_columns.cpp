@@ -20,9 +20,9 @@ namespace {
 
 using Model = CatalogueModel;
 
-constexpr int kLeastName = 176;       // pixels; with less room the columns scroll
-constexpr int kNarrowestColumn = 24;  // limits of saved widths
-constexpr int kWidestColumn = 2000;   // limits of saved widths
+constexpr int kLeastName = 176;  // pixels; if there is less room, the columns scroll horizontally
+constexpr int kNarrowestColumn = 24;  // minimum of saved widths
+constexpr int kWidestColumn = 2000;   // maximum of saved widths
 constexpr quint32 kStateVersion = 1;
 
 struct ColumnDefaults {
@@ -30,7 +30,7 @@ struct ColumnDefaults {
   int width;
   bool is_shown;
 };
-// Without the first column.
+// There is no entry for the first column.
 constexpr std::array<ColumnDefaults, Model::kColumnCount - 1> kColumnDefaults{
     {{QT_TRANSLATE_NOOP("Words", "Column: state and value"), 96, true},
      {QT_TRANSLATE_NOOP("Words", "Column: rate"), 76, false},
@@ -85,7 +85,7 @@ void CatalogueColumns::arrange() {
   tree_.viewport()->update();
 }
 
-/// The name gets the remaining width.
+/// Sets the width of the name to the width that the other columns leave.
 void CatalogueColumns::fitName() {
   if (fitting_) return;
   const QScopedValueRollback guard(fitting_, true);

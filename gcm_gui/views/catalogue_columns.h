@@ -11,25 +11,26 @@ namespace tendon::gui {
 class RowView;
 
 /// Chooses the visible columns of the catalogue. If only name and value are visible, they share one
-/// line without a header, and the name gets the room that it needs; with further columns, each has
-/// its own place under a header. GUI thread.
+/// line without a header, and the name gets the width that it needs. If more columns are visible,
+/// each column has its own place under a header. GUI thread.
 class CatalogueColumns : public QObject {
   Q_OBJECT
 
  public:
-  /// `tree` must show a CatalogueFilter and outlive this object.
+  /// `tree` must show a CatalogueFilter, and must outlive this object.
   explicit CatalogueColumns(RowView& tree);
 
-  /// For menus: one action per column except the name, which is always visible.
+  /// Returns one action for each column, for menus. The name has no action, because it is always
+  /// visible.
   [[nodiscard]] const QList<QAction*>& actions() const { return actions_; }
   void setShown(int column, bool shown);
   [[nodiscard]] bool isShown(int column) const;
 
-  /// The visible columns and their widths, to be restored later.
+  /// Returns the visible columns and their widths, for restore().
   [[nodiscard]] QByteArray state() const;
-  /// Ignores an invalid state.
+  /// Shows the columns of a saved state. An invalid state is ignored.
   void restore(const QByteArray& state);
-  /// Restores the defaults.
+  /// Shows the default columns and widths.
   void reset();
 
  protected:
@@ -37,7 +38,7 @@ class CatalogueColumns : public QObject {
 
  private:
   struct Look {
-    int width = 0;  // in pixels, kept while hidden
+    int width = 0;  // in pixels; kept while the column is hidden
     bool is_shown = false;
   };
 
@@ -48,7 +49,7 @@ class CatalogueColumns : public QObject {
   [[nodiscard]] bool isTable() const;
 
   RowView& tree_;
-  // Without the first column.
+  // These have no entry for the first column.
   QList<QAction*> actions_;
   QList<int> widths_;
   bool fitting_ = false;

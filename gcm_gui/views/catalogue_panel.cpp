@@ -77,7 +77,8 @@ CataloguePanel::CataloguePanel(CatalogueFilter& filter, Selection& selection, Si
   };
   connect(&filter_, &QAbstractItemModel::dataChanged, this,
           [this](const QModelIndex& first, const QModelIndex&, const QList<int>& roles) {
-            if (roles.isEmpty() && !first.parent().isValid()) foldGone();  // one may have returned
+            // A lost process may have returned.
+            if (roles.isEmpty() && !first.parent().isValid()) foldGone();
           });
   connect(&filter_, &QAbstractItemModel::rowsInserted, this, on_rows_changed);
   connect(&filter_, &QAbstractItemModel::rowsRemoved, this, on_rows_changed);
@@ -85,12 +86,12 @@ CataloguePanel::CataloguePanel(CatalogueFilter& filter, Selection& selection, Si
 }
 
 void CataloguePanel::showCount() {
-  // A filter also matches numbers below columns, which do not count as items.
+  // Without a filter, counts items. A filter also finds numbers below columns, which are no items.
   const int count = filter_.matchCount();
   const QString items =
       count == 0 ? QString() : CountText(count, Words::tr("%1 item"), Words::tr("%1 items"));
   count_->setText(filter_.active() ? Words::tr("%1 found").arg(count) : items);
-  tree_->setEmptyText(filter_.active() ? Words::tr("No row fits the filter.")
+  tree_->setEmptyText(filter_.active() ? Words::tr("No row matches the filter.")
                                        : Words::tr("Nothing here yet."));
 }
 
@@ -99,7 +100,7 @@ void CataloguePanel::setNow(qint64 now) {
   foldGone();
 }
 
-/// A selected process stays visible.
+/// Returns true if a process must be hidden. A selected process is always shown.
 bool CataloguePanel::isFolded(const QModelIndex& process) const {
   const CatalogueItem* item = filter_.item(process);
   if (!item->gone || now_ - item->since < kUntilFolded) return false;
@@ -119,8 +120,8 @@ void CataloguePanel::foldGone() {
   showFoldedCount(folded);
 }
 
-/// Shows the selection. The former one stays visible until the next tick, so that nothing moves
-/// under the pointer.
+/// Shows the selected process. The process that was selected before stays visible until the next
+/// tick, so that no row moves under the pointer.
 void CataloguePanel::showSelected() {
   int hidden = 0;
   bool is_shown = false;
@@ -150,7 +151,7 @@ void CataloguePanel::focusFilter() {
 bool CataloguePanel::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride &&
       static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-    event->accept();  // clears the field before the window can use the key
+    event->accept();  // so that the field is cleared, and not a command of the window called
     return true;
   }
   if (event->type() == QEvent::KeyPress) {

@@ -16,8 +16,8 @@ namespace tendon::gui {
 
 class CatalogueTree;
 
-/// The left column: the catalogue, and a filter field. Processes that have been gone for half a
-/// minute are hidden behind a button; a filter still finds them.
+/// The left column: the catalogue with a filter field. Processes that have been lost or ended for
+/// half a minute are hidden. A button shows them, and a filter still finds them.
 class CataloguePanel : public QWidget {
   Q_OBJECT
 
@@ -30,7 +30,7 @@ class CataloguePanel : public QWidget {
 
  public Q_SLOTS:
   void focusFilter();
-  /// The present time, ns since 1970.
+  /// Sets the present time, in ns since 1970.
   void setNow(qint64 now);
 
  protected:

@@ -12,7 +12,7 @@ namespace tendon::gui {
 namespace {
 
 constexpr std::chrono::milliseconds kSettle{50};
-constexpr int kMostExpanded = 200;  // rows that a filter expands by itself
+constexpr int kMostExpanded = 200;  // maximum number of rows that a filter expands by itself
 
 }  // namespace
 
@@ -24,7 +24,7 @@ CatalogueTree::CatalogueTree(CatalogueFilter& filter, Selection& selection, Sign
   setSelectionMode(ExtendedSelection);
   setDragEnabled(true);
   setDragDropMode(DragOnly);
-  // Connected before the selection model, so that removed rows stay selected by path.
+  // Must be connected before the selection model, so that the paths of removed rows stay selected.
   connect(&filter, &QAbstractItemModel::rowsAboutToBeRemoved, this, [this] { removing_ = true; });
   setModel(&filter);
   columns_ = new CatalogueColumns(*this);
@@ -49,7 +49,8 @@ void CatalogueTree::connectModel() {
   connect(model(), &QAbstractItemModel::dataChanged, this,
           [this](const QModelIndex&, const QModelIndex&, const QList<int>& roles) {
             viewport()->update();
-            // More than values may have changed: rows may have returned with a lost process.
+            // Without roles, more than values may have changed: rows may have returned with a lost
+            // process.
             if (roles.isEmpty()) settle_.start();
           });
   connect(&filter_, &CatalogueFilter::filterApplied, this, &CatalogueTree::applyFilter);
@@ -102,7 +103,7 @@ void CatalogueTree::applyFilter() {
   settle_.start();
 }
 
-/// No menu on empty space, where no selected item is under the pointer.
+/// Opens no menu on an empty part, because no selected item is under the pointer there.
 void CatalogueTree::contextMenuEvent(QContextMenuEvent* event) {
   const bool is_by_key = event->reason() == QContextMenuEvent::Keyboard;
   if (!is_by_key && !indexAt(event->pos()).isValid()) return;
@@ -130,7 +131,7 @@ void CatalogueTree::publishSelection() {
   for (const QModelIndex& index : selectionModel()->selectedRows()) {
     paths.append(index.data(kPathRole).toString());
   }
-  // The row clicked last is the current one.
+  // The row that was clicked last becomes the current one.
   const QString current = currentIndex().data(kPathRole).toString();
   if (paths.removeOne(current)) paths.append(current);
   selection_.setPaths(paths);

@@ -15,10 +15,10 @@ namespace tendon::gui {
 
 class CatalogueColumns;
 
-/// The catalogue as a tree view. Expansion and selection are stored by path, so that they are
-/// restored when the object returns. A row that the user expands under a filter stays expanded
-/// without it; a row collapsed under a filter is collapsed only until the filter ends. Live values
-/// are requested only for visible rows.
+/// Shows the catalogue as a tree. Expansion and selection are stored by path, so they are restored
+/// when an object returns. A row that the user expands while a filter is set stays expanded after
+/// the filter. A row that the user collapses while a filter is set is expanded again after the
+/// filter. Live values are requested only for visible rows.
 class CatalogueTree : public RowView {
   Q_OBJECT
 
@@ -27,17 +27,17 @@ class CatalogueTree : public RowView {
                 QWidget* parent = nullptr);
 
   [[nodiscard]] CatalogueColumns& columns() const { return *columns_; }
-  /// The rectangles of all visible rows by path, in viewport coordinates.
+  /// Returns the rectangles of all visible rows by path, in viewport coordinates.
   [[nodiscard]] QHash<QString, QRect> visibleRows() const;
 
  public Q_SLOTS:
-  /// Expands the parents and scrolls to the row.
+  /// Expands the parents of the row, and scrolls to the row.
   void reveal(const QString& path);
 
  Q_SIGNALS:
   void plotRequested(const QString& path);
   void connectRequested(const QString& path);
-  /// The user wants the menu of the selection at this place of the screen.
+  /// Emitted when the user wants the context menu of the selection at this position of the screen.
   void menuRequested(const QPoint& place);
 
  protected:
@@ -51,14 +51,14 @@ class CatalogueTree : public RowView {
   /// The expanded rows, by path.
   struct ExpandedRows {
     QSet<QString> expanded;
-    QSet<QString> collapsed;  // processes, which are expanded by default
+    QSet<QString> collapsed;  // collapsed processes; processes are expanded by default
 
     void note(const QString& path, bool open);
   };
 
   void connectModel();
   void remember(const QModelIndex& index, bool open);
-  /// Restores the expansion of these rows and of all below them.
+  /// Restores the expansion of these rows and of all rows below them.
   void restore(const QModelIndex& parent, int first, int last);
   void applyFilter();
   void activateRow(const QModelIndex& index);
@@ -71,7 +71,7 @@ class CatalogueTree : public RowView {
   SignalSource& source_;
   CatalogueColumns* columns_ = nullptr;
   ExpandedRows own_;
-  std::optional<ExpandedRows> filtered_;  // set while there is a filter
+  std::optional<ExpandedRows> filtered_;  // the expansion while a filter is set
   QTimer settle_;
   bool restoring_ = false;
   bool publishing_ = false;

@@ -12,16 +12,17 @@ namespace tendon::gui {
 
 class ImageView;
 
-/// The newest pictures in the columns of one component, below each other; hidden if there are none.
+/// Shows the newest pictures of the columns of one component, one below another. Hidden if there
+/// are none.
 class ImageList : public QWidget {
   Q_OBJECT
 
  public:
   explicit ImageList(QWidget* parent = nullptr);
 
-  /// From now on, shows only these columns.
+  /// Sets the columns whose pictures are shown from now on.
   void setColumns(const QSet<QString>& columns);
-  /// The reason why the pictures are old, shown below each.
+  /// Sets the reason why the pictures are old. It is shown below each picture.
   void setStandstill(StaleReason why);
 
  public Q_SLOTS:

@@ -16,7 +16,8 @@ namespace {
 
 constexpr int kMostHeight = 240;
 constexpr double kOldOpacity = 0.45;
-constexpr int kMostKept = 1920;  // pixels of a side; a larger picture is scaled down once
+// The maximum width and height in pixels; a larger picture is scaled down before it is stored.
+constexpr int kMostKept = 1920;
 
 QString Caption(const QString& name, const RawImage& picture) {
   const QString size =
@@ -114,7 +115,8 @@ void ImageView::showWords() {
   setAccessibleName(image_.isNull() ? words_->text() : Words::tr("Picture, ") + words_->text());
 }
 
-/// The picture fills the width, but is never enlarged.
+/// Returns the size of the drawn picture. It is as wide as the view, but a picture is never
+/// enlarged.
 QSize ImageView::drawnSize() const {
   if (image_.isNull()) return {};
   const QSize room(std::max(1, width() - 2 * kInset), kMostHeight);

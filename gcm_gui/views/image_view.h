@@ -13,30 +13,33 @@ class QLabel;
 
 namespace tendon::gui {
 
-/// Shows a picture as large as possible with a caption, or the reason why there is none. Prepares
-/// pictures in another thread, the newest first, and skips older ones.
+/// Shows a picture as large as possible, with a caption; if there is no picture, shows the reason.
+/// Pictures are prepared in another thread. The newest picture is prepared first, and older ones
+/// are skipped.
 class ImageView : public QWidget {
   Q_OBJECT
 
  public:
   using Source = std::function<std::optional<RawImage>()>;
 
-  /// `name` precedes the size in the caption; may be empty.
+  /// `name` is shown before the size in the caption; it may be empty.
   explicit ImageView(const QString& name, QWidget* parent = nullptr);
   ~ImageView() override;
 
   void show(RawImage picture);
-  /// Shows the result of `source`, called in another thread; hidden if it returns no picture.
+  /// Calls `source` in another thread and shows the returned picture. If `source` returns none, the
+  /// view is hidden.
   void showFrom(Source source);
   void clear();
-  /// Draws the picture faint, with `words` below it; empty for a live picture.
+  /// Draws the picture faint, with `words` below it. With empty `words`, the picture counts as
+  /// live.
   void setOld(const QString& words);
-  /// Null if there is none.
+  /// The picture that is shown; null if there is none.
   [[nodiscard]] const QImage& image() const { return image_; }
   [[nodiscard]] QString words() const;
 
  Q_SIGNALS:
-  /// The last requested picture is shown now, or does not exist.
+  /// Emitted when the picture that was requested last is shown, or does not exist.
   void shown();
 
  protected:
@@ -50,7 +53,7 @@ class ImageView : public QWidget {
   };
 
   void begin();
-  /// Any thread may call it.
+  /// Converts a picture to an image with a caption. Any thread may call it.
   static std::optional<PreparedImage> Prepare(const std::optional<RawImage>& picture,
                                               const QString& name);
   void take(const std::optional<PreparedImage>& shown);
@@ -65,7 +68,7 @@ class ImageView : public QWidget {
   QImage image_;
   Source next_;
   bool is_busy_ = false;
-  std::uint64_t version_ = 0;  // pictures begun before clear() are dropped
+  std::uint64_t version_ = 0;  // incremented by clear(); pictures of an earlier version are dropped
   std::shared_ptr<GuiPoster> poster_;
 };
 

@@ -6,7 +6,7 @@ class QToolButton;
 
 namespace tendon::gui {
 
-/// A button that looks like a link; `name` is its object name.
+/// Makes a button that looks like a link; `name` is its object name.
 [[nodiscard]] QToolButton* MakeLinkButton(const QString& text, const QString& name);
 
 }  // namespace tendon::gui

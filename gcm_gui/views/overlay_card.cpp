@@ -93,7 +93,7 @@ void OverlayCard::fit() {
   lines.activate();
   const int wanted = kHeadHeight + 4 + lines.totalHeightForWidth(width - 2);
   const int height = std::min(wanted, room.height());
-  // At the bottom, so that as much of the graph as possible stays visible.
+  // The card is at the bottom, so that as much of the graph as possible stays visible.
   setGeometry(room.center().x() - width / 2, room.bottom() + 1 - height, width, height);
 }
 
@@ -107,7 +107,7 @@ bool OverlayCard::eventFilter(QObject* watched, QEvent* event) {
 bool OverlayCard::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride &&
       IsOwnKey(static_cast<QKeyEvent*>(event)->key())) {
-    event->accept();  // the card's keys take precedence over the window's
+    event->accept();  // so that the card handles the key, and not a command of the window
     return true;
   }
   return QFrame::event(event);

@@ -10,34 +10,34 @@ namespace tendon::gui {
 
 class HeaderRow;
 
-/// A card over the lower part of a widget, as high as its contents. It is not modal: the rest of
-/// the window stays usable. Escape closes it and returns the focus.
+/// A card over the lower part of a widget, as high as its contents. It is not modal: the user can
+/// still use the rest of the window. Escape closes the card and restores the former focus.
 class OverlayCard : public QFrame {
   Q_OBJECT
 
  public:
-  /// Covers a part of `place`. Takes ownership of `body`, which must have a layout before the card
-  /// is opened. Hidden at first.
+  /// Creates a hidden card that covers a part of `place`. Takes ownership of `body`, which must
+  /// have a layout before the card is opened.
   OverlayCard(QWidget& place, QWidget* body);
 
   void close();
 
  Q_SIGNALS:
   void closed();
-  /// One sentence for the user.
+  /// Emitted with one sentence for the user.
   void notice(const QString& text);
 
  protected:
   [[nodiscard]] QWidget& body() { return *body_; }
   [[nodiscard]] HeaderRow& head() { return *head_; }
-  /// The close button, the last one in the head.
+  /// The button that closes the card; it is the last one in the header.
   [[nodiscard]] QToolButton& leave() { return *leave_; }
-  /// Adds a widget to the head, before the close button.
+  /// Adds a widget to the header, before the close button.
   void addToHead(QWidget* widget);
   void open();
-  /// Called on Enter, if the focused widget does not use Enter itself.
+  /// Called when the user presses Enter and the focused widget does not use Enter itself.
   virtual void enter() {}
-  /// Fits the height to the present contents.
+  /// Changes the height of the card to that of its contents.
   void fit();
 
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -50,7 +50,7 @@ class OverlayCard : public QFrame {
   HeaderRow* head_;
   QToolButton* leave_;
   QScrollArea* scroll_;
-  QPointer<QWidget> before_;  // had the focus before
+  QPointer<QWidget> before_;  // the widget that had the focus before
 };
 
 }  // namespace tendon::gui

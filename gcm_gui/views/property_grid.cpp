@@ -9,7 +9,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kAboveWords = 4;  // aligns the first line with single lines
+constexpr int kAboveWords = 4;  // pixels; aligns the first line of a wrapped text with single lines
 
 void ShowFact(const Property& fact, QLabel& name, QLabel& value) {
   const bool words = fact.kind == Property::Kind::kSentence;

@@ -19,8 +19,8 @@ struct Property {
   Kind kind = Kind::kFigure;
 };
 
-/// A short table of facts: dim names on the left; on the right numbers in tabular figures, or texts
-/// that wrap.
+/// A short table of facts. The names are on the left in dim text. The values are on the right:
+/// numbers in digits of equal width, or texts that are wrapped.
 class PropertyGrid : public QWidget {
   Q_OBJECT
 

@@ -15,12 +15,13 @@ namespace {
 using Kind = Schema::Kind;
 using payload::CdrReader;
 
-constexpr std::size_t kHead = 4096;  // of an answer; pixels come last
+// The number of bytes at the beginning of an answer that are examined; pixels come last.
+constexpr std::size_t kHead = 4096;
 
 struct Encoding {
   const char* name;
   QImage::Format format;
-  std::uint64_t bytes;  // of a pixel
+  std::uint64_t bytes;  // bytes of a pixel
 };
 constexpr std::array kEncodings{Encoding{"rgb8", QImage::Format_RGB888, 3},
                                 Encoding{"bgr8", QImage::Format_BGR888, 3},
@@ -32,7 +33,7 @@ constexpr std::array kEncodings{Encoding{"rgb8", QImage::Format_RGB888, 3},
                                 Encoding{"mono16", QImage::Format_Grayscale16, 2},
                                 Encoding{"16UC1", QImage::Format_Grayscale16, 2}};
 
-/// For structures without `encoding`.
+/// Returns the encoding of a structure that has `channels` instead of `encoding`.
 QString EncodingOfChannels(std::uint64_t channels) {
   if (channels == 1) return QStringLiteral("mono8");
   if (channels == 3) return QStringLiteral("rgb8");
@@ -151,7 +152,7 @@ std::optional<QByteArray> BytesIn(const nlohmann::json& list) {
 
 Error Wrong(const QString& what) { return {ErrorCode::kInvalid, what.toStdString()}; }
 
-/// Converts pixels of several bytes to this machine's byte order.
+/// Converts pixels of several bytes to the byte order of this machine.
 void TurnBytes(QImage& image, bool is_bigendian) {
   if (image.format() != QImage::Format_Grayscale16) return;
   for (int row = 0; row < image.height(); ++row) {

@@ -14,13 +14,13 @@
 
 namespace tendon::gui {
 
-/// An uncompressed picture from a payload, row by row from the top: a robot::Image, or any
-/// structure with `width`, `height`, `data`, and `encoding` or `channels`. These values are not
-/// checked yet; Draw() does that.
+/// An uncompressed picture in a payload, row by row from the top. The payload is a robot::Image, or
+/// any structure with the fields `width`, `height`, `data`, and `encoding` or `channels`. The
+/// values are not checked yet; Draw() checks them.
 struct RawImage {
   std::uint64_t width = 0;   ///< pixels
   std::uint64_t height = 0;  ///< rows
-  std::uint64_t step = 0;    ///< bytes per row; 0: as many as its pixels need
+  std::uint64_t step = 0;    ///< bytes per row; 0: computed from the width
   QString encoding;          ///< "rgb8", "mono16", ...
   bool is_bigendian = false;
   QByteArray data;
@@ -29,19 +29,20 @@ struct RawImage {
 /// Larger pictures are not drawn.
 inline constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 25U;
 
-/// True if values of this type are pictures.
+/// Returns true if values of this type are pictures.
 [[nodiscard]] bool DescribesImage(const Schema& schema);
-/// The picture in a value of such a type; empty if the bytes are not such a value.
+/// Returns the picture in a value of such a type; empty if the bytes are not a value of this type.
 [[nodiscard]] std::optional<RawImage> RawImageOf(const Schema& schema,
                                                  std::span<const std::byte> body);
 
-/// True if the start of an answer looks like a picture. Constant time.
+/// Returns true if the beginning of an answer looks like a picture. O(1).
 [[nodiscard]] bool LooksLikeImage(const std::string& json);
-/// Empty if it is not a picture. Takes a second for about ten million pixels.
+/// Returns the picture in an answer; empty if it is not a picture. Takes about a second for ten
+/// million pixels.
 [[nodiscard]] std::optional<RawImage> RawImageOf(const std::string& json);
 
-/// Converts to an image. The error, kInvalid, says which sizes do not match, or which value is
-/// unknown. Any thread.
+/// Converts a picture to an image. The error kInvalid says which values do not match, or which
+/// value is unknown. Any thread.
 [[nodiscard]] Result<QImage> Draw(const RawImage& picture);
 
 }  // namespace tendon::gui

@@ -20,8 +20,8 @@ namespace {
 constexpr int kGlyphWidth = 16;
 constexpr int kSpace = 6;
 constexpr int kTrendWidth = 48;
-constexpr int kTrendRight = 108;   // from a trend to the row's right edge
-constexpr int kHeaderPadding = 8;  // below the texts of a header
+constexpr int kTrendRight = 108;   // from the left edge of a trend to the right edge of the row
+constexpr int kHeaderPadding = 8;  // pixels to the left of a text, as in the header above it
 
 /// Draws as much of `text` as fits, and returns the width used.
 int PaintText(QPainter& painter, const QRect& rect, const QString& text, const QFont& font,
@@ -35,8 +35,9 @@ int PaintText(QPainter& painter, const QRect& rect, const QString& text, const Q
   return metrics.horizontalAdvance(shown);
 }
 
-/// Draws nothing if only a few letters would fit. Returns the width used. If necessary, shortens
-/// "suspended · 5 s old" to the age, because the component already shows its state.
+/// Draws a detail, or nothing if only a few letters would fit. Returns the width used. If
+/// necessary, "suspended · 5 s old" is shortened to the age, because the state of the component is
+/// shown elsewhere.
 int PaintDetail(QPainter& painter, const QRect& rect, QString text) {
   constexpr int kFewest = 8;  // characters
   const QFont& mono = Theme::instance().mono();
@@ -48,7 +49,7 @@ int PaintDetail(QPainter& painter, const QRect& rect, QString text) {
   return PaintText(painter, rect, text, mono, Token::kDim, Qt::AlignLeft);
 }
 
-/// Tints the background of a text of this width at the right of `room`.
+/// Tints the background of a text of this width at the right end of `room`.
 void PaintTint(QPainter& painter, const QRect& room, int width) {
   const int left = std::max(room.left(), room.right() - width - 4);
   painter.fillRect(QRect(QPoint(left, room.top() + 3), QPoint(room.right() + 3, room.bottom() - 3)),
@@ -79,7 +80,7 @@ void RowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   painter->save();
   QRect rect = option.rect;
   if (const auto* view = qobject_cast<const QAbstractItemView*>(option.widget)) {
-    // The buttons of the row are at its right end.
+    // Leaves room for the buttons at the right end of the row.
     const QWidget* buttons = view->indexWidget(index);
     if (buttons != nullptr) rect.setRight(rect.right() - buttons->childrenRect().width() - kInset);
   }
@@ -106,7 +107,8 @@ void RowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   painter->restore();
 }
 
-/// The width that the name needs, up to a limit, because a value without a name is useless.
+/// Returns the width that the name needs, up to a limit. The name has priority, because a value
+/// without a name is useless.
 int RowDelegate::roomForName(const QRect& rect, const QModelIndex& index) const {
   const int name = left_inset_ + kGlyphWidth + kSpace / 2 + kSpace +
                    QFontMetrics(FontOf(index)).horizontalAdvance(index.data().toString());
@@ -200,7 +202,7 @@ QRect RowDelegate::paintName(QPainter& painter, QRect rect, const QModelIndex& i
   font.setStrikeOut(index.data(kStruckRole).toBool());
   const bool quiet = stale || index.data(kQuietRole).toBool();
   if (index.data(kFreshRole).toBool()) font.setBold(true);
-  // The end of a path is its most specific part.
+  // A path is shortened in the middle, because its end is its most specific part.
   const bool path = static_cast<FontStyle>(index.data(kFontStyleRole).toInt()) == FontStyle::kMono;
   const int used =
       PaintText(painter, rect, index.data().toString(), font, quiet ? Token::kDim : Token::kText,

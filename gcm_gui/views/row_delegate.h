@@ -5,17 +5,20 @@
 
 namespace tendon::gui {
 
-/// Draws a row of the window's lists: a letter or shape, the name, a dim detail, and on the right
-/// the value with shape and unit. Reads the model by RowRole, and colours and fonts from the theme.
+/// Draws a row of the window's lists: on the left a letter or a shape, the name, and a dim detail;
+/// on the right the value with its shape and unit. Reads the model by RowRole; colours and fonts
+/// come from the theme.
 class RowDelegate : public QStyledItemDelegate {
   Q_OBJECT
 
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
 
-  /// The column shown at the right edge of the first column; -1, the default, for none.
+  /// Sets the column that is shown at the right edge of the first column; -1, the default, for
+  /// none.
   void setValueColumn(int column) { value_column_ = column; }
-  /// By default all columns but the first are right-aligned; true left-aligns words in all.
+  /// By default, all columns except the first one are right-aligned. If true, words are
+  /// left-aligned in all columns.
   void setAllLeft(bool all_left) { all_left_ = all_left; }
 
   /// The margin left of the first column, in pixels.
@@ -27,12 +30,14 @@ class RowDelegate : public QStyledItemDelegate {
                                const QModelIndex& index) const override;
 
  private:
-  /// The width in pixels that remains for the name in a row that also shows its value.
+  /// In a row that also shows its value, returns the width in pixels that is reserved for the name.
   [[nodiscard]] int roomForName(const QRect& rect, const QModelIndex& index) const;
-  // Both return the remaining part of `rect`; paintValue() leaves at least `name` pixels.
+  // Both functions return the remaining part of `rect`. paintValue() reserves at least `name`
+  // pixels for the name.
   QRect paintValue(QPainter& painter, QRect rect, const QModelIndex& index, int name) const;
   QRect paintName(QPainter& painter, QRect rect, const QModelIndex& index) const;
-  /// Paints at a fixed place, so that trends are aligned; nothing if that is not within `free`.
+  /// Paints the trend at a fixed position, so that all trends are aligned. Paints nothing if this
+  /// position is not within `free`.
   void paintTrend(QPainter& painter, const QRect& row, const QRect& free,
                   const QModelIndex& index) const;
 

@@ -12,7 +12,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kTreeInset = 6;  // from the edge to the arrows
+constexpr int kTreeInset = 6;  // pixels from the edge to the arrows
 
 }  // namespace
 
@@ -30,7 +30,8 @@ RowView::RowView(QWidget* parent) : QTreeView(parent), delegate_(new RowDelegate
   header()->setStretchLastSection(false);
   header()->setMinimumSectionSize(kRowHeight);
   connect(&Theme::instance(), &Theme::changed, viewport(), qOverload<>(&QWidget::update));
-  // The frame around all rows, which is drawn if the current row is not visible, must not scroll.
+  // If the current row is not visible, the frame is drawn around all rows. This frame must not
+  // scroll, so everything is painted again.
   connect(verticalScrollBar(), &QScrollBar::valueChanged, viewport(),
           qOverload<>(&QWidget::update));
 }
@@ -40,7 +41,8 @@ void RowView::drawRow(QPainter* painter, const QStyleOptionViewItem& option,
   drawInside([&] { drawGuardedRow(painter, option, index); });
 }
 
-/// No exception may pass QTreeView::paintEvent(), because its painter would never be ended.
+/// Catches exceptions of `draw`: an exception must not leave QTreeView::paintEvent(), because the
+/// painter would never be ended.
 void RowView::drawInside(const std::function<void()>& draw) const {
   auto* view = const_cast<RowView*>(this);
   if (!ExceptionGuard::instance().isCovered(view))
@@ -85,7 +87,7 @@ void RowView::paintEvent(QPaintEvent* event) {
 
 void RowView::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
   QTreeView::currentChanged(current, previous);
-  viewport()->update();  // the focus frame is as wide as the view
+  viewport()->update();  // because the frame of the focus is as wide as the view
 }
 
 RowView* MakeRowList(QAbstractItemModel& model, const QString& name, const QString& title,

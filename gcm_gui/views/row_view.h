@@ -7,8 +7,8 @@ namespace tendon::gui {
 
 class RowDelegate;
 
-/// A tree or a list in the window's style: rows of 24 pixels, no frame, and the whole row tinted if
-/// it is selected or under the pointer.
+/// A tree or a list in the style of the window: rows of 24 pixels, no frame, and a tint over the
+/// whole row if it is selected or under the pointer.
 class RowView : public QTreeView {
   Q_OBJECT
 
@@ -16,7 +16,7 @@ class RowView : public QTreeView {
   explicit RowView(QWidget* parent = nullptr);
 
   [[nodiscard]] RowDelegate& rows() const { return *delegate_; }
-  /// The text in the middle while there are no rows.
+  /// Sets the text that is shown in the middle while there are no rows.
   void setEmptyText(const QString& text) { empty_text_ = text; }
 
  protected:
@@ -35,7 +35,8 @@ class RowView : public QTreeView {
   QString empty_text_;
 };
 
-/// Makes a list without arrows, whose first column fills the width. `title` is for screen readers.
+/// Makes a list without arrows. Its first column is as wide as the list. `title` is for screen
+/// readers.
 [[nodiscard]] RowView* MakeRowList(QAbstractItemModel& model, const QString& name,
                                    const QString& title, const QString& empty_text);
 

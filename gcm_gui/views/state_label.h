@@ -14,9 +14,9 @@ class StateLabel : public QWidget {
  public:
   explicit StateLabel(QWidget* parent = nullptr);
 
-  /// An empty text shows the default word of the mark.
+  /// Shows a mark with this text. If the text is empty, shows the default word of the mark.
   void show(StateMark mark, const QString& text = {});
-  /// A stale label is grey: it shows the last known state.
+  /// If true, the label is grey, because it shows the last known state.
   void setStale(bool stale);
   [[nodiscard]] const QString& text() const { return text_; }
 

@@ -10,14 +10,14 @@ namespace tendon::gui {
 
 class HeaderRow;
 
-/// Pages with a row of tabs, and room for tools at the right of the tabs.
+/// Pages with a row of tabs. Tools can be added at the right of the tabs.
 class TabPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit TabPanel(const QString& name, QWidget* parent = nullptr);
 
-  /// Takes ownership. Returns the page's index.
+  /// Adds a page, and takes ownership. Returns the index of the page.
   int addPage(QWidget* page, const QString& title);
   void setTitle(int page, const QString& title);
   void setCurrent(int page);

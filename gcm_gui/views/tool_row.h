@@ -8,12 +8,12 @@ class QLabel;
 
 namespace tendon::gui {
 
-/// Makes a row of tools above a list: `left` at the left, its last tool as wide as possible, and
-/// `right` at the right edge. Takes ownership.
+/// Makes a row of tools above a list. The tools of `left` are at the left, the last of them as wide
+/// as possible; the tools of `right` are at the right edge. Takes ownership.
 [[nodiscard]] QWidget* MakeToolRow(std::initializer_list<QWidget*> left,
                                    std::initializer_list<QWidget*> right);
 
-/// Makes a dim remark for such a row.
+/// Makes a label for a remark in dim text, for such a row.
 [[nodiscard]] QLabel* MakeNote(const QString& name);
 
 }  // namespace tendon::gui

@@ -10,8 +10,8 @@ const QString kRefused = QStringLiteral(": refused");
 
 }  // namespace
 
-// "desk (operator, 10.0.0.7:40112): call a command arm/Control.MoveTo: allowed". Parses from the
-// end, because a program may have any name.
+// Parses a record such as "desk (operator, 10.0.0.7:40112): call a command arm/Control.MoveTo:
+// allowed". Starts from the end, because the name of a program may contain any text.
 std::optional<SentCommand> SentCommandOf(const message::LogRecord& record) {
   if (record.source != "audit") return std::nullopt;
   const QString text = ToQString(record.text);

@@ -7,16 +7,16 @@
 
 namespace tendon::gui {
 
-/// A command from some program to a component, as logged by the component's process.
+/// A command that a program has sent to a component, as logged by the process of the component.
 struct SentCommand {
   QString path;  ///< "robot/arm/Control.MoveTo"
-  QString who;   ///< name, role and address of the program
+  QString who;   ///< name, role and address of that program
   bool is_refused = false;
 
   bool operator==(const SentCommand&) const = default;
 };
 
-/// Empty for any other record.
+/// Parses a log record; empty if it does not report a sent command.
 [[nodiscard]] std::optional<SentCommand> SentCommandOf(const message::LogRecord& record);
 
 }  // namespace tendon::gui

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kTextWidth = 540;
 
-/// True if a GCM there would start processes on this machine.
+/// Returns true if a GCM at the address of the link would start processes on this machine.
 bool IsHere(const LinkState& link) {
   return link.isHosted() || link.address().startsWith(QStringLiteral("127.")) ||
          link.address().startsWith(QStringLiteral("localhost:")) ||

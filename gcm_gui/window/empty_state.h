@@ -11,14 +11,14 @@ class QPushButton;
 
 namespace tendon::gui {
 
-/// The middle of the window while no component is known. It explains this state and has buttons to
-/// start a GCM or the demo (if possible), to go to another machine and to take the tour, and a
-/// shell command that starts components.
+/// The middle of the window while no component is known. It explains why, and has buttons to start
+/// a GCM or the demo (if possible), to connect to another machine, and to take the tour. It also
+/// shows a shell command that starts components.
 class EmptyState : public QWidget {
   Q_OBJECT
 
  public:
-  /// The programs that can be started on this machine.
+  /// The programs that this window can start.
   struct Offers {
     bool gcm = false;
     bool demo = false;
@@ -27,10 +27,10 @@ class EmptyState : public QWidget {
   EmptyState(const LinkState& link, Offers offers, QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  /// The user wants to start a GCM because none answers.
+  /// Emitted when the user wants to start a GCM, because no GCM answers.
   void gcmRequested();
   void demoRequested();
-  /// The user wants to see another GCM.
+  /// Emitted when the user wants to connect to another GCM.
   void otherRequested();
   void tourRequested();
 

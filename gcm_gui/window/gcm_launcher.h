@@ -7,7 +7,8 @@
 
 namespace tendon::gui {
 
-/// Starts a GCM at the window's address, as a program of its own that outlives the window.
+/// Starts a GCM at the window's address, as a separate program that continues when the window is
+/// closed.
 class GcmLauncher : public QObject {
   Q_OBJECT
 
@@ -18,7 +19,7 @@ class GcmLauncher : public QObject {
   void start();
 
  Q_SIGNALS:
-  /// One sentence for the user.
+  /// Emitted with one sentence for the user.
   void notice(const QString& text);
 
  private:

@@ -38,7 +38,7 @@ void GcmSwitcher::ask() {
   dialog->setObjectName(QStringLiteral("otherGcm"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(Words::tr("Connect to another machine"));
-  dialog->setLabelText(Words::tr("Address of its GCM, as robot1 or robot1:10705"));
+  dialog->setLabelText(Words::tr("Address of its GCM, such as robot1 or robot1:10705"));
   connect(dialog, &QInputDialog::textValueSelected, this, &GcmSwitcher::goTo);
   dialog->open();
 }

@@ -11,13 +11,13 @@ namespace tendon::gui {
 
 class LinkState;
 
-/// Shows a GCM at another address in a new window that replaces this one. A window that hosts its
-/// GCM stays open, because others may use that GCM.
+/// Shows a GCM at another address in a new window, and closes this window. A window that hosts its
+/// own GCM stays open, because other programs may use that GCM.
 class GcmSwitcher : public QObject {
   Q_OBJECT
 
  public:
-  /// Starts this program with these arguments; returns false on failure.
+  /// Starts this program with these arguments. Returns false on failure.
   using Launch = std::function<bool(const QStringList& arguments)>;
 
   GcmSwitcher(QWidget& window, const LinkState& link, Launch launch = &GcmSwitcher::startProgram);
@@ -26,7 +26,7 @@ class GcmSwitcher : public QObject {
   void ask();
 
  Q_SIGNALS:
-  /// One sentence for the user.
+  /// Emitted with one sentence for the user.
   void notice(const QString& text);
 
  private:
@@ -38,8 +38,8 @@ class GcmSwitcher : public QObject {
   Launch launch_;
 };
 
-/// The arguments for a program that shows the GCM at `address` with the same options as this one;
-/// without this program's system file.
+/// Returns the arguments for a program that shows the GCM at `address`, with the same options as
+/// this program (`mine`) but without its system file.
 [[nodiscard]] QStringList ArgumentsFor(const QStringList& mine, const QString& address);
 
 }  // namespace tendon::gui

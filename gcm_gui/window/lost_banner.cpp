@@ -17,7 +17,7 @@ LostBanner::LostBanner(const LinkState& link, QWidget* parent)
   setAutoFillBackground(true);
   setFixedHeight(kHeadHeight);
   SetRole(*meaning_, QStringLiteral("dim"));
-  // May be narrower than its text, so that it does not widen the window.
+  // The label may be narrower than its text. Otherwise it would make the window wider.
   meaning_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   meaning_->setText(
       Words::tr("Values and plots come directly from their processes, so they continue."));

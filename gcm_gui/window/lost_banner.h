@@ -10,8 +10,8 @@ namespace tendon::gui {
 
 class StateLabel;
 
-/// A line across the window while its GCM is unreachable: the age of the shown state, and the
-/// things that still work.
+/// A line across the window while its GCM is unreachable. It tells how old the shown state is, and
+/// which functions still work.
 class LostBanner : public QFrame {
   Q_OBJECT
 
@@ -21,7 +21,7 @@ class LostBanner : public QFrame {
   [[nodiscard]] QString text() const;
 
  public Q_SLOTS:
-  /// The present time, ns since 1970.
+  /// Sets the present time, in ns since 1970.
   void setNow(qint64 now);
 
  private:

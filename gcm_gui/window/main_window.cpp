@@ -60,9 +60,10 @@ constexpr int kInspectorWidth = 336;
 constexpr int kStripHeight = 124;
 constexpr int kLeastCatalogueWidth = 208;
 constexpr int kLeastCentreWidth = 480;
-constexpr int kLeastInspectorWidth = 334;  // enough for a form, so that the panel need not grow
+// Wide enough for a form, so that the panel need not become wider.
+constexpr int kLeastInspectorWidth = 334;
 constexpr int kLeastStripHeight = 80;
-constexpr int kRoomToRead = 220;  // for a log or a console
+constexpr int kRoomToRead = 220;  // pixels; enough to read a log or a console
 constexpr int kPlotsHeight = 268;
 constexpr int kLeastPlotsHeight = 120;
 constexpr std::chrono::seconds kSecond{1};
@@ -129,7 +130,8 @@ void MainWindow::connectExceptionGuard() {
             .arg(fault.view, fault.what)
             .arg(fault.count)
             .toStdString());
-    if (!fault.is_covered) return;  // it is in Problems; the notice of the action may be better
+    // The fault is listed in Problems, and the notice of the user's action may be more useful.
+    if (!fault.is_covered) return;
     notice_->showNotice(Words::tr("%1 had an error: see Problems").arg(fault.view));
   });
 }
@@ -143,7 +145,7 @@ void MainWindow::buildViews() {
   setCentralWidget(centre);
   buildPanels(*centre);
   addFavourites();
-  // From left to right: the catalogue comes before the middle.
+  // The order is from left to right: the catalogue comes before the middle.
   setTabOrder(&top_bar_->lastButton(), &catalogue_->filterField());
   setTabOrder(&catalogue_->filterField(), &catalogue_->tree());
   const auto apply_theme = [this] {
@@ -406,7 +408,7 @@ void MainWindow::callSelection() {
 }
 
 void MainWindow::goTo(const QString& path) {
-  if (path.isEmpty()) return;  // a problem of the window itself
+  if (path.isEmpty()) return;  // the problem concerns the window itself
   selection_.select(path);
   revealSelection();
 }
@@ -433,7 +435,7 @@ void MainWindow::showPage() {
 }
 
 void MainWindow::showLink() {
-  // Names the system, in case several windows are open.
+  // The title names the system, because several windows may be open.
   const LinkState& link = parts_.link;
   const QString file = files_->document().title();
   setWindowTitle((file.isEmpty() ? file : file + QStringLiteral(" – ")) +
@@ -466,7 +468,7 @@ void MainWindow::tick() {
   set_now(*scene_);
   set_now(*top_bar_);
   set_now(*lost_);
-  // Old faults disappear after a while.
+  // Updates the faults, because old ones disappear after a while.
   ExceptionGuard::run(&problems_, ViewWork::kHandling,
                       [this] { problems_.showFaults(ExceptionGuard::instance().faults()); });
   ExceptionGuard::instance().reportCountedFaults();

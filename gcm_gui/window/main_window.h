@@ -42,8 +42,8 @@ class TopBar;
 class Tour;
 class WindowCommands;
 
-/// The window: a bar, three columns, a strip. It creates the views and connects them; the views
-/// themselves know their contents, and WindowCommands assigns the keys.
+/// The window with a bar at the top, three columns, and a panel at the bottom. It creates the views
+/// and connects their signals. The views fill themselves, and WindowCommands assigns the keys.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -75,20 +75,21 @@ class MainWindow : public QMainWindow {
 
  public Q_SLOTS:
   void plotSelection();
-  /// Begins a connection of the selected interface, or of the next unconnected one of the
-  /// component. If several required ones are selected, matches all of them.
+  /// Starts to connect the selected interface, or the next unconnected interface of the selected
+  /// component. If several required interfaces are selected, opens the card that matches all of
+  /// them.
   void connectSelection();
   void disconnectSelection();
-  /// Goes to the form of the selected command.
+  /// Shows the form of the selected command.
   void callSelection();
   void revealSelection();
-  /// Selects the object and makes it visible in all views.
+  /// Selects the object of this path, and makes it visible in all views.
   void goTo(const QString& path);
   void escape();
 
  private:
   void connectModels();
-  /// Reports views that have thrown.
+  /// Reports the views that have thrown an exception.
   void connectExceptionGuard();
   void buildViews();
   [[nodiscard]] QWidget* buildTop();
@@ -142,7 +143,7 @@ class MainWindow : public QMainWindow {
   GcmSwitcher* other_ = nullptr;
   GcmLauncher* gcm_start_ = nullptr;
   QTimer second_;
-  std::int64_t lost_since_ = 0;  // loss of the GCM, ns since 1970; 0 while it is reachable
+  std::int64_t lost_since_ = 0;  // when the GCM was lost, ns since 1970; 0 while it is reachable
 };
 
 }  // namespace tendon::gui

@@ -15,8 +15,9 @@
 namespace tendon::gui {
 namespace {
 
-constexpr std::int64_t kLatestLog = 2'000'000'000;  // ns; the maximum delay from a process to here
-constexpr int kOwnCalls = 32;                       // number of newest actions to check
+// The maximum delay of a record from its process to this window, in ns.
+constexpr std::int64_t kLatestLog = 2'000'000'000;
+constexpr int kOwnCalls = 32;  // the number of newest actions that are checked
 
 std::int64_t SteadyNow() {
   return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -25,7 +26,7 @@ std::int64_t SteadyNow() {
 /// Converts `when`, ns since 1970, to the steady clock.
 std::int64_t SteadyTimeOf(std::int64_t when) { return SteadyNow() - (WallClock() - when); }
 
-/// "robot/arm" of the path of a signal or event.
+/// Returns the component of a signal or event: "robot/arm".
 QString ComponentPathOf(const QString& path) { return path.section('/', 0, 1); }
 
 QString LastPart(const QString& path) { return path.section('.', -1).section('/', -1); }
@@ -74,7 +75,7 @@ void MarkBinding::follow() {
   if (!patterns.isEmpty() && !std::exchange(watches_log_, true)) reports_.watchLog();
 }
 
-// Events to which only other receivers listen arrive here too.
+// This window also receives the events that only other receivers have subscribed to.
 void MarkBinding::markEvent(const EventRecord& event) {
   if (!components_plotted_.contains(ComponentPathOf(event.path))) return;
   MarkedEvents& marked = events_[event.path];
@@ -93,8 +94,8 @@ void MarkBinding::markEvent(const EventRecord& event) {
                   .text = text});
 }
 
-// Marks the commands of other programs, from the audit log of their target processes. Ignores
-// records from before this window watched.
+// Marks the commands of other programs. They are found in the audit log of the processes that
+// received them. Records from before the first subscription to the log are ignored.
 void MarkBinding::markLog(const LogBatch& batch) {
   const bool is_new = std::exchange(log_is_current_, log_is_current_ || batch.is_current);
   if (!is_new) return;
@@ -102,7 +103,8 @@ void MarkBinding::markLog(const LogBatch& batch) {
     const auto sent = SentCommandOf(record);
     if (!sent || isRead(sent->path) || isOwnCall(sent->path)) continue;
     const std::int64_t now = WallClock();
-    // The clock of another host may be wrong, so the time must be plausible.
+    // The time of a record is used only if it is plausible, because the clock of another host may
+    // be wrong.
     const bool is_near = record.time <= now && now - record.time < kLatestLog;
     panel_.addMark({.kind = Mark::Kind::kCommand,
                     .time_ns = SteadyTimeOf(is_near ? record.time : now),
@@ -113,8 +115,8 @@ void MarkBinding::markLog(const LogBatch& batch) {
   }
 }
 
-// Reads change nothing and may be automatic: a form requests initial values, a script the arm's
-// position.
+// Reads are not marked: they change nothing, and many are automatic. For example, a form requests
+// initial values, and a script requests the position of the arm.
 bool MarkBinding::isRead(const QString& path) const {
   const auto parsed = ParsePath(path.toStdString());
   if (!parsed) return false;
@@ -124,7 +126,8 @@ bool MarkBinding::isRead(const QString& path) const {
   return kind == CommandKind::kRead || kind == CommandKind::kQualifiedRead;
 }
 
-// Own calls are marked when the answer arrives. A call is in the activity list before it is sent.
+// A call of this window is marked when its answer arrives. It is in the activity list before it is
+// sent, so it can be found there.
 bool MarkBinding::isOwnCall(const QString& path) const {
   const int newest = std::min(activity_.rowCount(), kOwnCalls);
   for (int row = 0; row < newest; ++row) {
@@ -137,7 +140,8 @@ bool MarkBinding::isOwnCall(const QString& path) const {
   return false;
 }
 
-// Changes of connections and components are marked from the catalogue, by any author.
+// Changes of connections and components are not marked here but in compare(), from the catalogue,
+// whoever made them.
 void MarkBinding::markAction(const Action& action) {
   const bool is_call = action.verb == Action::Verb::kCall;
   const bool is_refused = action.outcome == Action::Outcome::kRefused;
@@ -156,7 +160,8 @@ void MarkBinding::markAction(const Action& action) {
 void MarkBinding::compare(const Catalogue& catalogue, const ChangedParts& touched) {
   for (const ChangedPart& part : touched) {
     compareProcess(catalogue, part.process);
-    compareConnections(catalogue, part);  // before the components: unknown components are new
+    // Connections come before the components, because a component that is not known yet is new.
+    compareConnections(catalogue, part);
     const ProcessEntry* entry = catalogue.FindProcess(part.process);
     if (entry != nullptr) {
       for (const auto& [name, component] : entry->components) {

@@ -18,28 +18,31 @@ namespace tendon::gui {
 
 class PlotPanel;
 
-/// Adds marks to the plots for changes of the system: commands of this window, commands of other
-/// programs except reads, refused requests, changes of state, connections made and broken, and
-/// processes lost and returned, whatever the cause. The first known state makes no mark.
+/// Adds marks to the plots when the system changes: for commands of this window, commands of other
+/// programs (except reads), refused requests, changes of state, connections made and broken, and
+/// processes lost and returned. The cause of a change does not matter. The first known state is not
+/// marked.
 ///
-/// Also marks the events of plotted components. Does not listen to other components, nor to any
-/// while marks are hidden. GUI thread.
+/// Also marks the events of components that are plotted. It does not subscribe to the events of
+/// other components, and to no events while marks are hidden. GUI thread.
 class MarkBinding : public QObject {
   Q_OBJECT
 
  public:
-  /// The maximum number of components to listen to at once, in the order of plotting.
+  /// The maximum number of components whose events are subscribed at once, in the order of
+  /// plotting.
   static constexpr qsizetype kMostListenedTo = 32;
-  /// An event within this time after a marked one of the same path only increases its count.
+  /// An event that follows a marked event of the same path within this time gets no mark of its
+  /// own. It is counted in the next mark.
   static constexpr std::int64_t kEventPauseNs = 50'000'000;
 
-  /// All arguments must outlive this.
+  /// All arguments must outlive this object.
   MarkBinding(PlotPanel& panel, CatalogueStore& store, ActivityModel& activity,
               SystemReports& reports, QObject* parent = nullptr);
 
  private:
   struct MarkedEvents {
-    std::int64_t when = 0;  // of the last marked event, ns since 1970
+    std::int64_t when = 0;  // time of the last marked event, ns since 1970
     std::uint64_t unmarked = 0;
   };
 
@@ -65,7 +68,7 @@ class MarkBinding : public QObject {
   bool log_is_current_ = false;
   std::map<std::string, ProcessState> processes_;
   std::map<std::pair<std::string, std::string>, ComponentState> components_;
-  std::map<InterfaceName, InterfaceName> connections_;  // active ones: required, provided
+  std::map<InterfaceName, InterfaceName> connections_;  // active connections: required, provided
 };
 
 }  // namespace tendon::gui

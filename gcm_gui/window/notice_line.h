@@ -8,7 +8,7 @@
 
 namespace tendon::gui {
 
-/// One line above the graph: the instruction of the connect mode, otherwise the latest notice.
+/// One line above the graph. In connect mode it shows what to do next, otherwise the latest notice.
 class NoticeLine : public QWidget {
   Q_OBJECT
 
@@ -35,7 +35,7 @@ class NoticeLine : public QWidget {
   const ConnectMode& mode_;
   QString notice_;
   QTimer fade_;
-  // The shown text consists of a path between two texts.
+  // The text on the line is `before_`, then the path, then the rest.
   QString before_;
   QString path_;
   QString after_;

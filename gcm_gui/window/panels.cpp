@@ -16,13 +16,13 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kVersion = 1;  // of saved layouts
-// Only a closable panel can be hidden by the menu, even without a visible close button.
+constexpr int kVersion = 1;  // version of saved layouts
+// A panel must be closable so that the menu can hide it, even if no close button is visible.
 constexpr QDockWidget::DockWidgetFeatures kFree =
     QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable;
 
-/// The sizes of the panels in a perspective, in the order of add(), 0 if hidden, and the fraction
-/// of the middle for the plots.
+/// The sizes of the panels in a perspective, in the order of add(); 0 if a panel is hidden. `plots`
+/// is the fraction of the middle that the plots get.
 struct PanelArrangement {
   const char* title;
   std::array<int, 3> sizes;
@@ -34,7 +34,7 @@ constexpr std::array<PanelArrangement, 4> kArrangements{
      {QT_TRANSLATE_NOOP("Words", "Layout for operating"), {240, 420, 124}, 0.50},
      {QT_TRANSLATE_NOOP("Words", "Layout for diagnosing"), {280, 336, 260}, 0.30}}};
 
-/// Has the wanted size in the first layout.
+/// A panel that has the wanted size in the first layout.
 class PanelPage final : public QWidget {
  public:
   PanelPage(QWidget* content, const QSize& wanted) : wanted_(wanted) {
@@ -94,7 +94,8 @@ void Panels::fill(QMenu& menu) {
 void Panels::setMovable(bool movable) {
   for (const Panel& panel : panels_) {
     QWidget* title = panel.dock->titleBarWidget();
-    // An empty title bar while it cannot be moved: its content has its own head.
+    // A panel that cannot be moved has an empty title bar, because its content has a header of its
+    // own.
     panel.dock->setTitleBarWidget(movable ? nullptr : new QWidget(panel.dock));
     delete title;
     panel.dock->setFeatures(movable ? kFree : QDockWidget::DockWidgetClosable);
@@ -122,7 +123,7 @@ void Panels::show(Perspective perspective) {
   for (std::size_t i = 0; i < panels_.size(); ++i) {
     panels_[i].dock->setVisible(wanted.sizes.at(i) > 0);
   }
-  window_.layout()->activate();  // so that the sizes apply to the present panels
+  window_.layout()->activate();  // so that the sizes apply to the panels that are visible now
   for (std::size_t i = 0; i < panels_.size(); ++i) {
     QDockWidget* dock = panels_[i].dock;
     const int size = wanted.sizes.at(i);

@@ -14,39 +14,42 @@ class QWidget;
 
 namespace tendon::gui {
 
-/// The panels around the middle of a window and their sizes: four perspectives with keys, panels
-/// that can be moved after a command has unlocked them, and a layout that can be saved.
+/// The panels around the middle of a window, and their sizes. There are four perspectives with
+/// keys; a command unlocks the panels so that the user can move them; and the layout can be saved.
 class Panels : public QObject {
   Q_OBJECT
 
  public:
   enum class Perspective { kConnect, kPlot, kOperate, kDiagnose };
 
-  /// `centre` has two rows, with the graph above the plots.
+  /// `centre` has two rows: the graph above the plots.
   Panels(QMainWindow& window, QSplitter& centre);
 
-  /// Adds a panel at this edge; `size` is across the edge, in pixels.
+  /// Adds a panel at an edge of the window. `size` and `least` are its width (left or right edge)
+  /// or height (lower edge) in pixels.
   void add(QWidget* content, const QString& title, Qt::DockWidgetArea area, int size, int least);
-  /// Adds perspectives, panels and layout commands to the menu. Call it after the last add().
+  /// Adds the perspectives, the panels and the layout commands to the menu. Call it after the last
+  /// add().
   void fill(QMenu& menu);
 
   void show(Perspective perspective);
   void setMovable(bool movable);
   /// Shows the panel that contains this widget.
   void reveal(const QWidget& content);
-  /// Makes the panel of this widget at least this wide across its edge, in pixels.
+  /// Makes the panel of this widget at least `size` pixels wide or, at the lower edge, high.
   void ensureSize(const QWidget& content, int size);
   /// Restores the default layout.
   void reset();
 
   [[nodiscard]] QByteArray state() const;
-  /// Ignores an invalid state, or one of other panels.
+  /// Restores a saved layout. Ignored if the state is invalid, or comes from a window with other
+  /// panels.
   void restore(const QByteArray& state);
 
  Q_SIGNALS:
   void shown(tendon::gui::Panels::Perspective perspective);
-  /// Emitted after reset(): everything else that can be arranged must return to its default as
-  /// well.
+  /// Emitted after reset(). Everything else that the user can arrange must then return to its
+  /// default, too.
   void wasReset();
 
  private:

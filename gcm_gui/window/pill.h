@@ -7,8 +7,8 @@
 
 namespace tendon::gui {
 
-/// A raised field of the top bar: a mark, strong words, and as many of the dim words as fit. May be
-/// clicked.
+/// A raised field in the top bar. It shows a mark, strong words, and as many of the dim words as
+/// fit. The user may click it.
 class Pill : public QAbstractButton {
   Q_OBJECT
 

@@ -28,7 +28,8 @@ PlotBinding::PlotBinding(PlotPanel& panel, SignalSource& source, const Catalogue
 
 void PlotBinding::showStale(const QString& path, const QString& reason) {
   const CatalogueItem* process = model_.item(model_.indexOf(path.section('/', 0, 0)));
-  // A lost process is reported elsewhere; the legend says for which rows it waits.
+  // If the process is lost, no reason is given: the loss is reported elsewhere, and the legend says
+  // for which rows the curve waits.
   const bool gone = process == nullptr || process->gone;
   panel_.setStale(path, gone ? QString() : reason);
 }
@@ -45,7 +46,8 @@ QString PlotBinding::standstillOf(const QString& path,
   return IsStale(why, age, 0) ? OldText(why, age) : QString();
 }
 
-// Paths with the longest common end come first: a renamed component has the same table.
+// Returns the numbers that may replace a signal. Paths with the longest common end come first: if a
+// component was renamed, the rest of the path, with its table, is the same.
 QList<CurveKey> PlotBinding::candidatesFor(const QString& path) const {
   QList<CurveKey> all;
   for (int row = 0; row < model_.rowCount({}); ++row) {

@@ -13,12 +13,12 @@ namespace tendon::gui {
 class CatalogueModel;
 class PlotPanel;
 
-/// Supplies the plots with the rows that they ask for.
+/// Subscribes to the rows that the plots ask for, and passes them to the plots.
 class PlotBinding : public QObject {
   Q_OBJECT
 
  public:
-  /// The maximum number of curves added to a plot at once.
+  /// The maximum number of curves that are added to a plot at once.
   static constexpr int kMostAtOnce = 16;
 
   PlotBinding(PlotPanel& panel, SignalSource& source, const CatalogueModel& model,
@@ -30,7 +30,7 @@ class PlotBinding : public QObject {
   void plotSignal(const QString& path, const QString& unit);
 
  Q_SIGNALS:
-  /// One sentence if nothing could be plotted, or not everything.
+  /// Emitted with one sentence if nothing, or not everything, could be plotted.
   void notice(const QString& text);
 
  private:

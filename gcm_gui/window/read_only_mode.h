@@ -5,8 +5,8 @@
 
 namespace tendon::gui {
 
-/// Disables all buttons of the application with the property "changesSystem", and gives the reason
-/// as their tool tip.
+/// Disables all buttons of the application that have the property "changesSystem". Their tool tips
+/// give the reason.
 class ReadOnlyMode : public QObject {
   Q_OBJECT
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kLogo = 20;
 
-/// Counts only present objects, because the catalogue also has objects that are gone.
+/// Counts only objects that exist now, because the catalogue also contains objects that are gone.
 QString Counts(const Catalogue& catalogue) {
   std::int64_t processes = 0;
   std::int64_t components = 0;
@@ -112,7 +112,7 @@ void TopBar::showLink() {
   switch (link_.state()) {
     case LinkState::State::kSearching:
       link_pill_->show(StateMark::kPending, Words::tr("No GCM found at ") + link_.address(),
-                       Words::tr("looking every second"));
+                       Words::tr("searching every second"));
       break;
     case LinkState::State::kLost:
       link_pill_->show(StateMark::kLost, Words::tr("GCM lost %1 ago").arg(age),

@@ -11,17 +11,17 @@ namespace tendon::gui {
 
 class Pill;
 
-/// The top of the window: the state of the GCM and the size of the system, the number of problems,
-/// and switches of the window.
+/// The top of the window. It shows the state of the GCM, the numbers of processes, components,
+/// connections and problems, and has switches for the window.
 class TopBar : public QFrame {
   Q_OBJECT
 
  public:
   TopBar(const CatalogueStore& store, const LinkState& link, QWidget* parent = nullptr);
 
-  /// The whole sentence about the GCM.
+  /// Returns the sentence about the GCM in full.
   [[nodiscard]] QString linkText() const;
-  /// To the right of the logo; takes ownership.
+  /// Adds the menus to the right of the logo. Takes ownership.
   void addMenus(QWidget* menus);
   /// The rightmost button, the last one in the tab order of the bar.
   [[nodiscard]] QPushButton& lastButton() const { return *theme_; }
@@ -29,7 +29,7 @@ class TopBar : public QFrame {
  public Q_SLOTS:
   void showProblemCount(int count);
   void showPaused(bool paused);
-  /// The present time, ns since 1970, for "lost 12 s".
+  /// Sets the present time in ns since 1970, for texts such as "lost 12 s".
   void setNow(qint64 now);
 
  Q_SIGNALS:

@@ -73,7 +73,7 @@ QJsonObject Connections(const Catalogue& catalogue) {
   return connections;
 }
 
-// Qt's JSON has signed 64-bit integers only; larger unsigned ones become texts.
+// JSON in Qt has only signed 64-bit integers, so larger unsigned numbers become texts.
 QJsonValue Exactly(const ExactNumber& number) {
   const auto integer = static_cast<std::int64_t>(number.word());
   if (!number.isInteger()) return number.nearest();

@@ -10,9 +10,9 @@ namespace tendon::gui {
 
 class MainWindow;
 
-/// A diagnostic for tests that drive the real program with a real mouse: writes a JSON file, at
-/// most five times a second and only after changes, with the positions of things on the screen and
-/// the state of the window.
+/// A diagnostic for tests that drive the real program with a real mouse. Writes a JSON file with
+/// the positions of objects on the screen and the state of the window. The file is written only
+/// after changes, and at most five times a second.
 ///
 ///     window, widgets   rectangles [x, y, width, height] by object name; a tab is `name/title`
 ///     rows              of the catalogue, by path

@@ -18,7 +18,7 @@ class SignalSource;
 class SystemActions;
 class SystemReports;
 
-/// The objects that a window shows and controls; all must outlive the window.
+/// The objects that a window shows and controls. All must outlive the window.
 struct WindowParts {
   CatalogueStore& store;
   LinkState& link;
@@ -29,14 +29,14 @@ struct WindowParts {
   ConnectionChecks& checks;
   PlanRunner& plans;
   SystemReports& reports;
-  console::Settings console = {};  ///< of the window's console
-  QString kept = {};               ///< the folder for saved state; empty: none
-  QStringList gcm = {};            ///< `gcm` with its options; empty: the window starts no GCM
-  QString demo = {};               ///< the system file of the demo; empty: no demo is offered
-  QString read_only = {};          ///< why this window cannot change anything; empty if it can
+  console::Settings console = {};  ///< settings of the console in the window
+  QString kept = {};               ///< folder for the saved state; if empty, nothing is saved
+  QStringList gcm = {};    ///< `gcm` with its options; if empty, the window cannot start a GCM
+  QString demo = {};       ///< system file of the demo; if empty, the demo is not offered
+  QString read_only = {};  ///< why this window cannot change anything; empty if it can
 };
 
-/// The parts that belong to a session.
+/// Returns the parts that belong to a session.
 [[nodiscard]] WindowParts PartsOf(GcmSession& session);
 
 }  // namespace tendon::gui

@@ -328,8 +328,9 @@ TEST_F(ConsoleTest, WatchReportsAGlobWithoutMatches) {
   const Outcome none = Gcm({"watch", "robot/*/state.Jonts"});
 
   EXPECT_EQ(none.exit_code, program::kNotFound);
-  EXPECT_EQ(none.err,
-            "gcm: no column fits 'robot/*/state.Jonts'; list them with: gcm ls -R --type state\n");
+  EXPECT_EQ(
+      none.err,
+      "gcm: no column matches 'robot/*/state.Jonts'; list them with: gcm ls -R --type state\n");
 }
 
 TEST_F(ConsoleTest, CandidatesListsCompatibleAndNearlyCompatibleInterfaces) {

@@ -53,7 +53,8 @@ void CardItem::place(const QPointF& corner, const QPointF& point) {
 }
 
 QPainterPath CardItem::lineToPort() const {
-  // From beside the port to the nearest edge of the card, at right angles to both.
+  // The line starts beside the port, ends at the nearest edge of the card, and is perpendicular to
+  // both.
   const QPointF beside(port_.x() < 0 ? kBend : -kBend, 0);
   const bool above = port_.y() < 0;
   const bool below = port_.y() > size_.height();

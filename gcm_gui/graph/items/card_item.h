@@ -9,14 +9,15 @@
 namespace tendon::gui {
 
 /// A small card with information about a point of the graph, such as a port that does not fit, and
-/// a thin line to that point.
+/// a thin line from the card to that point.
 class CardItem : public QGraphicsItem {
  public:
   CardItem();
 
   /// Wraps lines at `widest`.
   void setTexts(const QString& title, const QStringList& lines, double widest);
-  /// The card's top left corner and the point it is about, in scene coordinates.
+  /// Places the top left corner of the card at `corner`, and the end of the line at `point`. Both
+  /// are in scene coordinates.
   void place(const QPointF& corner, const QPointF& point);
 
   [[nodiscard]] QSizeF size() const { return size_; }
@@ -24,7 +25,7 @@ class CardItem : public QGraphicsItem {
   [[nodiscard]] const QStringList& lines() const { return lines_; }
 
   [[nodiscard]] QRectF boundingRect() const override;
-  /// Empty, so that the item never receives a click.
+  /// Returns an empty path, so that the item never receives a click.
   [[nodiscard]] QPainterPath shape() const override { return {}; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kBar = 3;
 constexpr double kStaleOpacity = 0.5;
-constexpr double kUsual = 2;  // the normal z value
+constexpr double kUsual = 2;  // the z value when not raised
 
 }  // namespace
 

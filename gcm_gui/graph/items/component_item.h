@@ -9,14 +9,15 @@
 
 namespace tendon::gui {
 
-/// A component: its name, its state bar, and its ports, which are child items.
+/// A component with its name, its state bar, and its ports as child items.
 class ComponentItem : public QGraphicsItem {
  public:
   enum { Type = UserType + 2 };
 
   ComponentItem();
 
-  /// `rect` is in the scene; `stale` means an outdated state. Returns true if it has changed.
+  /// Shows a component at `rect`, in scene coordinates. `stale` is true if the state is outdated.
+  /// Returns true if something has changed.
   bool show(const NodePicture& picture, const QRectF& rect, bool stale);
   void setSelected(bool selected);
   /// Raises the item above the DimmingItem.

@@ -17,7 +17,7 @@ class DimmingItem : public QGraphicsItem {
   [[nodiscard]] double strength() const { return strength_; }
 
   [[nodiscard]] QRectF boundingRect() const override { return rect_; }
-  /// Empty, so that the item never receives a click.
+  /// Returns an empty path, so that the item never receives a click.
   [[nodiscard]] QPainterPath shape() const override { return {}; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 

@@ -39,7 +39,8 @@ Token TokenOf(EdgeItem::Look look) {
 
 QPainterPath EdgePath(const QPointF& from, const QPointF& to) {
   const double distance = std::abs(to.x() - from.x());
-  // A backward edge bends more, so that its ends still follow the ports.
+  // An edge that goes to the left bends more, so that it still leaves and enters the ports
+  // horizontally.
   const double wanted = to.x() > from.x() ? distance / 2 : distance / 3 + kLeastBend;
   const QPointF bend(std::clamp(wanted, kLeastBend, kMostBend), 0);
   QPainterPath path(from);
@@ -112,7 +113,7 @@ QRectF EdgeItem::boundingRect() const {
 }
 
 QPainterPath EdgeItem::shape() const {
-  if (look_ == Look::kPreview) return {};  // takes no clicks
+  if (look_ == Look::kPreview) return {};  // a preview receives no clicks
   QPainterPathStroker stroker;
   stroker.setWidth(kClickWidth);
   return stroker.createStroke(path_);
@@ -150,7 +151,8 @@ void EdgeItem::paintReason(QPainter& painter) const {
   const QString text = metrics.elidedText(reason_, Qt::ElideRight, kReasonWidth - 16);
   const double room = to_.x() - from_.x();
   if (room < metrics.horizontalAdvance(text) + 24 && !selected_) {
-    // No room between the nodes: draw only the mark; the selection shows the reason.
+    // There is no room between the nodes, so only the mark is drawn. The reason appears when the
+    // edge is selected.
     const QRectF disc(path_.pointAtPercent(0.5) - QPointF(9, 9), QSizeF(18, 18));
     painter.setPen(theme.color(Token::kBad, 0.6));
     painter.setBrush(theme.color(Token::kPanel));

@@ -12,17 +12,17 @@ namespace tendon::gui {
 /// A connection, drawn from the provided port to the required one.
 class EdgeItem : public QGraphicsItem {
  public:
-  /// kPreview: not requested yet.
+  /// kPreview is a connection that was not requested yet.
   enum class Look { kActive, kPending, kFailed, kStale, kPreview };
   enum { Type = UserType + 4 };
 
   EdgeItem();
 
   void show(const QPointF& from, const QPointF& to, Look look, const QString& reason = {});
-  /// The name of the edge is its required end.
+  /// Sets both interfaces. The required interface is the name of the edge.
   void setEnds(const InterfaceName& required, const InterfaceName& provided);
   void setSelected(bool selected);
-  /// The flaw of a working connection; empty if there is none.
+  /// Sets the problem of a working connection; empty if there is none.
   void setWarning(const QString& warning);
   /// Raises the item above the DimmingItem.
   void setRaised(bool raised);
@@ -33,7 +33,7 @@ class EdgeItem : public QGraphicsItem {
   [[nodiscard]] Look look() const { return look_; }
   [[nodiscard]] const QString& warning() const { return warning_; }
   [[nodiscard]] const QPainterPath& path() const { return path_; }
-  /// True if a connection attempt did not succeed (yet), so that there is a reason to show.
+  /// True if the connection is pending or has failed, so that there is a reason to show.
   [[nodiscard]] bool isBroken() const { return look_ == Look::kFailed || look_ == Look::kPending; }
 
   [[nodiscard]] int type() const override { return Type; }
@@ -47,7 +47,7 @@ class EdgeItem : public QGraphicsItem {
   void showTip();
   void paintReason(QPainter& painter) const;
 
-  InterfaceName name_;  // the required end
+  InterfaceName name_;  // the required interface
   QString required_;
   QString provided_;
   QPointF from_;

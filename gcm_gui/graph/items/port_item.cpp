@@ -118,7 +118,7 @@ void PortItem::paintRings(QPainter& painter) const {
   painter.setPen(QPen(theme.color(Token::kAccent, 0.35), 1));
   painter.drawEllipse(QPointF(), kOuterRing, kOuterRing);
   if (number_ == 0) return;
-  // Outside the node, so that its name is not hidden.
+  // The badge is outside the node, so that it does not hide the name.
   const bool left = picture_.port.side == Side::kRequired;
   const QRectF badge(left ? -8 - kBadge : 8, -8 - kBadge - 2, kBadge, kBadge);
   painter.setPen(Qt::NoPen);

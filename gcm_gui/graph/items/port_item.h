@@ -7,8 +7,9 @@
 
 namespace tendon::gui {
 
-/// One interface of a component: a disc on the node's edge, filled if connected, and its name
-/// inside. The item's position is the centre of the disc; the whole item takes clicks.
+/// One interface of a component, drawn as a disc on the edge of the node, with the name inside the
+/// node. The disc is filled if the interface is connected. The item's position is the centre of the
+/// disc; the whole item receives clicks.
 class PortItem : public QGraphicsItem {
  public:
   enum class Role { kPlain, kChosen, kCandidate, kUnfit };
@@ -17,7 +18,7 @@ class PortItem : public QGraphicsItem {
   explicit PortItem(QGraphicsItem* parent);
 
   void show(const PortPicture& picture, double node_width, bool stale);
-  /// The role in connect mode; `number` is the digit that picks the port, 0 for none.
+  /// Sets the role in connect mode. `number` is the digit key that picks the port; 0 for none.
   void setRole(Role role, int number = 0);
 
   [[nodiscard]] const PortName& port() const { return picture_.port; }

@@ -17,7 +17,7 @@ namespace tendon::gui {
 
 namespace {
 
-// Sizes of the title at a small scale, in pixels.
+// The title at a small scale, in pixels.
 constexpr double kFarTitle = 20;
 constexpr double kLeastFarTitle = 64;
 
@@ -96,7 +96,7 @@ void ProcessItem::draw(QPainter* painter) {
                            kRadius + 2);
   const double scale =
       QStyleOptionGraphicsItem::levelOfDetailFromTransform(painter->worldTransform());
-  if (scale < kFarAway) return;  // paintFarTitle() draws it then
+  if (scale < kFarAway) return;  // then paintFarTitle() draws the title
   painter->setFont(theme.strong());
   painter->setPen(titleColor());
   const QRectF head(kNodeInset, 3, size_.width() - 2 * kNodeInset, 22);

@@ -7,7 +7,7 @@
 
 namespace tendon::gui {
 
-/// The box around the components of a process; dashed if the process is lost.
+/// The box around the components of a process. Its border is dashed if the process is lost.
 class ProcessItem : public QGraphicsItem {
  public:
   enum { Type = UserType + 3 };
@@ -15,14 +15,14 @@ class ProcessItem : public QGraphicsItem {
   ProcessItem();
 
   void show(const ProcessPicture& picture, const QRectF& rect);
-  /// The present time, ns since 1970, for "lost 12 s".
+  /// Sets the present time in ns since 1970, for texts such as "lost 12 s".
   void setNow(std::int64_t now);
   void setSelected(bool selected);
 
   [[nodiscard]] const QString& name() const { return name_; }
   [[nodiscard]] QString title() const;
-  /// Draws the title over the upper edge of the box, in its normal size on the screen, when the
-  /// scale makes the title inside unreadable. `painter` uses scene coordinates.
+  /// If the scale makes the title inside the box unreadable, draws the title over the upper edge of
+  /// the box in its normal size on the screen. `painter` uses scene coordinates.
   void paintFarTitle(QPainter& painter, double scale) const;
 
   [[nodiscard]] int type() const override { return Type; }

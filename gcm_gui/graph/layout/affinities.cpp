@@ -10,14 +10,15 @@
 namespace tendon::gui {
 namespace {
 
-/// With more matching providers, the match does not determine a client's position.
+/// If more providers match, their affinities are ignored, because they say nothing about a client's
+/// best position.
 constexpr std::size_t kMostProviders = 3;
 
 QString ComponentPath(const InterfaceName& name) {
   return ToQString(name.process + '/' + name.component);
 }
 
-/// An index of provided interfaces by member, to find the few that must be compared.
+/// Finds provided interfaces by a member, so that only a few interfaces must be compared.
 class ProviderIndex {
  public:
   void Add(const InterfaceName& name, const ProvidedDescription& provided) {
@@ -26,8 +27,8 @@ class ProviderIndex {
     for (const auto& event : provided.events) by_member_[Key(event)].push_back({name, &provided});
   }
 
-  /// The interfaces that fill `required`; none if it needs no members, because every interface
-  /// would match.
+  /// Returns the interfaces that fit `required`. Returns none if `required` needs no members,
+  /// because then every interface would fit.
   [[nodiscard]] std::vector<InterfaceName> Fitting(const RequiredDescription& required) const {
     std::vector<InterfaceName> fitting;
     const MemberDescription* needed = FirstNeeded(required);

@@ -7,11 +7,12 @@
 
 namespace tendon::gui {
 
-/// The affinities between components that could be connected, from their interfaces alone. Linear
-/// in the members, and in the pairs of interfaces that share their first member.
+/// Returns the pairs of components that could be connected, judged only by their interfaces. The
+/// cost is linear in the number of members, and in the number of pairs of interfaces with the same
+/// first member.
 [[nodiscard]] std::set<Affinity> FittingOf(const Catalogue& catalogue);
 
-/// Adds the affinities of connected components (`edges`) to `fitting`. Sorted.
+/// Returns `fitting` together with the affinities of the connected components (`edges`), sorted.
 [[nodiscard]] std::vector<Affinity> AffinitiesOf(std::set<Affinity> fitting,
                                                  const std::vector<ConnectionDescription>& edges);
 

@@ -31,7 +31,7 @@ Indices IndicesOf(const std::vector<ColumnLayout::Block>& blocks) {
   return indices;
 }
 
-/// Collects edges without duplicates and loops.
+/// Collects edges, without duplicates and without edges from a node to itself.
 class EdgeCollector {
  public:
   void Add(const Indices& indices, const QString& provider, const QString& client) {
@@ -51,15 +51,15 @@ class EdgeCollector {
   std::set<std::pair<std::size_t, std::size_t>> edges_;
 };
 
-/// Keeps track of occupied space and finds free places beside it.
+/// Keeps a list of occupied rectangles, and finds free places beside them.
 class FreeSpace {
  public:
   /// Keeps a gap of `between` around each rectangle.
   explicit FreeSpace(const QSizeF& between) : between_(between) {}
 
   void Take(const QRectF& rect) { taken_.push_back(rect); }
-  /// Moves `wanted` right or down, one obstacle at a time, until it overlaps nothing. Each obstacle
-  /// costs a pass over all occupied rectangles.
+  /// Moves `wanted` to the right or downwards, past one occupied rectangle after another, until it
+  /// overlaps none. Each step visits all occupied rectangles.
   [[nodiscard]] QRectF Beside(QRectF wanted) const;
 
  private:
@@ -77,7 +77,8 @@ const QRectF* FreeSpace::InTheWayOf(const QRectF& rect) const {
 }
 
 QRectF FreeSpace::Beside(QRectF wanted) const {
-  // The loop ends, because each step moves right or down past one obstacle.
+  // The loop ends, because each step moves the rectangle to the right or downwards, past one
+  // obstacle.
   while (const QRectF* obstacle = InTheWayOf(wanted)) {
     const double right = obstacle->right() + between_.width() - wanted.left();
     const double down = obstacle->bottom() + between_.height() - wanted.top();

@@ -14,21 +14,21 @@ namespace tendon::gui {
 
 /// The positions of all items of a graph.
 struct Arrangement {
-  QHash<QString, QRectF> boxes;  ///< of processes, by name
-  QHash<QString, QRectF> nodes;  ///< of components, by path; in the same coordinates
+  QHash<QString, QRectF> boxes;  ///< boxes of processes, by name
+  QHash<QString, QRectF> nodes;  ///< nodes of components, by path; in the same coordinates
 };
 
-/// Arranges processes in columns, and the components of each process in columns, except for those
-/// that the user has placed. Stable: an update moves only the items that it affects; a component
-/// placed by the user stays there, and others make room for it.
+/// Arranges processes in columns, and the components of each process in columns. A component that
+/// the user has placed stays at its position, and the others make room for it. The layout is
+/// stable: an update moves only the items that it affects.
 class GraphLayout {
  public:
   GraphLayout();
 
   /// Returns true if any position has changed.
   bool update(const GraphPicture& picture);
-  /// The top left corners of the components that the user has placed, by path. Takes effect at the
-  /// next update().
+  /// Sets the positions (top left corners) of the components that the user has placed, by path.
+  /// Takes effect at the next update().
   void setPlaces(std::map<QString, QPointF> places);
 
   [[nodiscard]] const Arrangement& arrangement() const { return arrangement_; }
@@ -44,12 +44,12 @@ class GraphLayout {
   void placeNodes(const ProcessPicture& process, const QRectF& box);
   [[nodiscard]] QRectF placeByHand(const ProcessPicture& process);
 
-  std::map<QString, graph::ColumnLayout> insides_;  // of each process
+  std::map<QString, graph::ColumnLayout> insides_;  // the layout within each process
   graph::ColumnLayout processes_;
-  std::map<QString, QPointF> places_;  // by hand
+  std::map<QString, QPointF> places_;  // positions chosen by the user
   bool other_places_ = false;          // places_ has changed since the last update
   Arrangement arrangement_;
-  std::vector<Affinity> affinities_;                 // the last ones, sorted by process below
+  std::vector<Affinity> affinities_;  // affinities of the last update; below: by process
   std::map<QString, std::vector<Affinity>> inside_;  // affinities within one process
   std::vector<Affinity> across_;                     // affinities between two processes
 };

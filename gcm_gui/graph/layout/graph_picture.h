@@ -13,7 +13,7 @@ namespace tendon::gui {
 
 enum class Side { kRequired, kProvided };
 
-/// The name of an interface together with its side.
+/// The name of an interface, and whether it is required or provided.
 struct PortName {
   Side side = Side::kRequired;
   InterfaceName name;
@@ -33,10 +33,10 @@ struct NodePicture {
   QString name;
   ComponentState state = ComponentState::kConstructed;
   std::vector<UnsatisfiedInterface>
-      waits{};  ///< the needs that keep a running component from its work
+      waits{};  ///< the connections for which a running component still waits
   std::vector<PortPicture> required;
   std::vector<PortPicture> provided;
-  QSizeF size;  ///< the size it needs in the theme's fonts
+  QSizeF size;  ///< the size that the node needs in the theme's fonts
 
   bool operator==(const NodePicture&) const = default;
 };
@@ -46,12 +46,13 @@ struct ProcessPicture {
   ProcessState state = ProcessState::kAlive;
   std::int64_t since = 0;
   std::vector<NodePicture> nodes;
-  double title_width = 0;  ///< the width its title needs in the theme's fonts
+  double title_width = 0;  ///< the width that the title needs in the theme's fonts
 };
 
-/// A possible connection from a provided interface of one component to a required one of another.
+/// A possible connection between two components: the provided interface belongs to one, the
+/// required interface to the other.
 struct Affinity {
-  QString provider;  ///< paths of components
+  QString provider;  ///< both are paths of components
   QString client;
 
   bool operator==(const Affinity&) const = default;
@@ -60,11 +61,12 @@ struct Affinity {
   }
 };
 
-/// The contents of the graph, before anything is placed.
+/// The contents of the graph before positions are computed.
 struct GraphPicture {
   std::vector<ProcessPicture> processes;
   std::vector<ConnectionDescription> edges;
-  /// Of present and possible connections, so that making a connection does not move items. Sorted.
+  /// The affinities of existing and possible connections, sorted. Possible ones are included so
+  /// that making a connection does not move items.
   std::vector<Affinity> affinities;
 };
 

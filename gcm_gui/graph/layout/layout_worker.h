@@ -25,15 +25,16 @@ class LayoutWorker : public QObject {
   LayoutWorker& operator=(const LayoutWorker&) = delete;
   ~LayoutWorker() override;
 
-  /// Arranges the whole picture; `places` are those chosen by the user. arranged() follows. Of the
-  /// requests that arrive while the thread works, only the newest is executed.
+  /// Arranges the whole picture; arranged() is emitted afterwards. `places` are the positions
+  /// chosen by the user. While the thread is busy, only the newest of the arriving requests is
+  /// kept.
   void arrange(const GraphPicture& picture, const Places& places);
-  /// The same, faster, if only `places` have changed since the last call.
+  /// Does the same faster; use it only if nothing but `places` has changed since the last call.
   void move(const GraphPicture& picture, const Places& places);
 
-  /// The latest result; items that were added later are not in it.
+  /// The latest result. It does not contain items that were added later.
   [[nodiscard]] const Arrangement& arrangement() const { return arrangement_; }
-  /// True while the last request is not finished.
+  /// True until the last request is finished.
   [[nodiscard]] bool isAtWork() const { return is_at_work_; }
 
  Q_SIGNALS:
@@ -50,7 +51,7 @@ class LayoutWorker : public QObject {
   void doInThread(Order order);
   void finish(bool moved, const Arrangement& arrangement);
 
-  std::shared_ptr<GraphLayout> layout_;  // used by the thread while it works
+  std::shared_ptr<GraphLayout> layout_;  // used by the thread while it is busy
   std::shared_ptr<GuiPoster> poster_;
   Arrangement arrangement_;
   bool is_at_work_ = false;

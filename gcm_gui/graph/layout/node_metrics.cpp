@@ -11,7 +11,7 @@ namespace tendon::gui {
 namespace {
 
 constexpr double kLeastWidth = 104;
-constexpr double kTitleSlack = 96;  // for " · lost 12 min"
+constexpr double kTitleSlack = 96;  // room for " · lost 12 min"
 
 double WidestName(const std::vector<PortPicture>& ports, const QFontMetricsF& metrics) {
   double widest = 0;

@@ -14,26 +14,28 @@ inline constexpr double kPortRadius = 5;
 inline constexpr double kNodeHead = 28;  ///< from a node's top to its ports
 inline constexpr double kNodeTail = 6;
 inline constexpr double kNodeInset = 12;
-inline constexpr double kPortInset = 16;    ///< from a node's edge to a port's name; has the rings
+inline constexpr double kPortInset = 16;    ///< from a node's edge to a port's name
 inline constexpr double kProcessHead = 28;  ///< from a process box's top to its nodes
 inline constexpr double kProcessInset = 14;
 
-/// Names are unreadable below this scale, so less is drawn.
+/// Below this scale names are unreadable, so fewer details are drawn.
 inline constexpr double kFarAway = 0.35;
 
-// The z values of the DimmingItem, and of the items above it.
+// The z values of the DimmingItem and of the items above it.
 inline constexpr double kDimming = 5;
 inline constexpr double kRaisedEdge = 6;
 inline constexpr double kRaisedNode = 7;
 inline constexpr double kReadout = 8;
 
-/// The size a node needs in the theme's fonts.
+/// Returns the size that a node needs in the theme's fonts.
 [[nodiscard]] QSizeF SizeOf(const NodePicture& node);
 
-/// The width that the title of a process box needs, for any length of "lost" time.
+/// Returns the width that the title of a process box needs, even with a long text such as "lost 12
+/// s".
 [[nodiscard]] double WidthOfTitle(const QString& process);
 
-/// The centre of a port's disc. `index` counts the ports of its side from the top.
+/// Returns the centre of a port's disc. `index` counts the ports on the same side of the node from
+/// the top.
 [[nodiscard]] QPointF PortCentre(const QRectF& node, Side side, int index);
 
 }  // namespace tendon::gui

@@ -15,8 +15,9 @@ namespace tendon::gui {
 namespace {
 
 constexpr std::size_t kMostSteps = 50;
-constexpr std::size_t kMostPlaces = 20000;  // including systems seen earlier
-constexpr double kFurthest = 1e6;           // a larger distance is a mistake in the file
+// The maximum number of positions, including those of systems that were shown earlier.
+constexpr std::size_t kMostPlaces = 20000;
+constexpr double kFurthest = 1e6;  // a larger distance is a mistake in the file
 
 QByteArray MapText(const NodePositions::Map& places) {
   QJsonObject all;

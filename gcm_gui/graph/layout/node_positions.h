@@ -8,12 +8,12 @@
 
 namespace tendon::gui {
 
-/// False for a very distant position, which is a mistake in a file.
+/// Returns false for a very distant position, because this is a mistake in a file.
 [[nodiscard]] bool IsPlausiblePosition(const QPointF& position);
 
-/// The positions that the user has given to components: the top left corner by path, in scene
-/// coordinates. Saved in a file, even for components that are gone; the last fifty steps can be
-/// undone. GUI thread; the FileWriter writes the file.
+/// The positions that the user has given to components: the top left corners by path, in scene
+/// coordinates. They are saved in a file, even for components that no longer exist. The last fifty
+/// steps can be undone. GUI thread; the FileWriter writes the file.
 class NodePositions : public QObject {
   Q_OBJECT
 
@@ -22,28 +22,28 @@ class NodePositions : public QObject {
 
   using QObject::QObject;
 
-  /// Loads the file if it can be read, and saves to it from now on.
+  /// Loads the positions from the file if it can be read. From now on, saves changes to it.
   void keepIn(const QString& file);
 
   [[nodiscard]] const Map& all() const { return all_; }
   [[nodiscard]] bool canUndo() const { return !steps_.empty(); }
-  /// True if the user's last action was a move here and not an action on the system.
+  /// True if the last action of the user was such a move, and not an action on the system.
   [[nodiscard]] bool isNewest() const { return is_newest_ && canUndo(); }
 
  public Q_SLOTS:
-  /// Moves all of them in one step. The same `key` as in the previous step extends that step, so
-  /// that many small moves by keys are undone together.
+  /// Moves several components in one step. If `key` is the same as in the previous step, the move
+  /// becomes a part of that step, so that many small moves by keys are undone together.
   void move(const std::map<QString, QPointF>& moved, const QString& key = {});
   /// Returns all components to their automatic positions.
   void reset();
   /// Undoes the last step.
   void undo();
-  /// Called when the user has done something else.
+  /// Called when the user has done something other than moving components.
   void onOtherAction() { is_newest_ = false; }
 
  Q_SIGNALS:
   void changed();
-  /// Tells the user that the positions could not be saved.
+  /// Emitted with a sentence for the user if the positions could not be saved.
   void notice(const QString& text);
 
  private:

@@ -34,7 +34,7 @@ NodePicture NodeOf(const ConnectionIndex& connections, const ProcessEntry& entry
   return node;
 }
 
-/// The position of a name in a sorted list, or the position at which to insert it.
+/// Returns the position of a name in a sorted list, or the position at which to insert the name.
 template <typename Things>
 auto FindByName(Things& things, const std::string& name) {
   return std::lower_bound(things.begin(), things.end(), name,
@@ -115,7 +115,7 @@ bool PictureUpdater::takeInterfaces(const Catalogue& catalogue, const ChangedPar
     return entry == nullptr ? nullptr : catalogue.FindComponent(part.process, name);
   };
   bool changed = false;
-  // First the known interfaces, some of which may be gone; then the present ones.
+  // First visits the known interfaces, because some of them may be gone; then the present ones.
   for (auto it = interfaces_.lower_bound(part);
        it != interfaces_.end() && it->first.process == part.process;) {
     if (!part.component.empty() && it->first.component != part.component) break;

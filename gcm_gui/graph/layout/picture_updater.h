@@ -11,8 +11,8 @@ namespace tendon::gui {
 
 class ConnectionIndex;
 
-/// Keeps the picture of a catalogue and rebuilds only the parts that a change has touched:
-/// rebuilding the picture of a thousand components would block the window too long.
+/// Keeps the picture of a catalogue, and rebuilds only the parts that a change has touched.
+/// Rebuilding the whole picture of a thousand components would block the window too long.
 class PictureUpdater {
  public:
   /// Returns the same picture as PictureOf(). `touched` must name all parts that have changed since
@@ -31,9 +31,10 @@ class PictureUpdater {
 
   void updatePart(const Catalogue& catalogue, const ConnectionIndex& connections,
                   const ChangedPart& part);
-  /// Stores the interfaces of a part; returns true if they have changed.
+  /// Stores the interfaces of a part. Returns true if they have changed.
   bool takeInterfaces(const Catalogue& catalogue, const ChangedPart& part);
-  /// Returns true if the set of connections has changed; ignores their states.
+  /// Stores the connections. Returns true if connections were added or removed; changed states do
+  /// not count.
   bool takeEdges(const Catalogue& catalogue);
 
   GraphPicture picture_;

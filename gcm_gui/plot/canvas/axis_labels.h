@@ -9,18 +9,18 @@
 
 namespace tendon::gui {
 
-/// Labels without line or ticks, because there is a grid. The width never shrinks, so the canvas
-/// does not move when numbers change.
+/// The labels of an axis, without a line and without tick marks, because the plot has a grid. The
+/// width never shrinks, so the canvas does not move when numbers change.
 class AxisLabels : public QwtScaleDraw {
  public:
   AxisLabels();
 
-  /// Sets the distance between two labels, which decides the number of digits.
+  /// Sets the distance between two labels. It determines the number of digits.
   void setStep(double step);
-  /// Sets the texts of the labels; a place without a text shows the number. Returns true if
-  /// something changed and the axis needs a repaint.
+  /// Sets the texts of the labels. At a position without a text, the number is shown. Returns true
+  /// if something has changed, so that the axis must be repainted.
   bool setTicks(const ValueTicks& ticks);
-  /// Returns true if the colour changed and the axis needs a repaint.
+  /// Returns true if the colour has changed, so that the axis must be repainted.
   bool setColor(const QColor& color);
   [[nodiscard]] const QColor& color() const { return color_; }
 
@@ -38,10 +38,10 @@ class AxisLabels : public QwtScaleDraw {
   mutable double widest_ = 0;
 };
 
-/// "-25 s", "-2 min", and "now" at 0 while the plot is live.
+/// Labels of a time axis: "-25 s", "-2 min", and "now" at 0 while the plot is live.
 class TimeLabels final : public AxisLabels {
  public:
-  /// Returns true if it changed.
+  /// Sets whether the plot is live. Returns true if this has changed.
   bool setLive(bool live);
 
  protected:

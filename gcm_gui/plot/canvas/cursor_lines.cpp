@@ -16,7 +16,7 @@ constexpr std::size_t kMostLines = 8;
 
 QString NameOf(Cursor cursor) { return cursor == Cursor::kA ? "A" : "B"; }
 
-// The text for states, instead of a difference: "off → manual".
+// Returns the change between two numbers as text. For states, it has both names: "off → manual".
 QString ChangeText(const Curve& curve, const ExactNumber& from, const ExactNumber& to) {
   if (const ValueNames* names = curve.names()) {
     const QString at_end = names->textOf(to);

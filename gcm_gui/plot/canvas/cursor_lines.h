@@ -12,8 +12,8 @@
 
 namespace tendon::gui {
 
-/// Draws the cursors A and B and, beside B, their differences in time and in the value of each
-/// curve.
+/// Draws the cursors A and B. Beside B, it shows the difference between the two cursors in time and
+/// in the value of each curve.
 class CursorLines final : public QwtPlotItem {
  public:
   /// All arguments must outlive this item.
@@ -27,7 +27,7 @@ class CursorLines final : public QwtPlotItem {
     QString text;
     QColor color;
   };
-  /// The texts beside B; empty without both cursors.
+  /// Returns the texts beside B; empty unless both cursors exist.
   [[nodiscard]] std::vector<Line> lines() const;
 
  private:
@@ -38,7 +38,7 @@ class CursorLines final : public QwtPlotItem {
   const Cursors& cursors_;
 };
 
-/// "Δt 12.700 s · 0.0787 Hz"
+/// Formats a time difference: "Δt 12.700 s · 0.0787 Hz".
 [[nodiscard]] QString SpanText(double seconds);
 
 }  // namespace tendon::gui

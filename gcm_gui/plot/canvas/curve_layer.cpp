@@ -17,9 +17,10 @@ constexpr double kCurveLayer = 20;  // above grid and gaps
 constexpr double kThickness = 2;    // logical pixels
 constexpr double kDotRadius = 2.5;
 constexpr double kLateRadius = 4;
-constexpr double kNearest = 3;      // pixels between samples; closer ones have no visible dots
-constexpr double kDotDistance = 8;  // pixels between samples whose dots have full size
-constexpr double kBeyond = 64;      // pixels beyond the canvas at which lines are cut off
+constexpr double kNearest = 3;  // pixels between samples; if they are closer, dots are not visible
+// The distance between samples, in pixels, from which dots have their full size.
+constexpr double kDotDistance = 8;
+constexpr double kBeyond = 64;  // pixels outside the canvas; lines are cut off there
 
 QwtScaleMap OnAxis(QwtScaleMap map, const AxisRange& range) {
   map.setScaleInterval(range.low, range.high);
@@ -81,7 +82,7 @@ double CurveLayer::rowOf(double distance, const AxisFrame& frame, const QwtScale
   return std::clamp(map.transform(place), rect.top() - kBeyond, rect.bottom() + kBeyond);
 }
 
-// For scalable pictures: a line from the minimum to the maximum of each slice.
+// Draws an envelope into a scalable picture: a line from the minimum to the maximum of each slice.
 void CurveLayer::drawLines(QPainter& painter, const Curve& curve, const Envelope& envelope,
                            const QwtScaleMap& map, const AxisFrame& frame,
                            const QRectF& rect) const {
@@ -108,8 +109,8 @@ void CurveLayer::drawLines(QPainter& painter, const Curve& curve, const Envelope
   painter.restore();
 }
 
-// Dots grow with the distance between samples, starting with the width of the line. So no dot
-// appears or disappears suddenly when one more sample is visible.
+// Returns the radius of a dot. It grows with the distance between samples, starting with the width
+// of the line, so no dot suddenly appears or disappears when one more sample becomes visible.
 double CurveLayer::DotRadius(double distance) {
   const double part = (distance - kNearest) / (kDotDistance - kNearest);
   return kThickness / 2 + std::clamp(part, 0.0, 1.0) * (kDotRadius - kThickness / 2);

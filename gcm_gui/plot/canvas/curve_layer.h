@@ -13,7 +13,7 @@ class CurveLayer final : public QwtPlotItem {
   /// Both arguments must outlive this item.
   CurveLayer(const CurveSet& curves, const TimeWindow& window);
 
-  /// The time slices for drawing on a canvas of `rect` at `device_pixel_ratio`.
+  /// Returns the time slices for drawing on a canvas of size `rect` at `device_pixel_ratio`.
   [[nodiscard]] TimeSlices slicesOf(const QwtScaleMap& x_map, const QRectF& rect,
                                     double device_pixel_ratio) const;
 
@@ -27,8 +27,8 @@ class CurveLayer final : public QwtPlotItem {
   void drawDots(QPainter& painter, const Curve& curve, const QwtScaleMap& x_map,
                 const QwtScaleMap& y_map, const QRectF& rect) const;
 
-  /// The row of a value at this `distance` from the base. A value without a position on the axis is
-  /// at the bottom; a value far outside is just off the canvas.
+  /// Returns the pixel row of a value at this `distance` from the base. A value without a position
+  /// on the axis is in the lowest row; a value far outside is just outside the canvas.
   [[nodiscard]] double rowOf(double distance, const AxisFrame& frame, const QwtScaleMap& map,
                              const QRectF& rect) const;
 

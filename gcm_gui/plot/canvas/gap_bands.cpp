@@ -21,7 +21,7 @@ constexpr double kLabelSpace = 8;
 
 QString GapText(std::uint64_t lost, bool is_standstill) {
   if (lost > 0) return QString::number(lost) + Words::tr(" lost");
-  return is_standstill ? Words::tr("stood still") : Words::tr("restarted");
+  return is_standstill ? Words::tr("did not run") : Words::tr("restarted");
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ GapBands::GapBands(const CurveSet& curves, const TimeWindow& window)
 void GapBands::draw(QPainter* painter, const QwtScaleMap& x_map, const QwtScaleMap&,
                     const QRectF& canvas_rect) const {
   const Theme& theme = Theme::instance();
-  QSet<QString> sources;  // columns of one table have the same gaps
+  QSet<QString> sources;  // handled already; all columns of a table have the same gaps
   for (const auto& curve : curves_.curves()) {
     const QString source = SourceOf(curve->path());
     if (curve->samples().empty() || !curve->isVisible() || sources.contains(source)) continue;
@@ -62,7 +62,7 @@ void GapBands::draw(QPainter* painter, const QwtScaleMap& x_map, const QwtScaleM
   }
 }
 
-// Bands that would touch each other are merged.
+// Returns the bands; bands that would touch each other are merged.
 std::vector<GapBands::Band> GapBands::bandsOf(const Curve& curve, const QwtScaleMap& x_map,
                                               const QRectF& rect) const {
   const auto x_of = [&](std::int64_t time_ns) {
@@ -70,7 +70,8 @@ std::vector<GapBands::Band> GapBands::bandsOf(const Curve& curve, const QwtScale
   };
   std::vector<Band> bands;
   for (const Gap& gap : curve.samples().gaps()) {
-    if (gap.cause == Gap::Cause::kNoValue) continue;  // rows came: the line just ends
+    // Rows have arrived, so the curve is only interrupted.
+    if (gap.cause == Gap::Cause::kNoValue) continue;
     Band band{.left = x_of(gap.from_ns),
               .right = x_of(gap.to_ns),
               .lost = gap.lost,
@@ -89,7 +90,7 @@ std::vector<GapBands::Band> GapBands::bandsOf(const Curve& curve, const QwtScale
   return bands;
 }
 
-// Overlapping labels are merged, with the sum.
+// Draws the labels. Overlapping labels become one, with the sum of the lost rows.
 void GapBands::drawLabels(QPainter& painter, const std::vector<Band>& bands,
                           const QRectF& rect) const {
   std::vector<Band> labels;

@@ -8,8 +8,8 @@
 
 namespace tendon::gui {
 
-/// Marks missing rows: a tint over the whole height with the number of lost rows, another tint
-/// where a source was restarted, did not run or has become silent.
+/// Marks missing rows. Lost rows get a tint over the whole height and their number. Another tint
+/// marks the time during which a source was restarted, did not run, or sent no rows.
 class GapBands final : public QwtPlotItem {
  public:
   /// Both arguments must outlive this item.
@@ -22,8 +22,8 @@ class GapBands final : public QwtPlotItem {
   struct Band {
     double left;
     double right;
-    std::uint64_t lost;  // 0: unknown
-    bool is_standstill;  // no rows were lost
+    std::uint64_t lost;  // 0 if unknown
+    bool is_standstill;  // the source did not run, so no rows were lost
   };
 
   [[nodiscard]] std::vector<Band> bandsOf(const Curve& curve, const QwtScaleMap& x_map,

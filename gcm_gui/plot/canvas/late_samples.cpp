@@ -5,7 +5,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr std::uint64_t kKnown = 16;  // earlier samples that determine the period
+constexpr std::uint64_t kKnown = 16;  // earlier samples from which the period is determined
 constexpr std::uint64_t kLeast = 4;
 constexpr double kLate = 0.5;  // periods
 

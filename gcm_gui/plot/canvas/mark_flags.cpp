@@ -15,7 +15,7 @@ namespace tendon::gui {
 namespace {
 
 constexpr double kFlagLayer = 30;  // above the curves, below the cursors
-constexpr double kFlagGrab = 4;    // pixels to the left of a line
+constexpr double kFlagGrab = 4;    // pixels to the left of a line that still belong to the flag
 constexpr double kStroke = 2;      // width of a line
 constexpr double kHeight = 16;
 constexpr int kIconSize = 12;
@@ -51,7 +51,8 @@ Token TokenOf(const Mark& mark) {
   return Token::kOk;
 }
 
-/// The mark that represents a flag with several marks: the first bad one, otherwise the first.
+/// Returns the mark that stands for all marks of a flag: the first bad one; if none is bad, the
+/// first.
 const Mark& ShownMark(const MarkFlags::Flag& flag) {
   const auto bad = std::find_if(flag.marks.begin(), flag.marks.end(),
                                 [](const Mark* mark) { return mark->is_bad; });

@@ -11,7 +11,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kSpacing = 8;  // gap between the canvas, or the previous column, and the labels
+constexpr int kSpacing = 8;  // pixels between the labels and the canvas, or the column before
 
 }  // namespace
 

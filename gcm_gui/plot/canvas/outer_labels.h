@@ -12,23 +12,23 @@ class QPainter;
 
 namespace tendon::gui {
 
-/// The labels of the axes for which QwtPlot has no place: columns side by side to the right of its
-/// own axis, each in the colour of its curve. GUI thread.
+/// The labels of the axes that QwtPlot cannot have. They are columns side by side to the right of
+/// QwtPlot's own axis, each in the colour of its curve. GUI thread.
 class OuterLabels {
  public:
   /// Returns true if a repaint is needed.
   bool show(const std::vector<UnitAxis>& axes, ValueScale scale);
   /// The width of all columns in pixels. Never shrinks while the units are the same.
   [[nodiscard]] int width() const;
-  /// `rows` gives the height of the canvas and the left edge of the first column.
+  /// Paints the columns. `rows` is the height of the canvas and the left edge of the first column.
   void paint(QPainter& painter, const QRect& rows) const;
-  /// Paints the units above the columns, like those of the other axes.
+  /// Paints the units above the columns, as above the other axes.
   void paintUnits(QPainter& painter, int left, int height) const;
 
  private:
   struct Column {
     QString unit;
-    QString head;  // the unit and the base of the labels
+    QString head;  // unit and base of the labels
     AxisRange range;
     ValueTicks ticks;
     QColor color;
@@ -38,7 +38,8 @@ class OuterLabels {
   std::vector<Column> columns_;
 };
 
-/// The colour of the only curve of an axis if the plot has several axes; otherwise dim.
+/// Returns the colour of an axis: if the plot has several axes and only one curve uses this axis,
+/// the colour of that curve; otherwise the dim colour.
 [[nodiscard]] QColor AxisColor(const std::vector<UnitAxis>& axes, std::size_t index);
 
 }  // namespace tendon::gui

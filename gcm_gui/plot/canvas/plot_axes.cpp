@@ -37,14 +37,14 @@ PlotAxes::PlotAxes(QwtPlot& plot) : plot_(plot) {
   plot.plotLayout()->setCanvasMargin(0);
   plot.plotLayout()->setAlignCanvasToScales(true);
   plot.plotLayout()->setSpacing(0);
-  plot.setContentsMargins(kGrid, 0, 0, 0);  // keeps long labels off the edge
+  plot.setContentsMargins(kGrid, 0, 0, 0);  // so that long labels do not touch the edge
   plot.setAxisScaleDraw(QwtAxis::XBottom, new TimeLabels);
   for (const auto axis : kValueAxes) {
     plot.setAxisScaleDraw(axis, new AxisLabels);
     plot.axisScaleDraw(axis)->setMinimumExtent(kSide);
   }
-  // Reserve room for labels that extend beyond the ends of an axis, whether or not there are any
-  // now; otherwise the canvas would move.
+  // Reserves room for labels that extend beyond the ends of an axis, even if there are none now.
+  // Otherwise the canvas would move when such a label appears.
   const QFontMetrics metrics(Theme::instance().small());
   const int across = metrics.horizontalAdvance("-00.000 s") / 2;
   const int along = (metrics.height() + 1) / 2;
@@ -85,7 +85,7 @@ void PlotAxes::showTime(const TimeWindow& window) {
 }
 
 void PlotAxes::showValues(const std::vector<UnitAxis>& axes, ValueScale scale) {
-  // The right axis occupies its room even without labels.
+  // If there is no second axis, the labels are not drawn, but the right axis keeps its width.
   plot_.axisScaleDraw(QwtAxis::YRight)
       ->enableComponent(QwtAbstractScaleDraw::Labels, axes.size() > 1);
   for (std::size_t i = 0; i < kValueAxes.size() && i < axes.size(); ++i) {
@@ -117,7 +117,7 @@ void PlotAxes::setRoom(const SideRoom& least) {
   placeSides();
 }
 
-// Places the outer axes and unused room in the plot's margin.
+// Includes the outer axes, and the room that is not used, in the margins of the plot.
 void PlotAxes::placeSides() {
   plot_.axisScaleDraw(QwtAxis::YLeft)->setMinimumExtent(std::max(kSide, least_.left));
   const SideRoom wanted = wantedRoom();

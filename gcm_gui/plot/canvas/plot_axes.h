@@ -12,7 +12,7 @@ class QwtPlot;
 
 namespace tendon::gui {
 
-/// Room for labels beside a canvas, in pixels.
+/// The width of the labels beside a canvas, in pixels.
 struct SideRoom {
   int left = 0;
   int right = 0;
@@ -20,33 +20,33 @@ struct SideRoom {
   bool operator==(const SideRoom&) const = default;
 };
 
-/// The axes of a plot: time at the bottom, the first unit on the left, up to three more on the
-/// right. Their labels take constant room, so the canvas does not move. GUI thread.
+/// The axes of a plot: time at the bottom, the first unit on the left, up to three more units on
+/// the right. The width of the labels is constant, so the canvas does not move. GUI thread.
 class PlotAxes {
  public:
   static constexpr int kTop = 14;           ///< pixels above the canvas, for the units
-  static constexpr int kSide = 46;          ///< labels of an axis, or the empty side without one
+  static constexpr int kSide = 46;          ///< width of the labels, or of a side without an axis
   static constexpr int kValueSteps = 7;     ///< maximum number of label steps
-  static constexpr std::size_t kMost = 4;   ///< the maximum number of units with an axis
-  static constexpr std::size_t kOfQwt = 2;  ///< of these, the axes that QwtPlot itself has
+  static constexpr std::size_t kMost = 4;   ///< maximum number of units that have an axis
+  static constexpr std::size_t kOfQwt = 2;  ///< the number of these that QwtPlot itself has
 
-  /// Sets up the axes of `plot`, which must outlive this.
+  /// Sets up the axes of `plot`, which must outlive this object.
   explicit PlotAxes(QwtPlot& plot);
 
   void takeTheme();
-  /// False hides the axes of an empty plot.
+  /// If false, hides the axes, because the plot is empty.
   void setVisible(bool visible);
   void showTime(const TimeWindow& window);
   void showValues(const std::vector<UnitAxis>& axes, ValueScale scale);
-  /// The room that the labels need, without the minimum of setRoom().
+  /// Returns the width that the labels need, without the minimum of setRoom().
   [[nodiscard]] SideRoom wantedRoom() const;
-  /// Sets the minimum room, so that the canvases of several plots are aligned. Unused room stays
-  /// empty.
+  /// Sets the minimum width of the labels, so that the canvases of several plots are aligned. A
+  /// part that the labels do not need stays empty.
   void setRoom(const SideRoom& least);
-  /// Paints the parts that Qwt cannot: the units above the axes, and the outer axes.
+  /// Paints what Qwt cannot paint: the units above the axes, and the outer axes.
   void paint(const std::vector<UnitAxis>& axes) const;
 
-  /// The distance between two labels of the time axis, in s.
+  /// Returns the distance between two labels of the time axis, in s.
   [[nodiscard]] static double timeStep(const TimeWindow& window);
 
  private:
@@ -54,7 +54,7 @@ class PlotAxes {
 
   QwtPlot& plot_;
   OuterLabels outer_;
-  QStringList heads_;  // the texts above the axes
+  QStringList heads_;  // texts above the axes
   SideRoom least_;
 };
 

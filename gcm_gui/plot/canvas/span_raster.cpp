@@ -11,12 +11,12 @@ namespace tendon::gui {
 namespace {
 
 constexpr auto kSlices = SpanRaster::kSlicesPerColumn;
-constexpr int kFullBand = 64;  // the value of a band that covers a row
+constexpr int kFullBand = 64;  // the value of a band that covers a whole row
 constexpr int kFullPixel = kFullBand * static_cast<int>(kSlices);
-constexpr float kNowhere = 1e9F;  // top of an empty band; its bottom is -kNowhere
-constexpr double kOutside = 64;   // rows beyond the picture at which values are cut off
+constexpr float kNowhere = 1e9F;  // the top of an empty band; its bottom is -kNowhere
+constexpr double kOutside = 64;   // rows outside the picture; values are cut off there
 
-// Blends `color` over `below`, both premultiplied, by `coverage` / 256.
+// Blends `color` with `below`; both are premultiplied. The opacity is `coverage` / 256.
 std::uint32_t Blend(std::uint32_t below, std::uint32_t color, std::uint32_t coverage) {
   constexpr std::uint32_t kPairs = 0x00ff00ff;
   const std::uint32_t rest = 256 - coverage;
@@ -25,11 +25,12 @@ std::uint32_t Blend(std::uint32_t below, std::uint32_t color, std::uint32_t cove
   return (even & kPairs) | (odd & ~kPairs);
 }
 
-// Bands are widened in blocks, which the compiler can vectorise.
+// Bands are widened in blocks of this size, so that the compiler can vectorise the loop.
 constexpr std::size_t kBlock = 64;
 
-// Widens a block of bottoms (`direction` 1), or of tops (-1), which are bottoms of the picture
-// upside down. Reads a block plus the width of the pen from `thin`.
+// Widens a block of bottoms (`direction` 1) or of tops (`direction` -1). Tops are treated as the
+// bottoms of the picture turned upside down. Reads one block, plus the width of the pen, from
+// `thin`.
 void Widen(const float* thin, const std::vector<float>& reach, float direction, float* wide) {
   std::array<float, kBlock> lowest;
   lowest.fill(-kNowhere);
@@ -47,8 +48,9 @@ void Widen(const float* thin, const std::vector<float>& reach, float direction, 
 void SpanRaster::begin(QSize size) {
   if (size != size_) {
     size_ = size;
-    // The row distance is an odd number of cache lines: columns are drawn downwards, and with a
-    // power of two all their pixels would share a few cache sets.
+    // The distance between two rows in memory is an odd number of cache lines. Columns are drawn
+    // downwards: if the distance were a power of two, all pixels of a column would be in a few
+    // cache sets.
     constexpr std::size_t kLine = 16;
     stride_ = ((static_cast<std::size_t>(size.width()) + kLine - 1) / kLine | 1) * kLine;
     pixels_.assign(stride_ * static_cast<std::size_t>(size.height()), 0);
@@ -102,8 +104,9 @@ void SpanRaster::mapBands(const Envelope& envelope, const RowScale& rows) {
   }
 }
 
-// Draws a round pen along the bands. The new end of a band is the farthest point that the pen
-// reaches from any neighbouring band; the reach decreases with the distance of the neighbour.
+// Widens the bands as if a round pen were drawn along them. The new end of a band is the farthest
+// point that the pen reaches from a neighbouring band. The farther the neighbour, the shorter the
+// reach.
 void SpanRaster::widenBands(double radius) {
   reach_.clear();
   for (std::size_t k = 0; k <= 2 * margin_; ++k) {
@@ -120,8 +123,8 @@ void SpanRaster::widenBands(double radius) {
   }
 }
 
-// Each end of a band changes the coverage of the rows below it, in 64ths of a band. The running sum
-// from the top is the coverage of a pixel, in 256ths.
+// Each end of a band changes the coverage of the rows below it, in 64ths of a band. The sum of the
+// changes from the top down to a row is the coverage of its pixel, in 256ths.
 void SpanRaster::drawColumn(int x, std::uint32_t color) {
   const float* tops = wide_.tops.data() + static_cast<std::size_t>(x) * kSlices;
   const float* bottoms = wide_.bottoms.data() + static_cast<std::size_t>(x) * kSlices;
@@ -160,7 +163,7 @@ void SpanRaster::paint(QPainter& painter, const QPointF& top_left,
   if (first_row_ >= end_row_) return;
   const QRect rows(0, first_row_, size_.width(), end_row_ - first_row_);
   painter.save();
-  // Pixel by pixel, without scaling.
+  // Copies pixel by pixel, without scaling.
   painter.scale(1 / device_pixel_ratio, 1 / device_pixel_ratio);
   painter.drawImage(top_left * device_pixel_ratio + rows.topLeft(), image(), rows);
   painter.restore();

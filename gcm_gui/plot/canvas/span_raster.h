@@ -15,12 +15,12 @@ class QPainter;
 
 namespace tendon::gui {
 
-/// Maps a value to a row of pixels: row = (place - low) * scale + offset. The place of a value on a
-/// linear axis is value * factor; on a logarithmic axis it is the logarithm of that product. Values
-/// of 0 and below have no logarithm; they are drawn in the lowest row.
+/// Maps a value to a row of pixels: row = (place - low) * scale + offset. On a linear axis, the
+/// place of a value is value * factor; on a logarithmic axis, it is the logarithm of that product.
+/// Values of 0 or less have no logarithm; they are drawn in the lowest row.
 ///
-/// `low`, the lower end of the axis, is subtracted first. Otherwise an axis far away from 0 would
-/// have such large row numbers that a double cannot distinguish neighbouring rows.
+/// `low`, the lower end of the axis, is subtracted first. Without this, an axis far away from 0
+/// would have row numbers so large that a double could not distinguish neighbouring rows.
 struct RowScale {
   double low = 0;
   double scale = 1;
@@ -29,12 +29,12 @@ struct RowScale {
   ValueScale values = ValueScale::kLinear;
 };
 
-/// Draws envelopes as smooth lines into its own image, which is then painted at once.
+/// Draws envelopes as smooth lines into an image, and then paints the image at once.
 ///
-/// Qt's pen strokes cost per point, and much more if thick or antialiased; here a curve costs per
-/// pixel column. Each column has kSlicesPerColumn slices. A slice is the band between its lowest
-/// and highest value, widened by a round pen; the opacity of a pixel is the fraction that bands
-/// cover.
+/// Qt draws a line at a cost per point, and at a much higher cost if the line is thick or
+/// antialiased. Here the cost of a curve is per column of pixels. Each column has kSlicesPerColumn
+/// slices. A slice is the band between its lowest and highest value, widened by a round pen. The
+/// opacity of a pixel is the fraction of the pixel that the bands cover.
 class SpanRaster {
  public:
   static constexpr std::size_t kSlicesPerColumn = 4;
@@ -44,13 +44,14 @@ class SpanRaster {
   /// Draws on top of the image. The envelope must have kSlicesPerColumn slices per column; `radius`
   /// is half the line width in device pixels.
   void draw(const Envelope& envelope, const RowScale& rows, double radius, const QColor& color);
-  /// Paints the rows that were drawn on; `top_left` is in logical pixels.
+  /// Paints the rows of the image that were drawn on; `top_left` is in logical pixels.
   void paint(QPainter& painter, const QPointF& top_left, double device_pixel_ratio) const;
-  /// For tests; shares the memory of this object.
+  /// For tests. The result shares the memory of this object.
   [[nodiscard]] QImage image() const;
 
  private:
-  // Tops and bottoms in rows, in separate arrays so that the compiler can vectorise the widening.
+  // Tops and bottoms of the bands, in rows. They are in separate arrays so that the compiler can
+  // vectorise the widening.
   struct Bands {
     std::vector<float> tops;
     std::vector<float> bottoms;
@@ -65,13 +66,13 @@ class SpanRaster {
   QSize size_;
   std::size_t stride_ = 0;  // pixels per row
   std::vector<std::uint32_t> pixels_;
-  int first_row_ = 0;  // of the rows drawn on
+  int first_row_ = 0;  // first row that was drawn on
   int end_row_ = 0;
-  std::size_t margin_ = 0;  // empty bands at both ends, as wide as the pen
+  std::size_t margin_ = 0;  // number of empty bands at both ends, as many as the pen is wide
   Bands thin_;
   Bands wide_;
   std::vector<float> reach_;
-  std::vector<int> changes_;  // of the coverage from row to row; all 0 between columns
+  std::vector<int> changes_;  // changes of the coverage from row to row; all 0 between two columns
 };
 
 }  // namespace tendon::gui

@@ -8,18 +8,18 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kFewDecades = 2.5;  // below, 2 and 5 fit between powers of ten
+constexpr double kFewDecades = 2.5;  // below this, labels at 2 and 5 fit between the powers of ten
 constexpr double kTickTolerance = 1e-9;
-constexpr double kLargestPlain = 1e6;  // larger numbers, and steps below the next, get an exponent
+constexpr double kLargestPlain = 1e6;  // larger numbers, and steps below kTiny, get an exponent
 constexpr double kTiny = 1e-5;
-constexpr int kPlainDecades = 5;  // in both directions from 1
+constexpr int kPlainDecades = 5;  // decades above or below 1 without an exponent
 constexpr std::size_t kMostNames = 14;
 
 int DecadeOf(double value) {
   return static_cast<int>(std::floor(std::log10(value) + kTickTolerance));
 }
 
-// "1.5e+308", like QString.
+// Formats a number with an exponent as QString does: "1.5e+308".
 QString WithExponent(QString mantissa, int exponent) {
   if (mantissa.contains('.')) {
     while (mantissa.endsWith('0')) mantissa.chop(1);
@@ -29,7 +29,7 @@ QString WithExponent(QString mantissa, int exponent) {
          QString::number(std::abs(exponent)).rightJustified(2, '0');
 }
 
-// 10^decade times a multiple of a step.
+// Formats 10^decade times `value`, which is a multiple of `step`.
 QString DecadeText(double value, double step, int decade) {
   if (std::abs(decade) > kPlainDecades) return StepText(value, step, decade);
   const double power = std::pow(10, decade);
@@ -41,8 +41,9 @@ void Add(ValueTicks& ticks, double place, const QString& text) {
   ticks.texts.push_back(text);
 }
 
-// For less than a decade, where round values are evenly spaced. Calculates relative to a power of
-// ten, because values near the limits of doubles may not be finite.
+// Returns the labels for less than a decade, where round values are evenly spaced. Calculates
+// relative to a power of ten, because near the limits of doubles the values themselves may be
+// infinite.
 ValueTicks WithinADecade(const AxisRange& range, int most) {
   ValueTicks ticks;
   const double decade = std::floor(range.low);
@@ -81,7 +82,7 @@ ValueTicks LogarithmicTicks(const AxisRange& wanted, int most) {
   return ticks;
 }
 
-// As many names as fit. Long names are shortened only if they stay different.
+// Returns as many names as fit. Long names are shortened only if the shortened names still differ.
 ValueTicks NamedTicks(const UnitAxis& axis) {
   constexpr qsizetype kLongestLabel = 20;  // characters
   ValueTicks ticks;

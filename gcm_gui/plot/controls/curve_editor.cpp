@@ -57,7 +57,8 @@ void CurveEditor::build(const QString& name) {
   axis_->setObjectName("curveEditor.axis");
   axis_->setEditable(true);
   axis_->setInsertPolicy(QComboBox::NoInsert);
-  axis_->lineEdit()->installEventFilter(this);  // a combo box does not pass on Enter and Escape
+  // A combo box does not forward Enter and Escape.
+  axis_->lineEdit()->installEventFilter(this);
   axis_->setToolTip(
       Words::tr("Curves with the same name here share one axis; a new name makes a new axis"));
   status_->setObjectName("curveEditor.status");

@@ -13,9 +13,9 @@ class QPushButton;
 
 namespace tendon::gui {
 
-/// Edits scale, offset and axis of one curve on a small card over the window. Enter applies; Escape
-/// or a click elsewhere cancels. Invalid input is refused at its field, with the reason. Deletes
-/// itself when closed.
+/// A small card over the window in which the user edits scale, offset and axis of one curve. Enter
+/// applies the input; Escape or a click elsewhere cancels. If an input is invalid, its field shows
+/// the reason. The card deletes itself when it is closed.
 class CurveEditor : public QFrame {
   Q_OBJECT
 
@@ -37,7 +37,8 @@ class CurveEditor : public QFrame {
   void check();
   void accept();
   bool takesKey(int key);
-  /// Fills `look` with the input; returns the reason why it is invalid, or an empty text.
+  /// Stores the input in `look`. Returns the reason if the input is invalid; otherwise an empty
+  /// text.
   [[nodiscard]] QString read(CurveLook& look) const;
 
   const QString unit_;

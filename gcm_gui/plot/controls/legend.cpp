@@ -26,7 +26,7 @@ constexpr int kBetween = 12;  // between two rows side by side
 constexpr int kWidestName = 220;
 constexpr double kHiddenOpacity = 0.45;
 
-// Lays a text out once, because the legend paints it in each frame of the plot.
+// Stores a text with its layout, because the legend paints the text in each frame of the plot.
 void SetText(QStaticText& text, const QString& content, const QFont& font) {
   if (text.text() == content) return;
   text.setTextFormat(Qt::PlainText);
@@ -51,8 +51,8 @@ void LegendRow::setEntry(const LegendEntry& entry) {
   setAccessibleName(QStringList{entry.name, entry.value, entry.unit}.join(' ').simplified());
   setToolTip(isGrey() ? entry.path + '\n' + entry.name : entry.path);
   const QFontMetrics metrics(Theme::instance().small());
-  // "arm.position[0] · suspended · 5 s old": elide the middle, so that the ends, which differ, stay
-  // visible.
+  // A name such as "arm.position[0] · suspended · 5 s old" is shortened in the middle of its path.
+  // So the ends stay visible, because they distinguish the curves.
   const qsizetype reason = entry.name.indexOf(QStringLiteral(" · "));
   QString name = metrics.elidedText(entry.name.left(reason), Qt::ElideMiddle, kWidestName);
   if (reason >= 0) name += metrics.elidedText(entry.name.mid(reason), Qt::ElideRight, kWidestName);
@@ -95,7 +95,7 @@ bool LegendRow::event(QEvent* event) {
       update();
       break;
     case QEvent::ShortcutOverride:
-      // The row's keys take precedence over the window's shortcuts.
+      // If the row uses a key, the shortcut of the window with the same key is not called.
       if (isOwnKey(static_cast<QKeyEvent*>(event)->key())) event->accept();
       break;
     default:
@@ -107,7 +107,7 @@ bool LegendRow::event(QEvent* event) {
 void LegendRow::paintMark(QPainter& painter) const {
   const Theme& theme = Theme::instance();
   if (isPointedAt()) return PaintIcon(painter, markRect(), "close", Token::kText);
-  // Old values keep the colour of their curve.
+  // An old value keeps the colour of its curve.
   const QColor color = entry_.stale ? theme.color(Token::kStale) : theme.curve(entry_.color_index);
   painter.fillRect(0, (height() - kSwatchHeight) / 2, kSwatchWidth, kSwatchHeight, color);
 }
@@ -203,7 +203,7 @@ Legend::Legend(QWidget* parent) : QFrame(parent), grid_(new QGridLayout(this)) {
   grid_->setHorizontalSpacing(kBetween);
   grid_->setSizeConstraint(QLayout::SetFixedSize);
   hide();
-  // The fonts may have changed: the next entries rebuild the rows.
+  // The fonts may have changed, so all rows are removed; the next setEntries() builds them again.
   connect(&Theme::instance(), &Theme::changed, this, [this] { makeRows(0); });
 }
 

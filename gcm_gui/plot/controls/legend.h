@@ -15,25 +15,26 @@ class QGridLayout;
 
 namespace tendon::gui {
 
-/// The content of one row of a legend.
+/// The contents of one row of a legend.
 struct LegendEntry {
   QString path;
   QString name;
   QString value;  ///< already formatted
   QString unit;
   int color_index = 0;
-  bool stale = false;  ///< waits for its source: grey; `name` contains the source
-  bool old = false;    ///< its component does not run: grey; `name` contains the reason
+  bool stale = false;  ///< the curve waits for its source: grey; `name` contains the source
+  bool old = false;    ///< the curve's component does not run: grey; `name` contains the reason
   bool shown = true;   ///< the curve is visible
-  QString figures;     ///< statistics of the visible range, at the end; empty if not requested
+  QString figures;     ///< statistics of the visible part, shown last; empty if not requested
 
   bool operator==(const LegendEntry&) const = default;
 };
 
-/// One curve: colour, name, value, unit, and a cross to remove it, visible under the mouse and with
-/// the focus. A click or Space hides and shows the curve, Delete removes it, Enter opens scale,
-/// offset and axis, and dragging moves the signal elsewhere. A curve that waits for its source
-/// offers "remap…" (R) in place of its value. A menu has all these functions too.
+/// The row of one curve: colour, name, value, unit, and a cross that removes the curve. The cross
+/// is visible while the row is under the mouse or has the focus. A click or Space hides and shows
+/// the curve, Delete removes it, Enter opens scale, offset and axis, and dragging the row moves the
+/// signal to another plot. If the curve waits for its source, the row shows "remap…" (R) instead of
+/// the value. All these functions are also in a menu.
 class LegendRow : public QWidget {
   Q_OBJECT
 
@@ -51,9 +52,9 @@ class LegendRow : public QWidget {
  Q_SIGNALS:
   void toggled(const QString& path);
   void removeRequested(const QString& path);
-  /// The user wants to show another signal in its place.
+  /// Emitted when the user wants to show another signal instead of this one.
   void remapRequested(const QString& path);
-  /// The user wants to change its scale, offset or axis.
+  /// Emitted when the user wants to change scale, offset or axis of the curve.
   void lookRequested(const QString& path);
   void dragRequested(const QString& path);
 
@@ -85,16 +86,17 @@ class LegendRow : public QWidget {
   int unit_width_ = 0;
 };
 
-/// The curves of a plot with their present values: one row each, from left to right and downwards.
+/// The curves of a plot with their present values. Each curve has one row; the rows are placed from
+/// left to right, then downwards.
 class Legend : public QFrame {
   Q_OBJECT
 
  public:
   explicit Legend(QWidget* parent);
 
-  /// Cheap if only values change.
+  /// Sets the rows. The cost is low if only values have changed.
   void setEntries(const std::vector<LegendEntry>& entries);
-  /// The available width in pixels; as many rows as fit stand side by side.
+  /// Sets the available width in pixels. As many rows as fit are placed side by side.
   void setRoom(int width);
   [[nodiscard]] const std::vector<LegendRow*>& rows() const { return rows_; }
 
@@ -112,11 +114,11 @@ class Legend : public QFrame {
   [[nodiscard]] int widest(const std::function<int(const LegendRow&)>& width) const;
 
   QGridLayout* grid_;
-  int room_ = 0;    // pixels across
-  int across_ = 0;  // the number of rows side by side
+  int room_ = 0;    // available width in pixels
+  int across_ = 0;  // number of rows side by side
   std::size_t arranged_ = 0;
   std::vector<LegendRow*> rows_;
-  int value_width_ = 0;  // only grows, so that the legend does not jitter
+  int value_width_ = 0;  // never shrinks, so that the legend does not jitter
 };
 
 /// Formats `value` with two digits more than the labels of an axis that shows `range`.

@@ -11,7 +11,8 @@ namespace tendon::gui {
 namespace {
 
 constexpr int kOneRow = 18;
-constexpr int kLeastPlot = 110;   // height of canvas and axis; reduces the legend of a low plot
+// The minimum height of canvas and axis; if the plot is low, the legend becomes lower.
+constexpr int kLeastPlot = 110;
 constexpr double kHighest = 0.4;  // fraction of the plot
 constexpr int kEdge = kInset;
 

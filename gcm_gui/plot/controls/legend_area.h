@@ -8,14 +8,14 @@ class QwtPlot;
 
 namespace tendon::gui {
 
-/// Holds a plot's legend below the canvas, so that it covers no curve. Scrolls if there are more
-/// curves than room.
+/// Holds a plot's legend below the canvas, so that the legend does not cover a curve. Scrolls if
+/// the legend is higher than the area.
 class LegendArea : public QScrollArea {
   Q_OBJECT
 
  public:
-  /// A child of `plot`. Sets the plot's contents margins whenever the legend or the plot changes
-  /// its size.
+  /// Creates a child of `plot`. When the size of the legend or of the plot changes, it sets the
+  /// contents margins of the plot.
   explicit LegendArea(QwtPlot& plot);
 
   [[nodiscard]] Legend& legend() { return *legend_; }

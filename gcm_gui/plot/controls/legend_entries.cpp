@@ -9,10 +9,10 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kFigure = 8;  // characters of a number of the statistics
+constexpr int kFigure = 8;  // characters of each number in the statistics
 constexpr int kLogarithmicDigits = 5;
 
-// For states: the share of samples in each state.
+// For a curve with states, returns the share of the samples in each state.
 QString SharesOf(const Curve& curve, const TimeSpan& span) {
   constexpr double kPercent = 100;
   const SampleRing& samples = curve.samples();
@@ -46,7 +46,7 @@ QString FiguresOf(const CurveSet& curves, const Curve& curve, const TimeSpan& sp
 QString NumberOf(const ExactNumber& number, const Curve& curve, const CurveSet& curves) {
   if (curve.names() != nullptr) return curve.names()->textOf(number);
   if (number.isInteger()) return number.text();
-  // On a logarithmic axis, significant digits count.
+  // On a logarithmic axis, the number of significant digits is fixed.
   if (curves.scale() == ValueScale::kLogarithmic) {
     return QString::number(number.nearest(), 'g', kLogarithmicDigits);
   }

@@ -15,13 +15,14 @@ struct TimeSpan {
   std::int64_t to_ns = 0;
 };
 
-/// A curve's number as text: the name of a state, an integer with all digits, a real with two
-/// digits more than its axis.
+/// Formats a number of a curve: as the name of a state, as an integer with all digits, or as a real
+/// number with two digits more than the axis.
 [[nodiscard]] QString NumberOf(const ExactNumber& number, const Curve& curve,
                                const CurveSet& curves);
 
-/// The legend of the curves: their values at `at_ns`, or their present ones; and the statistics of
-/// a time span, if requested. O(curves), and O(samples) of that span.
+/// Returns the rows of the legend. They contain the values at `at_ns` or, if it is empty, the
+/// present values; and the statistics of a time span, if requested. O(curves) + O(samples in that
+/// span).
 [[nodiscard]] std::vector<LegendEntry> LegendEntriesOf(const CurveSet& curves,
                                                        std::optional<std::int64_t> at_ns,
                                                        std::optional<TimeSpan> statistics);

@@ -5,15 +5,16 @@
 
 namespace tendon::gui {
 
-/// Shows how much of the sample memory is used, as a bar of a few pixels; the tool tip says it in
-/// words.
+/// Shows how much of the memory for samples is used, as a bar a few pixels high. The tool tip says
+/// the same in words.
 class MemoryMeter : public QWidget {
   Q_OBJECT
 
  public:
   explicit MemoryMeter(QWidget* parent = nullptr);
 
-  /// In bytes. `is_thinned`: the oldest part is kept as minima and maxima only.
+  /// Sets the used and the available memory in bytes. `is_thinned` is true if the oldest samples
+  /// are kept only as minima and maxima.
   void setFigures(std::size_t used, std::size_t budget, bool is_thinned);
   [[nodiscard]] QSize sizeHint() const override { return {36, 16}; }
 

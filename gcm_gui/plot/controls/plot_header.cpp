@@ -24,7 +24,8 @@ using std::chrono::seconds;
 
 constexpr int kLeastTabs = 120;  // room for one tab and the scroll buttons
 
-// No wider than its tabs; QTabBar always keeps room for scroll buttons.
+// A tab bar that is not wider than its tabs; QTabBar itself always reserves room for scroll
+// buttons.
 class TabBar final : public QTabBar {
  public:
   using QTabBar::QTabBar;
@@ -60,7 +61,7 @@ PlotHeader::PlotHeader(QWidget* parent)
                     Words::tr("Add a plot below with the same time axis  (Ctrl+Shift+T)"), this)),
       memory_(new MemoryMeter(this)),
       badge_(new RateBadge(this)),
-      window_(Button("window", Words::tr("How long the plot looks back"), this)),
+      window_(Button("window", Words::tr("Time span of the plot"), this)),
       back_(Button("back", Words::tr("Back to the previous view  (Alt+Left)"), this)),
       forward_(Button("forward", Words::tr("Forward again  (Alt+Right)"), this)),
       cursors_(Button("cursors", Words::tr("Cursors A and B  (A, B; Delete)"), this)),
@@ -129,7 +130,7 @@ void PlotHeader::buildWindowMenu() {
     action->setCheckable(true);
     connect(action, &QAction::triggered, this, [this, length] { Q_EMIT windowChosen(length); });
   }
-  // Not QToolButton's own menu: it blocks in its handler until the menu is closed.
+  // QToolButton's own menu is not used, because its handler blocks until the menu is closed.
   connect(window_, &QToolButton::clicked, menu,
           [this, menu] { menu->popup(window_->mapToGlobal(QPoint(0, window_->height()))); });
 }
@@ -144,7 +145,7 @@ void PlotHeader::setFigures(const std::vector<SourceFigures>& figures) {
 
 void PlotHeader::setWindow(nanoseconds length) {
   window_->setText(Words::tr("Last ") + LengthText(length));
-  window_->setAccessibleName(Words::tr("How long the plot looks back: ") + LengthText(length));
+  window_->setAccessibleName(Words::tr("Time span of the plot: ") + LengthText(length));
   for (QAction* action : lengths_->actions()) {
     action->setChecked(action->text() == LengthText(length));
   }

@@ -15,8 +15,8 @@ namespace tendon::gui {
 class MemoryMeter;
 class RateBadge;
 
-/// The head of the plots: a tab per page, [+], and for the current plot its rate, time span,
-/// motion, and history buttons.
+/// The header of the plots. It has a tab for each page and a button [+]; for the current plot it
+/// has the rate, the time span, the motion and the history buttons.
 class PlotHeader : public HeaderRow {
   Q_OBJECT
 
@@ -25,7 +25,7 @@ class PlotHeader : public HeaderRow {
 
   [[nodiscard]] QTabBar& tabs() { return *tabs_; }
   void setFigures(const std::vector<SourceFigures>& figures);
-  /// See MemoryMeter.
+  /// For the arguments see MemoryMeter::setFigures().
   void setMemory(std::size_t used, std::size_t budget, bool is_thinned);
   void setWindow(std::chrono::nanoseconds length);
   void setPaused(bool paused);
@@ -45,7 +45,8 @@ class PlotHeader : public HeaderRow {
   void csvRequested();
 
  protected:
-  /// A narrow head hides those buttons whose functions are also on keys and in the menu.
+  /// If the header is narrow, hides the buttons whose functions also have a key and are in the
+  /// menu.
   void resizeEvent(QResizeEvent* event) override;
 
  private:
@@ -66,7 +67,7 @@ class PlotHeader : public HeaderRow {
   QToolButton* pause_;
 };
 
-/// "30 s", "5 min", "1 h".
+/// Formats a time span: "30 s", "5 min", "1 h".
 [[nodiscard]] QString LengthText(std::chrono::nanoseconds length);
 
 }  // namespace tendon::gui

@@ -14,11 +14,11 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kNotch = 120;        // of a wheel, in eighths of a degree
-constexpr double kNotchFactor = 0.8;  // factor of the window per notch
+constexpr double kNotch = 120;        // one step of a wheel, in eighths of a degree
+constexpr double kNotchFactor = 0.8;  // the window changes by this factor per step of the wheel
 constexpr double kKeyPan = 0.1;       // fraction of the canvas per key press
-constexpr int kSmallestBand = 5;      // pixels; a smaller band is a click
-constexpr int kPanThreshold = 12;     // pixels up or down before values move, too
+constexpr int kSmallestBand = 5;      // pixels; a smaller rectangle counts as a click
+constexpr int kPanThreshold = 12;     // pixels up or down before a drag also moves the values
 
 }  // namespace
 

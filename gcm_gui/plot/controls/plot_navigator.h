@@ -14,17 +14,18 @@ namespace tendon::gui {
 
 class PlotView;
 
-/// Handles mouse and keys on a plot's canvas, while data streams:
+/// Handles the mouse and the keys on the canvas of a plot, also while new data arrives:
 ///
-/// - wheel: zoom in time around the mouse; Ctrl+wheel: zoom in values; sideways: move in time
+/// - wheel: zoom in time around the mouse; Ctrl+wheel: zoom in values; horizontal wheel: move in
+/// time
 /// - drag: zoom to the rectangle, Escape cancels; Shift+drag: move
 /// - double click, End: live again
-/// - Alt+Left, Alt+Right, or the mouse's buttons for back and forward: history of views
-/// - Left, Right, + and - keys: time; Ctrl with + and -: values
-/// - A and B: cursors at the mouse, which can be dragged; Delete removes them
-/// - S: toggle sweep and scroll
-/// - M: toggle marks
-/// - L: toggle logarithmic and linear values
+/// - Alt+Left, Alt+Right, or the "back" and "forward" buttons of the mouse: history of views
+/// - Left, Right, + and -: move and zoom in time; Ctrl with + and -: zoom in values
+/// - A and B: place the cursors at the mouse; they can be dragged, and Delete removes them
+/// - S: switch between sweep and scroll
+/// - M: show or hide the marks
+/// - L: switch between logarithmic and linear values
 class PlotNavigator : public QObject {
   Q_OBJECT
 
@@ -52,7 +53,7 @@ class PlotNavigator : public QObject {
   Drag drag_ = Drag::kNone;
   QPoint pressed_;
   QPoint last_;
-  Cursor cursor_ = Cursor::kA;  // the one being dragged
+  Cursor cursor_ = Cursor::kA;  // the cursor that is being dragged
   bool moves_values_ = false;
 };
 

@@ -48,7 +48,7 @@ void PlotOverlay::setNote(const QString& note) {
   changed();
 }
 
-// Hidden while empty, because it is as large as the canvas.
+// Hides the overlay while it is empty, because it is as large as the canvas.
 void PlotOverlay::changed() {
   setVisible(band_.has_value() || line_.has_value() || !hint_.isEmpty() || !note_.isEmpty());
   update();

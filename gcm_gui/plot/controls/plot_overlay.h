@@ -7,18 +7,18 @@
 
 namespace tendon::gui {
 
-/// A layer above the curves that is redrawn independently: the rectangle being dragged, the line at
-/// the mouse with its time, a hint while the plot is empty, and a note about the view. Mouse events
-/// pass through it.
+/// A layer above the curves that is redrawn without redrawing the curves. It shows the rectangle
+/// being dragged, the line at the mouse with its time, a hint while the plot is empty, and a note
+/// about the view. Mouse events pass through it.
 class PlotOverlay : public QWidget {
   Q_OBJECT
 
  public:
-  /// Always has the size of `canvas`, its parent.
+  /// Creates a child of `canvas`, which always has the same size as the canvas.
   explicit PlotOverlay(QWidget* canvas);
 
   void setRubberBand(const std::optional<QRect>& rect);
-  /// Shows a vertical line at `x` with `text` at its foot.
+  /// Shows a vertical line at `x`, with `text` at its lower end.
   void setHairline(std::optional<int> x, const QString& text = {});
   void setHint(const QString& hint);
   /// Shows a note in the upper left corner.

@@ -12,7 +12,7 @@ namespace {
 
 QString Number(double hz) {
   if (hz >= 99.95) return QString::number(hz, 'f', 0);
-  // No more digits than a second of rows can determine.
+  // More digits would not be exact, because the rate is measured over one second.
   return QString::number(hz, 'g', hz >= 9.995 ? 3 : 2);
 }
 
@@ -47,7 +47,7 @@ QString BadgeText(const std::vector<SourceFigures>& figures) {
   return text;
 }
 
-/// The losses by place, as far as known; empty without losses.
+/// Returns the losses by place, as far as known; empty if nothing was lost.
 QString PlacesText(const RowLosses& losses) {
   QStringList places;
   if (losses.table > 0) places << Words::tr("%1 in its process").arg(losses.table);

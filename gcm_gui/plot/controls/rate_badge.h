@@ -7,8 +7,8 @@
 
 namespace tendon::gui {
 
-/// "1000 Hz · 0 lost": the rate of rows and the number of lost ones; red if any is lost. A click
-/// shows the figures of each source.
+/// Shows the rate of rows and the number of lost rows: "1000 Hz · 0 lost". It is red if any row is
+/// lost. A click shows the figures of each source.
 class RateBadge : public QToolButton {
   Q_OBJECT
 
@@ -18,11 +18,14 @@ class RateBadge : public QToolButton {
   void setFigures(const std::vector<SourceFigures>& figures);
 };
 
-/// "1000 Hz", "19.8 Hz", "0.5 Hz": three digits, two below 10 Hz, all before the point.
+/// Formats a rate: "1000 Hz", "19.8 Hz", "0.5 Hz". It has three digits, or two below 10 Hz, but
+/// always all digits before the point.
 [[nodiscard]] QString RateText(double hz);
-/// "; lost 600 in its process, 3 on the network"; empty without losses.
+/// Returns where rows were lost: "; lost 600 in its process, 3 on the network". Empty if no row was
+/// lost.
 [[nodiscard]] QString PlacesText(const RowLosses& losses);
-/// All sources together: "20–1000 Hz · 600 lost · 3 repeated · 1 silent". Empty without sources.
+/// Returns the figures of all sources together: "20–1000 Hz · 600 lost · 3 repeated · 1 silent".
+/// Empty if there is no source.
 [[nodiscard]] QString BadgeText(const std::vector<SourceFigures>& figures);
 
 }  // namespace tendon::gui

@@ -6,13 +6,15 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kHuge = 1e290;              // larger distances may be infinite
-constexpr double kFar = 2e4;                 // distance from 0 in spans at which labels become long
-constexpr double kNear = kFar / 4;           // distance at which they are short again
-constexpr double kExact = 4503599627370496;  // 2^52: half the integers that a double distinguishes
+constexpr double kHuge = 1e290;     // above this, distances may be infinite
+constexpr double kFar = 2e4;        // distance from 0, in spans, above which labels become long
+constexpr double kNear = kFar / 4;  // distance from 0, in spans, below which labels are short again
+// 2^52: half of the integers that a double can distinguish.
+constexpr double kExact = 4503599627370496;
 
-// A round number near the middle of the data; the labels may need one more digit for it. For
-// integers, it is not farther from 0 than the middle, because the range of integers may end there.
+// Returns a round number near the middle of the data. With it, labels need at most one more digit.
+// For integers, the number is not farther from 0 than the middle, because the range of the integer
+// type may end there.
 double RoundBase(double middle, double span, NumberKind numbers) {
   const double digits = std::ceil(std::log10(span)) + 1;
   const double power = std::pow(10, std::abs(digits));
@@ -23,15 +25,16 @@ double RoundBase(double middle, double span, NumberKind numbers) {
   return std::round(middle * power) / power;
 }
 
-// True if labels at this distance need no more digits. A live axis begins with few samples, and
-// there may be no round number near them.
+// Returns true if labels relative to this base need no more digits. When a live axis has only few
+// samples yet, there may be no round number near them.
 bool IsRound(double base, double span) {
   const double steps = base / std::pow(10, std::ceil(std::log10(span)) - 1);
   const double tolerance = 1e-3 + std::abs(steps) * 1e-15;
   return std::abs(steps - std::round(steps)) <= tolerance;
 }
 
-// Readable integers with all digits; other numbers as short as possible.
+// Formats a base. Integers that are readable have all digits; other numbers are as short as
+// possible.
 QString BaseText(double base) {
   constexpr int kMostZeros = 4;
   constexpr double kIntegers = 1e20;  // larger than any 64-bit integer
@@ -70,7 +73,7 @@ AxisFrame FrameFor(const AxisFrame& current, const AxisRange& distances, NumberK
   if (size >= kHuge || reach >= kHuge) return {.exponent = AxisFrame::kExponent};
   const double span = distances.span();
   if (IsFlat(distances, current.base, numbers)) {
-    // For doubles far from the base, integers look equal; near a base they are different.
+    // Far from the base, doubles cannot distinguish integers; near a base they can.
     if (numbers != NumberKind::kWhole || size < kExact) return {};
     return reach < kExact ? current : AxisFrame{.base = current.base + distances.low};
   }

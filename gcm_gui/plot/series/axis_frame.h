@@ -6,21 +6,22 @@
 
 namespace tendon::gui {
 
-/// Maps values to places on an axis: place = (value - base) / 10^exponent; on a logarithmic axis,
+/// Maps values to places on an axis: place = (value - base) / 10^exponent. On a logarithmic axis,
 /// the place is the logarithm of this number. So the places are ordinary numbers, even if the
-/// values are close together and far from 0, or near the largest doubles.
+/// values are close together and far from 0, or near the largest double.
 struct AxisFrame {
-  /// 0, or a round number near the values if they are far from 0. It is shown beside the unit.
+  /// 0, or a round number near the values if they are far from 0. The base is shown beside the
+  /// unit.
   double base = 0;
-  /// 0, or another exponent if the distances between values are too large for a double.
+  /// 0; another exponent if the distances between values are too large for a double.
   int exponent = 0;
 
-  /// The place of a value at this distance from the base.
+  /// Returns the place of a value at this distance from the base.
   [[nodiscard]] double placeOf(double distance, ValueScale scale) const {
     return PlaceOf(distance * factor(), scale);
   }
   [[nodiscard]] double factor() const { return exponent == 0 ? 1 : kOfExponent; }
-  /// The number to add to each label, "+9e9"; empty if the base is 0.
+  /// Returns the number to add to each label, such as "+9e9"; empty if the base is 0.
   [[nodiscard]] QString baseText() const;
   bool operator==(const AxisFrame&) const = default;
 
@@ -28,11 +29,11 @@ struct AxisFrame {
   static constexpr double kOfExponent = 1e-300;
 };
 
-/// Converts the same values to another frame.
+/// Converts a range from one frame to another.
 [[nodiscard]] AxisRange Moved(const AxisRange& range, const AxisFrame& from, const AxisFrame& to);
 
-/// A frame for the values of `distances`, which are relative to the base of `current`. Keeps
-/// `current` as long as it is suitable.
+/// Returns a frame for the values of `distances`, which are relative to the base of `current`.
+/// Returns `current` as long as it is suitable.
 [[nodiscard]] AxisFrame FrameFor(const AxisFrame& current, const AxisRange& distances,
                                  NumberKind numbers);
 

@@ -9,21 +9,23 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kSteps = 6;      // maximum, of a fitted axis
-constexpr double kAir = 0.06;  // fraction of the data's span, above and below
+constexpr int kSteps = 6;      // the maximum number of steps of a fitted axis
+constexpr double kAir = 0.06;  // margin above and below, as a fraction of the data's span
 constexpr double kEnoughFill = 0.5;
 constexpr double kTolerance = 1e-9;
 
-// The same as in tendon/base/axis_ticks.h, which this library does not use; a test compares them.
-constexpr double kAtRest = 1e-12;     // sums of numbers near 1 have smaller rounding errors
-constexpr double kRounding = 5e-14;   // relative; a change of the 13th digit is larger
-constexpr double kLeastSpan = 1e-12;  // of an axis, relative to its size
+// These limits are the same as in tendon/base/axis_ticks.h, which this library does not use. A test
+// compares them.
+constexpr double kAtRest = 1e-12;     // above the rounding errors of sums of numbers near 1
+constexpr double kRounding = 5e-14;   // relative; smaller than a change of the 13th digit
+constexpr double kLeastSpan = 1e-12;  // smallest span of an axis, relative to its values
 constexpr double kFlatDecades = 1e-6;
 constexpr AxisRange kDecades{.low = -324, .high = 309};  // the range of doubles
 
 constexpr double kLeastStep = 1e-300;
 constexpr double kMostPlace = 1e290;
-constexpr double kExactSteps = 562949953421312;  // 2^49: leaves some digits for steps
+// 2^49: leaves some digits of a double for fractions of a step.
+constexpr double kExactSteps = 562949953421312;
 constexpr std::size_t kMostTicks = 1000;
 
 AxisRange WithAir(const AxisRange& data) {
@@ -31,7 +33,7 @@ AxisRange WithAir(const AxisRange& data) {
   return {.low = data.low - air, .high = data.high + air};
 }
 
-// A single value gets a span relative to its size.
+// Returns `data` with a margin. A single value gets a span relative to the value.
 AxisRange Widened(const AxisRange& data, NumberKind numbers, double base) {
   if (!IsFlat(data, base, numbers)) return WithAir(data);
   const double size = SizeOf(data, base);

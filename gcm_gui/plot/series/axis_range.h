@@ -19,45 +19,46 @@ struct AxisRange {
 /// The scale of a value axis.
 enum class ValueScale { kLinear, kLogarithmic };
 
-/// The kind of values on an axis. Whole numbers, and the labels of their axis, differ by at least
-/// 1.
+/// The kind of values on an axis. Two different whole numbers differ by at least 1, and so do the
+/// labels of their axis.
 enum class NumberKind { kReal, kWhole };
 
-/// The place of a value on an axis: the value itself, or its decimal logarithm. Minus infinity for
-/// a value of 0 or less on a logarithmic axis.
+/// Returns the place of a value on an axis: the value itself, or its decimal logarithm. On a
+/// logarithmic axis, a value of 0 or less is at minus infinity.
 [[nodiscard]] double PlaceOf(double value, ValueScale scale);
 
-/// The largest absolute value from base + low to base + high.
+/// Returns the largest absolute value in the range from base + low to base + high.
 [[nodiscard]] double SizeOf(const AxisRange& data, double base);
 
-/// 1, 2 or 5 times a power of ten, such that at most `most` steps fit into `span`.
+/// Returns 1, 2 or 5 times a power of ten, such that at most `most` steps fit into `span`.
 [[nodiscard]] double NiceStep(double span, int most);
-/// The same in seconds; beyond 30 s round numbers of minutes and hours.
+/// Returns such a step in seconds; for long steps, a round number of minutes or hours.
 [[nodiscard]] double NiceTimeStep(double span_s, int most);
 
-/// True if the values from base + low to base + high differ only by rounding errors, which are not
-/// magnified. Real values very close to 0 count as equal to 0.
+/// Returns true if the values from base + low to base + high differ only by rounding errors, which
+/// must not be magnified. Real values very close to 0 count as equal to 0.
 [[nodiscard]] bool IsFlat(const AxisRange& data, double base, NumberKind numbers);
 
-/// An axis for `data`, with a margin and round ends. Keeps `current` while the data fits into it
-/// with the margin and fills half of it, so that a live axis does not move all the time. The margin
-/// of flat data (IsFlat()) is a tenth of its size. All are distances from `base`, finite and not
-/// huge.
+/// Returns the range of an axis for `data`, with a margin and round ends. Returns `current` if the
+/// data with the margin fits into it and fills half of it, so that a live axis does not move all
+/// the time. The margin of flat data (see IsFlat()) is a tenth of its absolute value. All arguments
+/// are distances from `base`; they are finite and not huge.
 [[nodiscard]] AxisRange FittedRange(const AxisRange& current, const AxisRange& data,
                                     NumberKind numbers = NumberKind::kReal, double base = 0);
-/// The same for logarithms.
+/// Returns such a range for logarithms of values.
 [[nodiscard]] AxisRange FittedDecades(const AxisRange& current, const AxisRange& data);
-/// An axis for states by number: `data` with a margin of 0.3 states or more.
+/// Returns the range of an axis for states, given by their numbers: `data` with a margin of at
+/// least 0.3.
 [[nodiscard]] AxisRange FittedStates(const AxisRange& data);
 
-/// True if an axis of this range can be drawn and labelled: both ends finite, not huge, and far
-/// enough apart to distinguish doubles between them.
+/// Returns true if an axis of this range can be drawn and labelled: both ends are finite, not huge,
+/// and so far apart that there are enough doubles between them.
 [[nodiscard]] bool IsShowable(const AxisRange& range);
 
-/// The multiples of `step` within `range`; none if doubles cannot distinguish them.
+/// Returns the multiples of `step` within `range`; none if doubles cannot distinguish them.
 [[nodiscard]] std::vector<double> TicksOf(const AxisRange& range, double step);
 
-/// The number of decimals that distinguish multiples of `step`; at most 12.
+/// Returns the number of decimals that are needed to distinguish multiples of `step`; at most 12.
 [[nodiscard]] int DecimalsOf(double step);
 
 }  // namespace tendon::gui

@@ -17,7 +17,7 @@ class CsvExport : public QObject {
   void save(CsvTable table, const QString& file);
 
  Q_SIGNALS:
-  /// A sentence for the user: the saved file, or the reason of the failure.
+  /// Emitted with one sentence for the user: the name of the saved file, or why saving failed.
   void finished(const QString& sentence);
 };
 

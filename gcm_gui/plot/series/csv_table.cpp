@@ -30,14 +30,15 @@ void AppendNumber(QByteArray& line, Number number) {
   line.append(digits.data(), end - digits.data());
 }
 
-/// The seconds before the decimal point; the digits after it follow.
+/// Returns the seconds before the decimal point. They are rounded down, so the digits after the
+/// point are positive.
 std::int64_t SecondsOf(std::int64_t ns) { return ns / kSecond - (ns % kSecond < 0 ? 1 : 0); }
 
 void AppendFraction(QByteArray& line, std::int64_t fraction, int digits) {
   line.append('.').append(QByteArray::number(qlonglong{fraction}).rightJustified(digits, '0'));
 }
 
-/// Writes the lines of a table in time order.
+/// Writes the lines of a table in the order of time.
 class Writer {
  public:
   Writer(const CsvTable& table, QIODevice& device)
@@ -60,7 +61,7 @@ class Writer {
   }
 
  private:
-  struct Interruption {  // of one source, just before a line
+  struct Interruption {  // of one source, directly before a line
     std::uint64_t lost = 0;
     bool restart = false;
   };
@@ -154,8 +155,8 @@ class Writer {
   const CsvTable& table_;
   QIODevice& device_;
   QStringList sources_;
-  std::vector<std::size_t> source_of_;  // by curve
-  std::vector<std::size_t> next_;       // the next sample of each curve
+  std::vector<std::size_t> source_of_;  // the source of each curve
+  std::vector<std::size_t> next_;       // the index of the next sample of each curve
   std::vector<std::size_t> next_gap_;
   QByteArray text_;
   QByteArray second_text_;

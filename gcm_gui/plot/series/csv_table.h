@@ -14,17 +14,17 @@ class QIODevice;
 
 namespace tendon::gui {
 
-/// A copy of some curves' samples in a time span, for writing in another thread.
+/// A copy of the samples of some curves in a time span, so that another thread can write them.
 struct CsvTable {
   struct Curve {
     QString path;
     QString unit;
-    Scaling plotted = {};             ///< the scaling in the plot; the table is unscaled
+    Scaling plotted = {};  ///< the scaling in the plot; the values in the table are not scaled
     std::vector<std::int64_t> times;  ///< ns, on the source's steady clock
     ExactNumber::Kind kind = ExactNumber::Kind::kReal;
-    std::vector<std::uint64_t> words;  ///< of `kind`: see ExactNumber
-    ValueNamesPointer names = {};      ///< of states, which are written by name
-    std::vector<Gap> gaps;  ///< `index` is an index into `times`; the gap is just before it
+    std::vector<std::uint64_t> words;  ///< values of `kind`: see ExactNumber
+    ValueNamesPointer names = {};      ///< names of the states; states are written by name
+    std::vector<Gap> gaps;  ///< `index` is the index in `times` of the sample after the gap
   };
   std::vector<Curve> curves;
   std::int64_t utc_offset_ns = 0;  ///< converts the source's time to a time since 1970
@@ -38,13 +38,14 @@ struct CsvTable {
 
 struct CsvFigures {
   std::uint64_t rows = 0;
-  std::uint64_t lost = 0;  ///< of all sources
+  std::uint64_t lost = 0;  ///< rows lost by all sources together
 };
 
-/// Writes one line per time with a sample, in time order: seconds of the source's clock, UTC, the
-/// curves (empty without a sample at that time), and for each state table the number of rows lost
-/// just before, or "restart". Numbers are exact and unscaled; states are written by name. The
-/// header of the file names the scaling in the plot. Returns no value if the device fails.
+/// Writes one line for each time that has a sample, in the order of time. The columns are: seconds
+/// of the source's clock; UTC; one column for each curve, empty if it has no sample at that time;
+/// and for each state table the number of rows lost directly before, or "restart". Numbers are
+/// exact and not scaled; states are written by name. The header of the file names the scaling in
+/// the plot. Returns no value if writing to the device fails.
 [[nodiscard]] std::optional<CsvFigures> WriteCsv(const CsvTable& table, QIODevice& device);
 
 }  // namespace tendon::gui

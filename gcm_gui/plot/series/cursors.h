@@ -10,8 +10,8 @@ namespace tendon::gui {
 enum class Cursor { kA, kB };
 inline constexpr std::array kCursors{Cursor::kA, Cursor::kB};
 
-/// Two times that the user has marked in a plot, to measure between them. They are times of the
-/// source, so they stay at the samples while the window moves.
+/// Two times that the user has marked in a plot, to measure the distance between them. They are
+/// times of the source, so they stay at the same samples while the window moves.
 class Cursors {
  public:
   void set(Cursor cursor, std::int64_t time_ns) { at(cursor) = time_ns; }
@@ -22,7 +22,7 @@ class Cursors {
   }
   [[nodiscard]] bool any() const { return time(Cursor::kA) || time(Cursor::kB); }
   [[nodiscard]] bool both() const { return time(Cursor::kA) && time(Cursor::kB); }
-  /// The time from A to B in s; 0 without both.
+  /// Returns the time from A to B in s; 0 unless both cursors exist.
   [[nodiscard]] double span() const {
     return both() ? static_cast<double>(*time(Cursor::kB) - *time(Cursor::kA)) / 1e9 : 0;
   }

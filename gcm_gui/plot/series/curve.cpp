@@ -49,7 +49,7 @@ void Curve::setBase(double base) {
 
 bool Curve::isThinned() const { return samples_.firstIndex() > 0 && !samples_.empty(); }
 
-// Adds the part before the oldest sample.
+// Adds the part before the oldest sample to the envelope.
 void Curve::showHistory(Envelope& envelope, const TimeSlices& slices, double base) const {
   if (!isThinned()) return;
   const std::int64_t until = samples_.time(samples_.firstIndex());

@@ -16,8 +16,8 @@
 
 namespace tendon::gui {
 
-/// The pass of a sweeping window to which a time span belongs. Other windows have only the present
-/// pass.
+/// The pass of a sweeping window to which a time span belongs. A window that does not sweep has
+/// only the present pass.
 enum class Pass { kPresent, kFormer };
 
 /// One signal in one plot: its samples, its look, and the state of its source. GUI thread.
@@ -27,47 +27,49 @@ class Curve {
 
   [[nodiscard]] const QString& path() const { return key_.path; }
   [[nodiscard]] const QString& unit() const { return key_.unit; }
-  /// The index for Theme::curve().
+  /// The index of the colour in Theme::curve().
   [[nodiscard]] int colorIndex() const { return color_index_; }
   void setColorIndex(int index) { color_index_ = index; }
 
-  /// Appends samples; the curve is not stale any more.
+  /// Appends samples. The curve then no longer counts as stale.
   void append(std::span<const Sample> samples);
-  /// See SampleRing::beginEpoch().
+  /// Called when the source was restarted; see SampleRing::beginEpoch().
   void beginEpoch() { samples_.beginEpoch(); }
-  /// The memory for samples in bytes. An eighth of it is for the older part, which is kept as
-  /// minimum and maximum of each 100 ms.
+  /// Sets the memory for samples in bytes. An eighth of it is used for the older part, which is
+  /// kept as minimum and maximum of each 100 ms.
   void setBudget(std::size_t bytes);
   [[nodiscard]] std::size_t bytes() const { return samples_.bytes() + history_.bytes(); }
-  /// True if the oldest visible part no longer has samples.
+  /// Returns true if the oldest samples were dropped, so that this part is shown by minima and
+  /// maxima.
   [[nodiscard]] bool isThinned() const;
   [[nodiscard]] const SampleRing& samples() const { return samples_; }
 
-  /// Called when no samples come; `reason` says for what the curve waits. A new curve is stale.
+  /// Called when no samples arrive; `reason` says for what the curve waits. A new curve is stale.
   void setStale(const QString& reason) { stale_reason_ = reason; }
   [[nodiscard]] bool isStale() const { return !stale_reason_.isEmpty(); }
   [[nodiscard]] const QString& staleReason() const { return stale_reason_; }
 
-  /// Sets the reason why the source's component does not run; empty while it runs. The curve
-  /// remains visible, marked as old.
+  /// Sets the reason why the source's component does not run; empty while it runs. The curve stays
+  /// visible, but is marked as old.
   void setStandstill(const QString& why);
   [[nodiscard]] bool isStandingStill() const { return !standstill_.isEmpty(); }
   [[nodiscard]] const QString& standstill() const { return standstill_; }
-  /// True if the newest sample may not be the present value.
+  /// Returns true if the newest sample may differ from the present value.
   [[nodiscard]] bool isSilent() const { return isStale() || isStandingStill(); }
 
-  /// Sets the losses of the source before the curve was added.
+  /// Sets the losses of the source that occurred before the curve was added.
   void setLossesBefore(const RowLosses& losses) { losses_before_ = losses; }
   [[nodiscard]] const RowLosses& lossesBefore() const { return losses_before_; }
 
-  /// Does not update the axes: use CurveSet::setLook().
+  /// Sets the look, but does not update the axes. Otherwise use CurveSet::setLook().
   void setLook(const CurveLook& look);
   [[nodiscard]] const CurveLook& look() const { return look_; }
   [[nodiscard]] const Scaling& scaling() const { return look_.scaling; }
-  /// The names of its values, if any. Does not update the axes: use CurveSet::setNames().
+  /// Sets the names of the curve's values, but does not update the axes. Otherwise use
+  /// CurveSet::setNames().
   void setNames(ValueNamesPointer names) { names_ = std::move(names); }
   [[nodiscard]] const ValueNamesPointer& allNames() const { return names_; }
-  /// The names to show; null if there are none or the curve is scaled.
+  /// Returns the names to show; null if there are none or if the curve is scaled.
   [[nodiscard]] const ValueNames* names() const {
     return look_.scaling.isNone() ? names_.get() : nullptr;
   }
@@ -75,42 +77,44 @@ class Curve {
   [[nodiscard]] bool isWhole() const {
     return samples_.kind() != ExactNumber::Kind::kReal && look_.scaling.isNone();
   }
-  /// The unit with the scaling: "rad ×1000 +2".
+  /// Returns the unit including the scaling: "rad ×1000 +2".
   [[nodiscard]] QString shownUnit() const { return UnitOf(unit(), look_.scaling); }
-  /// The name of the chosen axis; otherwise of the default one: the unit, or the type of named
-  /// values.
+  /// Returns the name of the axis: the axis that the user has chosen, otherwise the default axis,
+  /// whose name is the unit or, for named values, their type.
   [[nodiscard]] QString axis() const {
     if (!look_.axis.isEmpty()) return look_.axis;
     return names() != nullptr ? names()->type : shownUnit();
   }
-  /// Sets the base of its axis, to which distances are relative.
+  /// Sets the base of the curve's axis. Distances are relative to this base.
   void setBase(double base);
 
   void setVisible(bool visible) { visible_ = visible; }
   [[nodiscard]] bool isVisible() const { return visible_; }
 
   // Scaled values.
-  /// The value of the last sample at or before `time_ns`; empty if there is a gap in between.
+  /// Returns the value of the last sample at or before `time_ns`; empty if there is a gap in
+  /// between.
   [[nodiscard]] std::optional<double> valueAt(std::int64_t time_ns) const;
   [[nodiscard]] std::optional<double> latestValue() const;
-  // The same as exact numbers: unscaled integers keep all digits.
+  // The same values as exact numbers: unscaled integers keep all digits.
   [[nodiscard]] std::optional<ExactNumber> numberAt(std::int64_t time_ns) const;
   [[nodiscard]] std::optional<ExactNumber> latestNumber() const;
-  /// The distance of a scaled sample from the base.
+  /// Returns the distance of a scaled sample from the base.
   [[nodiscard]] double distanceOf(std::uint64_t index) const;
-  /// The rate of received rows over the latest second of source time; 0 with less than two rows.
+  /// Returns the rate of received rows in the last second of source time; 0 if there are fewer than
+  /// two rows.
   [[nodiscard]] double rate() const;
-  /// The scaled curve in these slices, as distances from the base. Cached for each pass until the
-  /// slices change or new samples arrive.
+  /// Returns the scaled curve in these slices, as distances from the base. The result is cached for
+  /// each pass until the slices change or new samples arrive.
   [[nodiscard]] const Envelope& envelope(const TimeSlices& slices,
                                          Pass pass = Pass::kPresent) const;
 
  private:
   struct DrawnEnvelope {
     Envelope envelope;
-    Envelope scaled;  // if the curve is scaled
+    Envelope scaled;  // only if the curve is scaled
     TimeSlices slices;
-    std::uint64_t end = 0;  // end index of the samples
+    std::uint64_t end = 0;  // end index of the samples when this was built
   };
 
   void showHistory(Envelope& envelope, const TimeSlices& slices, double base) const;
@@ -130,7 +134,7 @@ class Curve {
   mutable std::array<DrawnEnvelope, 2> drawn_;  // by pass
 };
 
-/// "waiting for robot/arm/state"
+/// Returns the text for a curve without samples: "waiting for robot/arm/state".
 [[nodiscard]] QString WaitingFor(const QString& path);
 
 }  // namespace tendon::gui

@@ -13,7 +13,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr AxisRange kNothing{.low = kInfinity, .high = -kInfinity};
 constexpr double kDecadesAboveZero = 6;
 
-// A curve beyond both limits is left out of the fit of its axis.
+// A curve with values above both limits does not count when its axis is fitted.
 constexpr double kOrdinary = 1e12;
 constexpr double kMostTimes = 1e6;
 
@@ -27,7 +27,7 @@ UnitAxis* AxisFor(std::vector<UnitAxis>& axes, const QString& unit) {
   return found == axes.end() ? nullptr : &*found;
 }
 
-// If there are few states, shows all of them, so that the axis is steady.
+// If an enumeration has only a few states, the axis shows all of them, so that it does not move.
 AxisRange WithAllStates(const AxisRange& data, const ValueNames& names) {
   constexpr double kFew = 12;
   if (names.all.empty()) return data;
@@ -138,7 +138,7 @@ void CurveSet::setFrame(UnitAxis& axis, const AxisFrame& frame) {
   showBases();
 }
 
-// The first free colour; colours repeat if there are more curves.
+// Returns the first free colour. If there are more curves than colours, colours repeat.
 int CurveSet::freeColor() const {
   int color = 0;
   const auto taken = [&](const auto& curve) { return curve->colorIndex() == color; };
@@ -171,7 +171,7 @@ QStringList CurveSet::withoutPlace(std::span<const SeenSlices> seen) const {
   return names;
 }
 
-// Only curves with values in the slices.
+// Returns the extremes of each curve that has values in the slices.
 std::vector<CurveSet::Extremes> CurveSet::extremesOn(const UnitAxis& axis,
                                                      std::span<const SeenSlices> seen) const {
   std::vector<Extremes> all;
@@ -211,7 +211,7 @@ AxisRange CurveSet::extremesOf(const Curve& curve, const SeenSlices& seen) const
     data.low = std::min(data.low, PlaceOf(low, scale_));
     data.high = std::max(data.high, PlaceOf(high, scale_));
   }
-  // On a logarithmic axis, a line towards 0 or below has no lower limit.
+  // On a logarithmic axis, a line to a value of 0 or less has no lower limit.
   if (!all_have_places) data.low = std::max(data.low, data.high - kDecadesAboveZero);
   return data;
 }
@@ -230,11 +230,12 @@ void CurveSet::fitAxes(std::span<const SeenSlices> seen) {
   }
 }
 
-// Chooses the frame of the axis and returns the data range as distances from its base; low > high
-// if there is nothing.
+// Chooses the frame of the axis. Returns the range of the data as distances from the base of the
+// axis; low > high if there is no data.
 AxisRange CurveSet::chooseFrame(UnitAxis& axis, std::span<const SeenSlices> seen) {
   const bool has_base = fit_ != Fit::kSymmetric && !hasStates(axis);
-  // Distances are exact only near the base, so a new base may need another iteration.
+  // Distances are exact only near the base. So after the base has changed, another iteration may be
+  // needed.
   constexpr int kMostFrames = 3;
   for (int i = 0;; ++i) {
     const std::vector<Extremes> all = extremesOn(axis, seen);
@@ -260,7 +261,8 @@ AxisRange CurveSet::chooseFrame(UnitAxis& axis, std::span<const SeenSlices> seen
   }
 }
 
-// Extends the data range by the range that the axis must keep, also as distances.
+// Extends the range of the data by the range that the axis must keep. Both are distances from the
+// base.
 AxisRange CurveSet::withGrown(const AxisRange& data, const UnitAxis& axis) const {
   if (fit_ != Fit::kGrow || !axis.has_grown) return data;
   const double factor = axis.frame.factor();

@@ -21,20 +21,21 @@ enum class Fit {
   kSymmetric,  ///< 0 is in the middle
 };
 
-/// The Y axis of all curves with the same unit and scaling, or with the same chosen axis.
+/// The Y axis of all curves that have the same unit and scaling, or for which the user has chosen
+/// the same axis.
 struct UnitAxis {
-  QString unit;        ///< or the name of a chosen axis: see Curve::axis()
+  QString unit;        ///< or the name of the axis chosen by the user: see Curve::axis()
   AxisFrame frame;     ///< maps values to places
-  AxisRange range;     ///< of places
-  bool fitted = true;  ///< follows the visible data; false: chosen by the user
-  AxisRange grown{};   ///< the data range it was fitted to; of all time with Fit::kGrow
+  AxisRange range;     ///< the range of places
+  bool fitted = true;  ///< true: follows the visible data; false: range chosen by the user
+  AxisRange grown{};   ///< data range of the fit; with Fit::kGrow, of all data so far
   bool has_grown = false;
-  int color_index = -1;                    ///< of its only curve; -1 if it has several
-  ValueNamesPointer names;                 ///< common to all its curves; else null
-  NumberKind numbers = NumberKind::kReal;  ///< whole if all its curves are whole
+  int color_index = -1;     ///< colour of its curve; -1 if it has several curves
+  ValueNamesPointer names;  ///< names of the values; null unless all its curves have the same names
+  NumberKind numbers = NumberKind::kReal;  ///< kWhole if all its curves are whole
 };
 
-/// Slices of a pass; those before `first` are hidden.
+/// The slices of one pass. The slices before `first` are hidden.
 struct SeenSlices {
   TimeSlices slices;
   Pass pass = Pass::kPresent;
@@ -47,28 +48,31 @@ struct SourceFigures {
   double rate = 0;  ///< Hz
   std::uint64_t lost = 0;
   std::uint64_t repeated = 0;
-  QString path = {};             ///< of the curve with the most losses
-  RowLosses losses_before = {};  ///< of its source, before that curve was added
-  RowLosses losses = {};         ///< since then, as far as known
+  QString path = {};             ///< path of the curve with the most losses
+  RowLosses losses_before = {};  ///< losses of the source before that curve was added
+  RowLosses losses = {};         ///< losses of the source since then, as far as known
 };
 
-/// The curves of one plot in order of addition, and an axis for each unit. Only the first four axes
-/// have labels, see PlotAxes; curves of further axes use the whole height.
+/// The curves of one plot, in the order in which they were added, and an axis for each unit. Only
+/// the first four axes have labels, see PlotAxes. Curves on further axes are drawn without labels
+/// and use the whole height.
 class CurveSet {
  public:
-  /// Returns the existing curve if there is one.
+  /// Adds a curve. Returns the existing curve if the path is already in the set.
   Curve& add(const CurveKey& key);
-  /// Returns true if it existed.
+  /// Removes a curve. Returns false if the path is not in the set.
   bool remove(const QString& path);
-  /// Removes the curve with its samples, for adopt() of another set; nullptr if there is none.
+  /// Removes a curve with its samples and returns it, so that another set can adopt() it; nullptr
+  /// if the path is not in the set.
   [[nodiscard]] std::unique_ptr<Curve> take(const QString& path);
-  /// Adds the curve in a free colour. Its path must not be here yet.
+  /// Adds a curve and gives it a free colour. Its path must not be in the set yet.
   Curve& adopt(std::unique_ptr<Curve> curve);
-  /// Also refits the curve's axis.
+  /// Sets the look of a curve, and refits the curve's axis.
   void setLook(Curve& curve, const CurveLook& look);
-  /// Also refits the curve's axis if it changes.
+  /// Sets the names of a curve's values. If the curve gets another axis, refits this axis.
   void setNames(Curve& curve, ValueNamesPointer names);
-  /// nullptr if there is none. The pointer is valid until the curve is removed.
+  /// Returns the curve of this path; nullptr if there is none. The pointer is valid until the curve
+  /// is removed.
   [[nodiscard]] Curve* find(const QString& path) const;
 
   [[nodiscard]] const std::vector<std::unique_ptr<Curve>>& curves() const { return curves_; }
@@ -77,30 +81,32 @@ class CurveSet {
   [[nodiscard]] const std::vector<UnitAxis>& axes() const { return axes_; }
   [[nodiscard]] const UnitAxis& axisOf(const Curve& curve) const;
 
-  /// For all axes.
+  /// Sets how all axes follow the data.
   void setFit(Fit fit);
   [[nodiscard]] Fit fit() const { return fit_; }
-  /// For all axes, which are then refitted. A logarithmic axis uses kClose for kSymmetric.
+  /// Sets the scale of all axes, which are then refitted. On a logarithmic axis, kSymmetric has the
+  /// effect of kClose.
   void setScale(ValueScale scale);
   [[nodiscard]] ValueScale scale() const { return scale_; }
-  /// The names of the curves with values of 0 or less in the slices, which have no place on a
-  /// logarithmic axis. Empty on a linear one.
+  /// Returns the names of the curves that have values of 0 or less in the slices, because a
+  /// logarithmic axis cannot show these values. Empty on a linear axis.
   [[nodiscard]] QStringList withoutPlace(std::span<const SeenSlices> seen) const;
-  /// Fits the axes that follow the data to the values in the slices. Ignores a curve whose values
-  /// are beyond 1e12 and more than a million times those of the others on its axis, because it
-  /// would flatten the others; beyondAxes() names it.
+  /// Fits the axes that follow the data to the values in the slices. A curve is ignored if its
+  /// values are beyond 1e12 and also more than a million times larger than the values of the other
+  /// curves on its axis, because it would flatten the other curves. beyondAxes() returns the
+  /// ignored curves.
   void fitAxes(std::span<const SeenSlices> seen);
   [[nodiscard]] const QStringList& beyondAxes() const { return beyond_; }
-  /// The time of the newest sample of all curves; INT64_MIN without any.
+  /// Returns the time of the newest sample of all curves; INT64_MIN if there are no samples.
   [[nodiscard]] std::int64_t newestTime() const;
-  /// One entry per source, even if several of its columns are plotted. The rate is 0 if the last
-  /// row is older than a second and two periods at `now_ns`.
+  /// Returns one entry for each source, even if several of its columns are plotted. The rate is 0
+  /// if, at `now_ns`, the last row is older than both one second and two periods.
   [[nodiscard]] std::vector<SourceFigures> figures(std::int64_t now_ns) const;
 
  private:
   struct Extremes {
     const Curve* curve = nullptr;
-    AxisRange data;  // distances from the base, or their logarithms
+    AxisRange data;  // distances from the base, or logarithms of values
     bool is_beyond = false;
   };
 
@@ -109,7 +115,7 @@ class CurveSet {
   [[nodiscard]] AxisRange chooseFrame(UnitAxis& axis, std::span<const SeenSlices> seen);
   [[nodiscard]] AxisRange withGrown(const AxisRange& data, const UnitAxis& axis) const;
   void setFrame(UnitAxis& axis, const AxisFrame& frame);
-  /// True if the axis has the names of states.
+  /// Returns true if the axis shows the names of states.
   [[nodiscard]] bool hasStates(const UnitAxis& axis) const;
   void showBases();
   [[nodiscard]] std::vector<Extremes> extremesOn(const UnitAxis& axis,

@@ -14,7 +14,8 @@ constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 bool IsFinite(double value) { return std::abs(value) <= std::numeric_limits<double>::max(); }
 
-// Converts words to values while drawing. Almost all plots use the first reader, which has no cost.
+// These types convert words to values while drawing. Almost all plots use the first type, whose
+// conversion costs nothing.
 struct Real {
   static constexpr bool kSteps = false;
   double operator()(std::uint64_t word) const { return std::bit_cast<double>(word); }
@@ -32,12 +33,12 @@ struct IntegerFromBase {
   double operator()(std::uint64_t word) const { return distance(word); }
 };
 
-// For two points whose distance does not fit a double.
+// Interpolates between two points whose distance does not fit a double.
 double FarBetween(double from, double to, double part) { return from * (1 - part) + to * part; }
 
 }  // namespace
 
-// The state of drawing: the end of the line so far, and the extremes in the present slice.
+// The state of drawing: the point that the line has reached, and the extremes in the present slice.
 struct Envelope::Pen {
   bool down = false;
   std::int64_t time_ns = 0;
@@ -96,11 +97,12 @@ void Envelope::takeScaled(const Envelope& plain, const Scaling& scaling, double 
 void Envelope::start(const SampleRing& ring, const TimeSlices& slices) {
   low_.assign(slices.count + 2, kEndless);
   high_.assign(slices.count + 2, -kEndless);
-  // Start one sample earlier: the line may enter between two samples.
+  // Starts one sample before the slices, because the line may enter them between two samples.
   next_ = std::max(ring.lowerBound(slices.from_ns), ring.firstIndex() + 1) - 1;
 }
 
-// Shifts the existing slices to the left. Returns false if everything must be computed again.
+// Shifts the existing slices to the left. Returns false if this is not possible, so that everything
+// must be computed again.
 bool Envelope::moveOn(const SampleRing& ring, const TimeSlices& slices) {
   constexpr std::int64_t kRoundingNs = 2;
   const std::int64_t by_ns = slices.from_ns - slices_.from_ns;
@@ -111,7 +113,7 @@ bool Envelope::moveOn(const SampleRing& ring, const TimeSlices& slices) {
                        std::abs(slices.to_ns - slices_.to_ns - by_ns) <= kRoundingNs;
   const bool by_whole_ones = std::abs(by * width - static_cast<double>(by_ns)) <= kRoundingNs;
   if (!as_wide || !by_whole_ones || by < 0 || by >= static_cast<double>(slices.count)) return false;
-  // The last line may have ended after the slices, so it must be drawn again.
+  // The last part of the line may have ended after the slices, so it must be drawn again.
   if (next_ < ring.firstIndex() + 2) return false;
   const bool shown_samples_left = ring.firstIndex() != ring_first_ &&
                                   (ring.empty() || ring.time(ring.firstIndex()) > slices.from_ns);
@@ -136,7 +138,7 @@ void Envelope::placeEnds(const TimeSlices& slices) {
   ends_.push_back(std::numeric_limits<std::int64_t>::max());
 }
 
-// Draw one sample more: the line may leave between two samples.
+// Draws one sample after `time_ns`, because the line may leave the slices between two samples.
 void Envelope::drawUntil(const SampleRing& ring, std::int64_t time_ns) {
   const std::uint64_t to = std::min(ring.lowerBound(time_ns) + 1, ring.endIndex());
   const auto& gaps = ring.gaps();
@@ -186,7 +188,7 @@ void Envelope::draw(SampleRing::Segment segment, const Reader& read, Pen& pen) {
     } else {
       lineTo(pen, times[i], first);
     }
-    // The fast path for further samples in the same slice: four at a time, then one by one.
+    // A fast path for more samples in the same slice: first four at a time, then one by one.
     double low = pen.low;
     double high = pen.high;
     const std::int64_t end = ends_[pen.slice];
@@ -194,7 +196,7 @@ void Envelope::draw(SampleRing::Segment segment, const Reader& read, Pen& pen) {
       const std::array v{read(words[i]), read(words[i + 1]), read(words[i + 2]),
                          read(words[i + 3])};
       const double zero = (v[0] - v[0]) + (v[1] - v[1]) + (v[2] - v[2]) + (v[3] - v[3]);
-      if (zero != 0) break;  // NaN: one of them is not finite
+      if (zero != 0) break;  // the sum is NaN if one of the four values is not finite
       low = std::min(low, std::min(std::min(v[0], v[1]), std::min(v[2], v[3])));
       high = std::max(high, std::max(std::max(v[0], v[1]), std::max(v[2], v[3])));
     }
@@ -221,7 +223,8 @@ void Envelope::moveTo(Pen& pen, std::int64_t time_ns, double value) {
   pen.value = value;
 }
 
-// Extends the line through all slices up to the point; a border belongs to both its slices.
+// Extends the line through all slices up to the point. The value at the border of two slices
+// belongs to both.
 void Envelope::lineTo(Pen& pen, std::int64_t time_ns, double value) {
   if (time_ns >= ends_[pen.slice]) {
     const auto span_ns = static_cast<double>(time_ns - pen.time_ns);
@@ -232,7 +235,8 @@ void Envelope::lineTo(Pen& pen, std::int64_t time_ns, double value) {
       const auto way_ns = static_cast<double>(ends_[pen.slice] - pen.time_ns);
       const double there = IsFinite(slope) ? pen.value + slope * way_ns
                                            : FarBetween(pen.value, value, way_ns / span_ns);
-      const double border = std::clamp(there, least, most);  // against rounding errors
+      // Rounding may put it outside of the two values.
+      const double border = std::clamp(there, least, most);
       pen.low = std::min(pen.low, border);
       pen.high = std::max(pen.high, border);
       leave(pen);
@@ -246,7 +250,7 @@ void Envelope::lineTo(Pen& pen, std::int64_t time_ns, double value) {
 }
 
 // Extends the line horizontally through all slices up to the point, then vertically in the last
-// one.
+// slice.
 void Envelope::stepTo(Pen& pen, std::int64_t time_ns, double value) {
   while (time_ns >= ends_[pen.slice]) {
     leave(pen);

@@ -19,31 +19,34 @@ struct TimeSlices {
   bool operator==(const TimeSlices&) const = default;
 };
 
-/// A curve as a screen shows it: the minimum and maximum in each time slice of the line through the
-/// samples. Straight lines join real numbers; integers hold their value until the next sample.
+/// A curve as it appears on a screen. For each time slice, it has the minimum and the maximum of
+/// the line through the samples. This line is straight between real numbers; an integer holds its
+/// value until the next sample.
 ///
-/// No extreme value of a sample is lost. The line ends at gaps and at values that are not finite.
-/// All values are distances from a base, because doubles cannot distinguish large integers.
+/// The extreme values of all samples are kept. The line is interrupted at gaps and at values that
+/// are not finite. All values are distances from a base, because doubles cannot distinguish large
+/// integers.
 class Envelope {
  public:
-  /// Always pass the same ring. O(samples in the slices + slices). If the slices have moved by a
-  /// whole number of slices, as in a live plot, O(new samples + slices). Starts over if the base
-  /// has changed.
+  /// Builds the envelope; always pass the same ring. O(samples in the slices + slices). If the
+  /// slices have moved by a whole number of slices, as in a live plot: O(new samples + slices). If
+  /// the base has changed, the whole envelope is built again.
   void build(const SampleRing& ring, const TimeSlices& slices, double base = 0);
 
-  /// Adds a known minimum and maximum of [from_ns, to_ns), whose samples no longer exist. Valid
-  /// until the next build(). O(slices in that span).
+  /// Adds the minimum and maximum of [from_ns, to_ns), whose samples no longer exist. The addition
+  /// is lost at the next build(). O(slices in that span).
   void widen(std::int64_t from_ns, std::int64_t to_ns, double low, double high);
 
-  /// Takes the content of `plain`, which must have base 0, scaled and relative to `base`. Never
-  /// call build() on this object. A slice without a finite result is empty. O(slices).
+  /// Makes this object a scaled copy of `plain`, which must have base 0; the values are then
+  /// relative to `base`. Never call build() on this object. A slice whose result is not finite is
+  /// empty. O(slices).
   void takeScaled(const Envelope& plain, const Scaling& scaling, double base);
 
   [[nodiscard]] std::span<const double> low() const { return shown(low_); }
-  /// Lower than low() in an empty slice.
+  /// The maxima. In an empty slice, high() is lower than low().
   [[nodiscard]] std::span<const double> high() const { return shown(high_); }
 
-  // Over all slices; lowest() > highest() if all are empty.
+  // Over all slices. If all slices are empty, lowest() > highest().
   [[nodiscard]] double lowest() const { return lowest_; }
   [[nodiscard]] double highest() const { return highest_; }
 
@@ -66,14 +69,14 @@ class Envelope {
     return all.empty() ? std::span<const double>() : std::span(all).subspan(1, all.size() - 2);
   }
 
-  // With one hidden slice more at either side, for all earlier and all later time.
+  // These have one more hidden slice at each end, for all earlier and all later times.
   std::vector<std::int64_t> ends_;
   std::vector<double> low_;
   std::vector<double> high_;
   double lowest_ = 0;
   double highest_ = 0;
 
-  // The state of the last build().
+  // The arguments and the state of the last build().
   TimeSlices slices_;
   double base_ = 0;
   std::uint64_t ring_first_ = 0;

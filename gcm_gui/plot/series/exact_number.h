@@ -7,17 +7,17 @@
 
 namespace tendon::gui {
 
-/// A number as its source wrote it: a double, or an integer with all 64 bits.
+/// A number exactly as its source wrote it: a double, or an integer with all 64 bits.
 ///
-/// Beyond 2^53 doubles cannot distinguish neighbouring integers, and nanosecond counters are far
-/// beyond. So samples keep the number itself, and drawing uses its distance from a nearby base,
-/// which a double holds exactly.
+/// Beyond 2^53, doubles cannot distinguish neighbouring integers, and counters of nanoseconds are
+/// far above this. So samples keep the number itself. For drawing, only its distance from a nearby
+/// base is used, because a double holds this distance exactly.
 class ExactNumber {
  public:
   enum class Kind : std::uint8_t { kReal, kSigned, kUnsigned };
 
   constexpr ExactNumber() = default;
-  // Implicit, because a double converts without loss.
+  // Implicit, because the conversion of a double loses nothing.
   constexpr ExactNumber(double real)  // NOLINT(google-explicit-constructor)
       : word_(std::bit_cast<std::uint64_t>(real)) {}
   constexpr ExactNumber(Kind kind, std::uint64_t word) : word_(word), kind_(kind) {}
@@ -29,10 +29,10 @@ class ExactNumber {
   }
 
   [[nodiscard]] constexpr Kind kind() const { return kind_; }
-  /// The 64 bits, encoded as the kind requires.
+  /// Returns the 64 bits. Their meaning depends on the kind.
   [[nodiscard]] constexpr std::uint64_t word() const { return word_; }
   [[nodiscard]] constexpr bool isInteger() const { return kind_ != Kind::kReal; }
-  /// The nearest double.
+  /// Returns the nearest double.
   [[nodiscard]] constexpr double nearest() const {
     switch (kind_) {
       case Kind::kSigned:
@@ -44,27 +44,27 @@ class ExactNumber {
     }
   }
   [[nodiscard]] bool isFinite() const { return isInteger() || std::isfinite(nearest()); }
-  /// True if it is less than another of the same kind.
+  /// Returns true if this number is less than `other`, which must be of the same kind.
   [[nodiscard]] constexpr bool isBelow(const ExactNumber& other) const {
     if (kind_ == Kind::kUnsigned) return word_ < other.word_;
     if (kind_ == Kind::kReal) return nearest() < other.nearest();
     return static_cast<std::int64_t>(word_) < static_cast<std::int64_t>(other.word_);
   }
-  /// All digits, so that reading it back gives the same number.
+  /// Returns all digits, so that parsing the text gives the same number.
   [[nodiscard]] QString text() const;
 
   bool operator==(const ExactNumber&) const = default;
 
  private:
-  std::uint64_t word_ = 0;  // also that of 0.0
+  std::uint64_t word_ = 0;  // the word of 0.0, too
   Kind kind_ = Kind::kReal;
 };
 
-/// The difference of two integers of one kind, exactly: "-3", "18446744073709551615".
+/// Returns the exact difference of two integers of the same kind: "-3", "18446744073709551615".
 [[nodiscard]] QString DifferenceText(const ExactNumber& from, const ExactNumber& to);
 
-/// The distance of words of one kind from a base; the base of integers must be a whole number.
-/// Exact if the distance fits a double.
+/// Computes the distance of numbers of one kind, given as words, from a base. For integers, the
+/// base must be a whole number. The result is exact if a double can represent the distance.
 class DistanceFrom {
  public:
   DistanceFrom(ExactNumber::Kind kind, double base);
@@ -87,8 +87,8 @@ class DistanceFrom {
   ExactNumber::Kind kind_;
   double base_;
   std::uint64_t whole_base_ = 0;
-  bool is_exact_ = false;   // integers on both sides
-  bool is_beyond_ = false;  // the base is 2^63 or 2^64, to which the largest integers round
+  bool is_exact_ = false;   // numbers and base are integers
+  bool is_beyond_ = false;  // the base is 2^63 or 2^64; the largest integers round to these
 };
 
 }  // namespace tendon::gui

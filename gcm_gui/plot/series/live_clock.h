@@ -5,22 +5,23 @@
 
 namespace tendon::gui {
 
-/// Estimates the source's present time from samples that arrive late and in batches.
+/// Estimates the present time of the source from samples that arrive late and in batches.
 ///
-/// The sample of the last seconds that arrived with the least delay gives the offset between the
-/// source's clock and ours. So now() is smooth between batches, and continues when the source is
-/// silent. All times in nanoseconds, each on its own steady clock.
+/// The offset between the source's clock and the local clock is taken from the sample with the
+/// least delay among those of the last seconds. So now() is smooth between batches, and continues
+/// when the source sends nothing. All times are in nanoseconds, each on its own steady clock.
 class LiveClock {
  public:
-  /// A sample with time `newest_ns` has arrived at `local_ns`.
+  /// Called when a sample with the time `newest_ns` has arrived at the local time `local_ns`.
   void update(std::int64_t newest_ns, std::int64_t local_ns);
-  /// Returns `local_ns` before the first sample.
+  /// Returns the present time of the source; before the first sample, `local_ns`.
   [[nodiscard]] std::int64_t now(std::int64_t local_ns) const;
 
  private:
   static constexpr std::int64_t kUnknown = std::numeric_limits<std::int64_t>::min();
 
-  // The maximum offset in the present and in the previous interval, so that old offsets expire.
+  // The maximum offset in the present interval and in the previous one. With two intervals, old
+  // offsets expire.
   std::int64_t lead_ns_ = kUnknown;
   std::int64_t former_lead_ns_ = kUnknown;
   std::int64_t span_began_ns_ = 0;

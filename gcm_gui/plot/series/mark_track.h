@@ -8,29 +8,29 @@
 
 namespace tendon::gui {
 
-/// An event at one time, shown in all plots.
+/// A mark at one time, shown in all plots.
 struct Mark {
   enum class Kind { kCommand, kEvent, kState, kConnection };
 
   Kind kind = Kind::kEvent;
-  std::int64_t time_ns = 0;  ///< on this process's steady clock, like samples
-  QString label;             ///< short, at the foot of the plot: "MoveTo"
+  std::int64_t time_ns = 0;  ///< on this process's steady clock, as for samples
+  QString label;             ///< short text at the bottom of the plot: "MoveTo"
   QString text;              ///< full text: "call robot/arm/Control.MoveTo {…}"
   bool is_bad = false;       ///< refused, faulted, lost
 
   bool operator==(const Mark&) const = default;
 };
 
-/// The newest marks, oldest first, for all plots together. GUI thread.
+/// The newest marks for all plots, oldest first. GUI thread.
 class MarkTrack {
  public:
   static constexpr std::size_t kMost = 4096;
 
   using Iterator = std::deque<Mark>::const_iterator;
 
-  /// May be called out of order. O(1) for the newest mark.
+  /// Adds a mark. Marks need not be added in the order of time. O(1) if the mark is the newest.
   void add(Mark mark);
-  /// The marks in [from_ns, to_ns].
+  /// Returns the marks within [from_ns, to_ns].
   [[nodiscard]] std::pair<Iterator, Iterator> between(std::int64_t from_ns,
                                                       std::int64_t to_ns) const;
   [[nodiscard]] const std::deque<Mark>& all() const { return marks_; }

@@ -9,9 +9,10 @@ namespace tendon::gui {
 namespace {
 
 constexpr std::size_t kFirstCapacity = 1024;
-// Limits the memory for gaps, for example of a signal that loses every other row.
+// Limits the memory for gaps; a signal that loses every other row would have very many.
 constexpr std::size_t kMostGaps = 16384;
-// The samples of a slow running source may be this far apart.
+// A shorter time without samples is normal, because a slow source may send its samples this far
+// apart.
 constexpr std::int64_t kShortestStandstillNs = 250'000'000;
 
 std::size_t Capacity(std::size_t limit) { return std::bit_floor(std::max(limit, std::size_t{2})); }
@@ -31,12 +32,12 @@ void SampleRing::append(std::span<const Sample> samples) {
   }
 }
 
-// True if the sample has a number to keep.
+// Returns true if the sample has a number that must be stored.
 bool SampleRing::takeKind(const Sample& sample) {
   const ExactNumber::Kind kind = sample.value.kind();
   if (kind == kind_) return true;
   if (!sample.value.isFinite() && kind_ != ExactNumber::Kind::kReal) {
-    // The row of this tick is not lost, but earlier rows may be.
+    // The row with this tick is not lost, but rows before it may be.
     if (!empty() && sample.tick > last_tick_) {
       lost_before_ += sample.tick - last_tick_ - 1;
       last_tick_ = sample.tick;
@@ -49,7 +50,7 @@ bool SampleRing::takeKind(const Sample& sample) {
   return true;
 }
 
-// True if the sample belongs at the end. Records the gap before it.
+// Returns true if the sample belongs at the end of the ring. Records the gap before it.
 bool SampleRing::continues(const Sample& sample) {
   if (empty()) {
     epoch_begins_ = has_no_value_ = stands_still_ = standstill_ends_ = false;
@@ -76,7 +77,8 @@ bool SampleRing::continues(const Sample& sample) {
   const std::uint64_t lost = std::exchange(lost_before_, 0) + (sample.tick - last_tick_ - 1);
   const bool is_standstill =
       stands_still_ && sample.time_ns - time(end_ - 1) > kShortestStandstillNs;
-  // The source runs again. A slow source may have as long a time before its next sample.
+  // The standstill has ended, because the source runs again. A slow source may send its next sample
+  // after a time as long as this one, which must not count as another standstill.
   if (is_standstill) stands_still_ = standstill_ends_ = false;
   if (lost > 0) {
     addGap(Gap::Cause::kLost, sample, lost);

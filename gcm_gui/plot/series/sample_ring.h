@@ -11,14 +11,14 @@
 
 namespace tendon::gui {
 
-/// A clock may be corrected by this much between two runs of a source; then the samples wait for
-/// it.
+/// The clock of a source may be set back by this much between two runs. New samples then get the
+/// time of the newest old sample until the clock has passed that time.
 inline constexpr std::int64_t kClockToleranceNs = 1'000'000'000;
 
 /// The value of one signal in one row of its state table.
 struct Sample {
-  std::int64_t time_ns = 0;  ///< when the row was written, on the source's steady clock
-  std::uint64_t tick = 0;    ///< the number of the row; the next row has the next number
+  std::int64_t time_ns = 0;  ///< when the row was written, on the steady clock of the source
+  std::uint64_t tick = 0;    ///< number of the row; the next row has the next number
   ExactNumber value;
 };
 
@@ -32,21 +32,22 @@ struct Gap {
   };
 
   Cause cause = Cause::kLost;
-  std::uint64_t index = 0;  ///< of the first sample after it
-  std::uint64_t tick = 0;   ///< of that sample
-  std::uint64_t lost = 0;   ///< rows that never arrived; 0 for other causes
+  std::uint64_t index = 0;  ///< index of the first sample after the gap
+  std::uint64_t tick = 0;   ///< tick of that sample
+  std::uint64_t lost = 0;   ///< number of rows that never arrived; 0 for other causes
   std::int64_t from_ns = 0;
   std::int64_t to_ns = 0;
 };
 
-/// The losses of rows of one source since its subscription, by place. Filled from tendon::LostRows
-/// (gcm_gui/session/column_feed.h); a type of its own because plots depend only on Qt and Qwt.
+/// The rows of one source that were lost since its subscription, by the place of the loss. Filled
+/// from tendon::LostRows (gcm_gui/session/column_feed.h). It is a separate type because plots
+/// depend only on Qt and Qwt.
 struct RowLosses {
-  std::uint64_t table = 0;    ///< in its process: overwritten before they could be read
+  std::uint64_t table = 0;    ///< in the source's process: overwritten before they were read
   std::uint64_t network = 0;  ///< refused by the link, or written while there was no link
   std::uint64_t viewer = 0;   ///< in this window
 
-  /// The losses after `before`.
+  /// Returns the losses that were added after `before`.
   [[nodiscard]] RowLosses since(const RowLosses& before) const {
     const auto rest = [](std::uint64_t now, std::uint64_t then) {
       return now - std::min(now, then);
@@ -58,9 +59,9 @@ struct RowLosses {
 
 /// The latest samples of one signal, oldest first, and the gaps between them.
 ///
-/// The index of a sample counts from the very first one and stays the same when older samples are
-/// dropped. Times never decrease. All numbers are of one kind. Memory grows with the samples up to
-/// a limit, 16 bytes each. One thread.
+/// The index of a sample counts from the very first sample, and does not change when older samples
+/// are dropped. Times never decrease. All numbers are of one kind. Each sample takes 16 bytes;
+/// memory grows with the number of samples up to a limit. Use it in one thread only.
 class SampleRing {
  public:
   static constexpr std::size_t kBytesPerSample = sizeof(std::int64_t) + sizeof(std::uint64_t);
@@ -69,27 +70,30 @@ class SampleRing {
   /// A contiguous part of the ring.
   struct Segment {
     std::span<const std::int64_t> times;
-    std::span<const std::uint64_t> words;  ///< of kind()
+    std::span<const std::uint64_t> words;  ///< numbers of kind()
   };
 
   explicit SampleRing(std::size_t limit = kDefaultLimit);
 
-  /// Amortised O(1) per sample. Skipped ticks make a gap; a tick that already exists is counted as
-  /// repeated and dropped; a lower tick at a later time means that the source was restarted. A
-  /// change of the number kind clears the ring. In a ring of integers, NaN means no value and makes
-  /// a gap.
+  /// Appends samples, at amortised O(1) per sample. If ticks are missing before a sample, there is
+  /// a gap. A sample whose tick is not above the last tick is counted as repeated and dropped.
+  /// However, if its tick is lower and its time later, the source was restarted. A change of the
+  /// number kind clears the ring. In a ring of integers, NaN means that the row has no value, and
+  /// makes a gap.
   void append(std::span<const Sample> samples);
-  /// Called when the source was restarted: its ticks start again with the next sample, after a gap.
-  /// If its clock was set back, the ring is cleared, because the times of old and new samples
-  /// cannot be compared.
+  /// Called when the source was restarted: its ticks start again with the next sample, which comes
+  /// after a gap. If the clock of the source was set back, the ring is cleared, because the times
+  /// of old and new samples cannot be compared.
   void beginEpoch() { epoch_begins_ = true; }
-  /// Called when the source does not run, or did not run for a while: the next sample comes after a
-  /// gap even if no tick is missing. A sample that follows at once makes no gap, because it was
-  /// sent before.
+  /// Called when the source does not run, or did not run for a while. The next sample then comes
+  /// after a gap, even if no tick is missing. A sample that follows at once makes no gap, because
+  /// it was sent before the source stopped.
   void noteStandstill() { stands_still_ = true; }
-  /// Called when the source runs again: further samples come after the gap.
+  /// Called when the source runs again. The next sample ends the standstill, and the samples after
+  /// it follow without a gap.
   void endStandstill() { standstill_ends_ = stands_still_; }
-  /// The maximum number of samples, rounded down to a power of two; drops the oldest ones.
+  /// Sets the maximum number of samples, rounded down to a power of two. Drops the oldest samples
+  /// above it.
   void setLimit(std::size_t samples);
 
   [[nodiscard]] std::size_t bytes() const { return times_.size() * kBytesPerSample; }
@@ -101,17 +105,18 @@ class SampleRing {
   [[nodiscard]] ExactNumber number(std::uint64_t index) const {
     return {kind_, words_[index & mask()]};
   }
-  /// The nearest double.
+  /// Returns the nearest double.
   [[nodiscard]] double value(std::uint64_t index) const { return number(index).nearest(); }
   [[nodiscard]] std::uint64_t tick(std::uint64_t index) const;
-  /// The index of the first sample at `time_ns` or later; endIndex() if there is none. O(log n).
+  /// Returns the index of the first sample at `time_ns` or later; endIndex() if there is none.
+  /// O(log n).
   [[nodiscard]] std::uint64_t lowerBound(std::int64_t time_ns) const;
-  /// The longest contiguous part of [from, to) that begins at `from`.
+  /// Returns the longest contiguous part of [from, to) that begins at `from`.
   [[nodiscard]] Segment segment(std::uint64_t from, std::uint64_t to) const;
-  /// By index; without gaps older than the oldest sample.
+  /// All gaps by index, except those before the oldest sample.
   [[nodiscard]] const std::deque<Gap>& gaps() const { return gaps_; }
 
-  // Since the very first sample.
+  // Both count from the very first sample.
   [[nodiscard]] std::uint64_t lost() const { return lost_; }          ///< rows
   [[nodiscard]] std::uint64_t repeated() const { return repeated_; }  ///< rows
 
@@ -131,16 +136,16 @@ class SampleRing {
   std::size_t limit_;
   std::uint64_t first_ = 0;
   std::uint64_t end_ = 0;
-  std::uint64_t base_index_ = 0;  // at or before the oldest; ticks are continuous from here on
-  std::uint64_t base_tick_ = 0;   // the tick of that sample
+  std::uint64_t base_index_ = 0;  // at or before the oldest sample; no tick is missing after it
+  std::uint64_t base_tick_ = 0;   // the tick at base_index_
   std::uint64_t last_tick_ = 0;
   std::uint64_t lost_ = 0;
   std::uint64_t repeated_ = 0;
   bool epoch_begins_ = false;
   bool stands_still_ = false;
   bool standstill_ends_ = false;
-  bool has_no_value_ = false;      // a row without a value came after the newest sample
-  std::uint64_t lost_before_ = 0;  // rows lost after the newest sample, before rows without a value
+  bool has_no_value_ = false;      // a row without a value has arrived after the newest sample
+  std::uint64_t lost_before_ = 0;  // rows lost between the newest sample and rows without a value
 };
 
 }  // namespace tendon::gui

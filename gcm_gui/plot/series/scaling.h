@@ -5,7 +5,7 @@
 
 namespace tendon::gui {
 
-/// The shown value is factor * value + offset. Samples are stored unscaled.
+/// The scaling of a curve: the plot shows factor * value + offset. Samples are stored unscaled.
 struct Scaling {
   double factor = 1;  ///< never 0
   double offset = 0;
@@ -15,8 +15,8 @@ struct Scaling {
   bool operator==(const Scaling&) const = default;
 };
 
-/// The look of a curve: its scaling, and its axis. Curves with the same axis name share an axis; an
-/// empty name means the axis of the unit.
+/// The look of a curve: its scaling and its axis. Curves with the same axis name share an axis.
+/// With an empty name, the curve uses the axis of its unit.
 struct CurveLook {
   Scaling scaling;
   QString axis;
@@ -26,18 +26,18 @@ struct CurveLook {
 
 inline constexpr qsizetype kLongestAxis = 40;  ///< characters
 
-/// A number with enough digits to read back the same value.
+/// Formats a number with so many digits that parsing the text gives the same value.
 [[nodiscard]] QString ExactText(double value);
 
-/// "×1000 +2", "×-1", "-0.5"; empty without scaling.
+/// Formats a scaling: "×1000 +2", "×-1", "-0.5"; empty if there is no scaling.
 [[nodiscard]] QString TextOf(const Scaling& scaling);
-/// "rad ×1000 +2": the unit of a scaled number.
+/// Returns the unit of a scaled number: "rad ×1000 +2".
 [[nodiscard]] QString UnitOf(const QString& unit, const Scaling& scaling);
 
-/// The reason why a plot cannot show this, as a sentence; empty if it can.
+/// Returns why a plot cannot show this look, as a sentence; empty if it can.
 [[nodiscard]] std::optional<QString> RefusalOf(const CurveLook& look);
 
-/// Parses input with a decimal point; empty if it is not a number.
+/// Parses a number with a decimal point; empty if `text` is not a number.
 [[nodiscard]] std::optional<double> NumberIn(const QString& text);
 
 }  // namespace tendon::gui

@@ -15,20 +15,20 @@ struct CurveKey {
   bool operator==(const CurveKey&) const = default;
 };
 
-/// The state table of a signal: `robot/arm/state`.
+/// Returns the state table of a signal: `robot/arm/state`.
 [[nodiscard]] QString SourceOf(const QString& path);
-/// The name in a legend: `arm.Joints.position[0]`.
+/// Returns the name of a signal in a legend: `arm.Joints.position[0]`.
 [[nodiscard]] QString ShortName(const QString& path);
-/// The column of a signal: `Joints`.
+/// Returns the column of a signal: `Joints`.
 [[nodiscard]] QString ColumnOf(const QString& path);
 
-/// The MIME type of dragged values: one per line, path and unit separated by a tab.
+/// The MIME type of dragged values: one line for each value, with path and unit separated by a tab.
 inline constexpr auto kPathMimeType = "application/x-tendon-path";
-/// The MIME type for the id of the source plot, in digits; added when values are dragged out of a
+/// The MIME type of the id of the source plot, in digits. Added when values are dragged out of a
 /// plot.
 inline constexpr auto kPlotMimeType = "application/x-tendon-plot";
 [[nodiscard]] QByteArray EncodedPaths(const QList<CurveKey>& keys);
-/// Empty if there are none. Skips lines without a path.
+/// Returns the dragged values; empty if there are none. Lines without a path are skipped.
 [[nodiscard]] QList<CurveKey> PathsIn(const QMimeData& data);
 
 }  // namespace tendon::gui

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kExactIntegers = 9007199254740992;  // 2^53
 
-// A factor that scales distances of this size to about 1, so that their squares fit a double.
+// Returns a factor that scales distances of this size to about 1, so that their squares fit a
+// double.
 double UnitOfSize(double size) {
   constexpr int kLeastExponent = -1000;
   int exponent = 0;
@@ -18,13 +19,13 @@ double UnitOfSize(double size) {
   return std::ldexp(1, -std::max(exponent, kLeastExponent));
 }
 
-// The inverse; rounding cannot make the result infinite.
+// Does the inverse. Rounding cannot make the result infinite.
 double FromUnit(double distance, double unit) {
   constexpr double kMost = std::numeric_limits<double>::max();
   return std::clamp(distance / unit, -kMost, kMost);
 }
 
-// The integer at this distance above the lowest one, with more digits than a double holds.
+// Returns the integer at this distance above `lowest`. It has more digits than a double.
 ExactNumber Above(const ExactNumber& lowest, double distance) {
   return {lowest.kind(), lowest.word() + static_cast<std::uint64_t>(std::round(distance))};
 }
@@ -64,7 +65,8 @@ std::optional<Statistics> StatisticsOf(const SampleRing& ring, std::int64_t from
   }
   if (result.count == 0) return std::nullopt;
 
-  // Distances from the lowest integer are exact, large integers are not; reals need no base.
+  // Distances from the lowest integer are exact, but large integers as doubles are not. Real
+  // numbers need no base.
   const double base = result.lowest.isInteger() ? result.lowest.nearest() : 0;
   const DistanceFrom distance_from(ring.kind(), base);
   const double lowest = distance_from(result.lowest.word());
@@ -72,7 +74,7 @@ std::optional<Statistics> StatisticsOf(const SampleRing& ring, std::int64_t from
   const double unit = UnitOfSize(size);
   std::uint64_t count = 0;
   double mean = 0;
-  double squares = 0;  // of the distances from the running mean (Welford)
+  double squares = 0;  // sum of the squared distances from the running mean (Welford)
   for (std::uint64_t i = first; i < end; ++i) {
     const ExactNumber number = ring.number(i);
     if (!number.isFinite()) continue;

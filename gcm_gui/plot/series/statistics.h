@@ -10,7 +10,7 @@
 
 namespace tendon::gui {
 
-/// Statistics of the samples in a time span, without those that are not finite.
+/// The statistics of the samples in a time span. Samples that are not finite are ignored.
 struct Statistics {
   std::uint64_t count = 0;
   ExactNumber lowest;
@@ -18,24 +18,25 @@ struct Statistics {
   ExactNumber mean;      ///< rounded to an integer if doubles cannot distinguish its neighbours
   double deviation = 0;  ///< standard deviation of the population
   double rms = 0;
-  double rate = 0;  ///< samples per second; 0 with less than two
+  double rate = 0;  ///< samples per second; 0 if there are fewer than two
 
-  /// The statistics of the same samples, scaled.
+  /// Returns the statistics of the same samples after scaling.
   [[nodiscard]] Statistics scaled(const Scaling& scaling) const;
-  /// Maximum minus minimum. Infinite if it does not fit a double.
+  /// Returns maximum minus minimum; infinite if a double cannot hold it.
   [[nodiscard]] ExactNumber span() const;
 };
 
-/// For the samples in [from_ns, to_ns]; empty if there are none. O(samples in that span).
+/// Computes the statistics of the samples in [from_ns, to_ns]; empty if there are none. O(samples
+/// in that span).
 [[nodiscard]] std::optional<Statistics> StatisticsOf(const SampleRing& ring, std::int64_t from_ns,
                                                      std::int64_t to_ns);
 
-/// Samples per second in that span, including those that are not finite; 0 with less than two.
-/// O(log n).
+/// Returns the samples per second in [from_ns, to_ns], including samples that are not finite; 0 if
+/// there are fewer than two. O(log n).
 [[nodiscard]] double RateOf(const SampleRing& ring, std::int64_t from_ns, std::int64_t to_ns);
 
-/// Counts how often each value occurs in that span, for states (signed integers). Counts at most
-/// the first 64 different values. O(samples in that span).
+/// Counts how often each value occurs in [from_ns, to_ns]. The values are states (signed integers).
+/// After the first 64 different values, other values are not counted. O(samples in that span).
 [[nodiscard]] std::map<std::int64_t, std::uint64_t> OccurrencesOf(const SampleRing& ring,
                                                                   std::int64_t from_ns,
                                                                   std::int64_t to_ns);

@@ -6,7 +6,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kShortest = 1e-4;  // s; below it nanoseconds would be visible
+constexpr double kShortest = 1e-4;  // s; with a shorter window, single nanoseconds would be visible
 constexpr double kNanoseconds = 1e9;
 
 }  // namespace
@@ -30,7 +30,7 @@ void TimeWindow::setMotion(Motion motion) {
   if (live_) rewind();
 }
 
-// Returns to the start of a live window.
+// Resets the axis to that of a live window.
 void TimeWindow::rewind() {
   is_unfolded_ = false;
   from_s_ = motion_ == Motion::kSweep ? 0 : -lengthInSeconds();
@@ -58,7 +58,7 @@ void TimeWindow::goLive() {
   rewind();
 }
 
-// Makes time run from left to right again, up to the head.
+// Ends a sweep: time again runs from left to right over the axis, up to the head.
 void TimeWindow::unfold() {
   live_ = false;
   const bool was_sweeping = isSweeping();

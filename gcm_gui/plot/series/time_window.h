@@ -5,15 +5,16 @@
 
 namespace tendon::gui {
 
-/// The part of time that a plot shows. Live: the last seconds, with the present at the right edge.
-/// Held: a part chosen by the user, while further samples arrive.
+/// The span of time that a plot shows. A live window shows the last seconds, with the present at
+/// the right edge. A held window shows a span chosen by the user, while further samples arrive.
 ///
-/// Seconds are relative to origin(): the present when live, the time of holding when held.
+/// Positions on the axis are in seconds relative to origin(). In a live window, the origin is the
+/// present; in a held window, it is the time at which the window was held.
 ///
 /// A sweeping window, as on an oscilloscope, has a fixed axis that begins at origin(), and a head
-/// that moves from left to right. Left of the head is the present pass; right of it the previous
-/// pass, until the head overwrites it. Zooming or moving returns to a window whose time runs from
-/// left to right.
+/// that moves from left to right. To the left of the head is the present pass. To the right of it
+/// is the previous pass, until the head overwrites it. Zooming or moving the window ends the sweep:
+/// time then runs from left to right again.
 class TimeWindow {
  public:
   enum class Motion { kScroll, kSweep };
@@ -21,25 +22,26 @@ class TimeWindow {
 
   [[nodiscard]] bool isLive() const { return live_; }
   [[nodiscard]] std::chrono::nanoseconds length() const { return length_; }
-  /// Keeps the right edge; a held window stays held.
+  /// Sets the length and keeps the right edge. A held window stays held.
   void setLength(std::chrono::nanoseconds length);
 
-  /// How it moves while live.
+  /// Sets how the window moves while it is live.
   void setMotion(Motion motion);
   [[nodiscard]] Motion motion() const { return motion_; }
-  /// True if it sweeps live, or is held in the middle of a sweep.
+  /// Returns true if the window is live and sweeps, or if it was held in the middle of a sweep.
   [[nodiscard]] bool isSweeping() const { return motion_ == Motion::kSweep && !is_unfolded_; }
-  /// The axis position of a sweeping window's head.
+  /// Returns the axis position of the head of a sweeping window.
   [[nodiscard]] double head() const { return secondsAt(head_ns_); }
 
-  /// Moves a live window by whole columns of a canvas that is `columns` wide, until the present is
-  /// at the right edge; each column keeps its samples, so the curve does not flicker. Returns true
-  /// if it has moved. A held window stays.
+  /// Moves a live window until the present is at the right edge. The canvas is `columns` wide, and
+  /// the window moves by whole columns: each column keeps its samples, so the curve does not
+  /// flicker. Returns true if the window has moved. A held window does not move.
   bool follow(std::int64_t now_ns, double columns);
   void hold() { live_ = false; }
   void goLive();
 
-  // These hold the window. `at_s` keeps its position on the canvas.
+  // The following functions hold the window. In zoom(), the time at `at_s` keeps its position on
+  // the canvas.
   void zoom(double factor, double at_s);
   void pan(double by_s);
   void show(double from_s, double to_s);
@@ -47,17 +49,17 @@ class TimeWindow {
   [[nodiscard]] std::int64_t origin() const { return origin_ns_; }  ///< ns
   [[nodiscard]] double from() const { return from_s_; }
   [[nodiscard]] double to() const { return to_s_; }
-  /// The time of an axis position.
+  /// Returns the time at an axis position.
   [[nodiscard]] std::int64_t timeAt(double seconds) const;
-  /// The axis position of a time.
+  /// Returns the axis position of a time.
   [[nodiscard]] double secondsAt(std::int64_t time_ns) const;
 
-  /// The time that is visible at an axis position. Right of the head of a sweeping window it is one
-  /// window length before timeAt().
+  /// Returns the time that is visible at an axis position. To the right of the head of a sweeping
+  /// window, this is one window length before timeAt().
   [[nodiscard]] std::int64_t shownAt(double seconds) const;
-  /// The axis position at which a time is visible.
+  /// Returns the axis position at which a time is visible.
   [[nodiscard]] double pointOf(std::int64_t time_ns) const;
-  // The earliest and latest time that it shows.
+  // The earliest and the latest time that the window shows.
   [[nodiscard]] std::int64_t firstTime() const;
   [[nodiscard]] std::int64_t lastTime() const;
 

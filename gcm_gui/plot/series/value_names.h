@@ -10,7 +10,7 @@
 
 namespace tendon::gui {
 
-/// The names of a signal's values: those of an enumeration, or "false" and "true".
+/// The names of a signal's values: the enumerators of an enumeration, or "false" and "true".
 struct ValueNames {
   struct Entry {
     std::int64_t value = 0;
@@ -22,15 +22,15 @@ struct ValueNames {
   QString type;            ///< "arm.Mode", "bool"
   std::vector<Entry> all;  ///< by value
 
-  /// The name of a number; its digits if it has no name.
+  /// Returns the name of a number; if it has no name, its digits.
   [[nodiscard]] QString textOf(const ExactNumber& number) const;
-  /// Empty for a value without a name.
+  /// Returns the name of a value; empty if it has none.
   [[nodiscard]] std::optional<QString> nameOf(std::int64_t value) const;
 
   bool operator==(const ValueNames&) const = default;
 };
 
-/// Null for a signal with plain numbers.
+/// Null if the signal has plain numbers.
 using ValueNamesPointer = std::shared_ptr<const ValueNames>;
 
 }  // namespace tendon::gui

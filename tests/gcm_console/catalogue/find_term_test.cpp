@@ -168,9 +168,10 @@ TEST(FindTerm, RejectsABadExpression) {
 TEST(FindTerm, RejectsAnUnknownKey) {
   const auto term = FindTerm::Parse("tipe:x");
   ASSERT_FALSE(term);
-  EXPECT_EQ(term.error().message,
-            "'tipe:x': there is no 'tipe:'; did you mean 'type'? known are type:, state:, host: "
-            "and proc:");
+  EXPECT_EQ(
+      term.error().message,
+      "'tipe:x': there is no 'tipe:'; did you mean 'type'? the known keys are type:, state:, host: "
+      "and proc:");
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ TEST_F(GlobTest, LsListsMatches) {
   EXPECT_THAT(required, HasSubstr("desk/supervisor/Robot\trequired interface\t"));
   EXPECT_THAT(required, Not(HasSubstr("component")));
   ExpectError({"ls", "nobody/*"}, program::kNotFound,
-              "nothing fits 'nobody/*'; gcm ls -R lists all names");
+              "nothing matches 'nobody/*'; gcm ls -R lists all names");
 }
 
 TEST_F(GlobTest, ShowPrintsEachMatchUnderItsPath) {
@@ -44,7 +44,7 @@ TEST_F(GlobTest, ShowPrintsEachMatchUnderItsPath) {
   EXPECT_THAT(shown.out, testing::StartsWith("desk/supervisor/Robot:\n"));
   EXPECT_THAT(shown.out, HasSubstr("\n\ndesk/teleoperation/Robot:\n"));
   EXPECT_EQ(json::parse(Gcm({"show", "desk/*/Robot", "--json"}).out)["things"].size(), 2U);
-  ExpectError({"show", "desk/*/Robt"}, program::kNotFound, "nothing fits 'desk/*/Robt'");
+  ExpectError({"show", "desk/*/Robt"}, program::kNotFound, "nothing matches 'desk/*/Robt'");
 }
 
 TEST_F(GlobTest, GetPrintsEachMatchWithItsPath) {
@@ -60,7 +60,7 @@ TEST_F(GlobTest, GetPrintsEachMatchWithItsPath) {
   EXPECT_EQ(document["values"][0]["path"], "robot/arm/state.Joints");
   ExpectError({"get", "robot/*/Control.Stop"}, program::kNotFound,
               "matches no value that can be read");
-  ExpectError({"get", "nobody/*/state.Joints"}, program::kNotFound, "no column fits");
+  ExpectError({"get", "nobody/*/state.Joints"}, program::kNotFound, "no column matches");
 }
 
 TEST_F(GlobTest, DisconnectEndsAllMatches) {
@@ -92,7 +92,7 @@ TEST_F(GlobTest, LogLevelIsSetInAllMatches) {
             "desk\twould be set to log info and above\n"
             "robot\twould be set to log info and above\n");
   EXPECT_EQ(Gcm({"log-level", "r*", "info"}).out, "robot\tset to log info and above\n");
-  ExpectError({"log-level", "x*", "info"}, program::kNotFound, "no available process fits 'x*'");
+  ExpectError({"log-level", "x*", "info"}, program::kNotFound, "no available process matches 'x*'");
 }
 
 TEST_F(GlobTest, VerbsForOneNameRejectAGlob) {
@@ -101,7 +101,7 @@ TEST_F(GlobTest, VerbsForOneNameRejectAGlob) {
       {"call", "robot/*"}, {"explain", "a/b/C", "robot/*"}, {"classes", "robot/*"}};
   for (const Program::Words& words : lines) {
     ExpectError(words, program::kUsage,
-                "gcm: 'robot/*' may match several things, but gcm " + words[0] +
+                "gcm: 'robot/*' may match several objects, but gcm " + words[0] +
                     " needs exactly one name; list the matches with: gcm find 'robot/*'\n");
   }
   ExpectError({"connect", "desk/*/Robot", "robot/arm/Control"}, program::kUsage,

@@ -359,7 +359,7 @@ TEST_F(EventsTest, MistakesAreExplained) {
   refused({"hall/crier/Voice.Cry"}, program::kUsage, "'hall/crier/Voice.Cry' is a command");
   refused({"hall/crier"}, program::kUsage, "or for all its interfaces 'hall/crier/**'");
   refused({"hall/crier/state"}, program::kNotFound, "'hall/crier/state' has no events");
-  refused({"nowhere/**"}, program::kNotFound, "no event fits 'nowhere/**'");
+  refused({"nowhere/**"}, program::kNotFound, "no event matches 'nowhere/**'");
 }
 
 }  // namespace

@@ -67,7 +67,8 @@ TEST_F(LookTest, AComponentWithAnUnconnectedInterfaceIsShownAsWaiting) {
   const Outcome status = Gcm({"status"});
   EXPECT_THAT(status.out,
               HasSubstr("component\t" + path + "\tactive\twaiting for Robot: not connected\n"));
-  EXPECT_EQ(status.err, "gcm: 2 processes, 1 connection; 1 thing with a problem: see gcm doctor\n");
+  EXPECT_EQ(status.err,
+            "gcm: 2 processes, 1 connection; 1 object with a problem: see gcm doctor\n");
   const Outcome doctor = Gcm({"doctor"});
   EXPECT_EQ(doctor.exit_code, program::kRefused);
   EXPECT_THAT(doctor.out, testing::ContainsRegex("BAD  component " + path +
@@ -135,7 +136,7 @@ TEST_F(LookTest, FindsByNamePatternTypeStateAndHost) {
 
   const Outcome none = Gcm({"find", "nothing-like-it"});
   EXPECT_EQ(none.exit_code, program::kNotFound);
-  EXPECT_EQ(none.err, "gcm: nothing fits 'nothing-like-it'; gcm ls -R lists all names\n");
+  EXPECT_EQ(none.err, "gcm: nothing matches 'nothing-like-it'; gcm ls -R lists all names\n");
   const Outcome unknown = Gcm({"find", "tipe:x"});
   EXPECT_EQ(unknown.exit_code, program::kUsage);
   EXPECT_THAT(unknown.err, HasSubstr("there is no 'tipe:'; did you mean 'type'?"));

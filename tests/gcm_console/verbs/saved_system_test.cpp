@@ -114,7 +114,8 @@ TEST_F(SavedSystemTest, AFailedApplyReportsTheRemainingSteps) {
               testing::MatchesRegex("1/3  BAD  create robot/extra .Conter of counter.: .*\n"
                                     "2/3  left connect desk/supervisor/Robot -> robot/arm/Control\n"
                                     "3/3  left start robot/extra\n"));
-  EXPECT_THAT(stopped.err, HasSubstr("gcm: 0 steps made, 1 failed, 2 left, 7 things untouched\n"));
+  EXPECT_THAT(stopped.err,
+              HasSubstr("gcm: 0 steps done, 1 failed, 2 not executed, 7 objects untouched\n"));
 
   wanted["processes"][1]["components"].back()["library"] = "legacy_arm";  // counter is loaded now
   home.Write("saved.json", wanted.dump());
@@ -139,7 +140,7 @@ TEST_F(SavedSystemTest, ApplyRestoresConnectionsAndIsIdempotent) {
   const Outcome planned = Gcm({"plan", file});
   EXPECT_EQ(planned.exit_code, program::kOk) << planned.err;
   EXPECT_EQ(planned.out, "  connect desk/supervisor/Robot -> robot/arm/Control\n");
-  EXPECT_EQ(planned.err, "gcm: 1 step, 7 things untouched\n");
+  EXPECT_EQ(planned.err, "gcm: 1 step, 7 objects untouched\n");
   EXPECT_EQ(Gcm({"apply", file, "--dry-run"}).out, planned.out);
   EXPECT_EQ(Gcm({"diff", file}).exit_code, program::kRefused);  // nothing was done yet
   const Outcome applied = Gcm({"apply", file});
@@ -149,7 +150,7 @@ TEST_F(SavedSystemTest, ApplyRestoresConnectionsAndIsIdempotent) {
   const Outcome again = Gcm({"apply", file});
   EXPECT_EQ(again.exit_code, program::kOk);
   EXPECT_EQ(again.out, "");
-  EXPECT_EQ(again.err, "gcm: 0 steps made, 0 failed, 0 left, 8 things untouched\n");
+  EXPECT_EQ(again.err, "gcm: 0 steps done, 0 failed, 0 not executed, 8 objects untouched\n");
 
   EXPECT_EQ(Gcm({"undo"}).exit_code, program::kOk);
   EXPECT_EQ(Gcm({"diff", file}).exit_code, program::kRefused);
@@ -196,9 +197,10 @@ TEST_F(SavedSystemTest, ApplyRestoresTheSystemAfterAllProcessesWereKilled) {
   const Outcome applied = Gcm({"apply", file});
 
   EXPECT_EQ(applied.exit_code, program::kOk) << applied.out << applied.err;
-  EXPECT_THAT(applied.err,
-              HasSubstr("gcm: 12 steps made, 0 failed, 0 left, 2 things untouched; undo it "
-                        "with: gcm undo 12\n"));
+  EXPECT_THAT(
+      applied.err,
+      HasSubstr("gcm: 12 steps done, 0 failed, 0 not executed, 2 objects untouched; undo it "
+                "with: gcm undo 12\n"));
   EXPECT_TRUE(EventuallyTrue([&] { return ContentHash() == hash; }))
       << before << "became" << Gcm({"tree"}).out;
   EXPECT_EQ(Gcm({"tree"}).out, before);

@@ -178,7 +178,7 @@ TEST_F(StartedSystemTest, KillAndForgetByGlobNeedConfirmation) {
         {"/bin/sh", "-c", "printf '" + answer + "\\n' | script -qec \"" + line + "\" /dev/null"});
   };
   EXPECT_EQ(Gcm({"kill", "*", "--dry-run"}).out, "desk\twould be ended\nrobot\twould be ended\n");
-  EXPECT_EQ(Gcm({"kill", "x*"}).err, "gcm: no process fits 'x*'; gcm ls lists all processes\n");
+  EXPECT_EQ(Gcm({"kill", "x*"}).err, "gcm: no process matches 'x*'; gcm ls lists all processes\n");
   EXPECT_EQ(Gcm({"kill", "x*"}).exit_code, program::kNotFound);
 
   const Outcome declined = type("kill '*'", "n");

@@ -57,7 +57,7 @@ TEST_F(WireVerbsTest, MatchConnectsFreeCompatibleInterfaces) {
   const Outcome again = Gcm({"connect", "--match", "desk/**", "robot/**"});
   EXPECT_EQ(again.exit_code, program::kOk);
   EXPECT_EQ(again.out, "");
-  EXPECT_EQ(again.err, "gcm: all interfaces that 'desk/**' matches are connected\n");
+  EXPECT_EQ(again.err, "gcm: all interfaces that 'desk/**' matches are already connected\n");
 }
 
 TEST_F(WireVerbsTest, MatchReportsAmbiguousInterfacesAndConnectsTheRest) {
@@ -102,7 +102,7 @@ TEST_F(WireVerbsTest, DisconnectsByConnectionNumber) {
 TEST_F(WireVerbsTest, ShowPrintsTheHealthOfAConnection) {
   EXPECT_TRUE(EventuallySays({"show", "desk/supervisor/Robot"}, "round trip\t"));
   const std::string shown = Gcm({"show", "desk/supervisor/Robot"}).out;
-  EXPECT_THAT(shown, HasSubstr("stands for\t"));
+  EXPECT_THAT(shown, HasSubstr("connected for\t"));
   EXPECT_THAT(shown, HasSubstr("mailbox\t0 of 64 wait\n"));
   EXPECT_THAT(shown, HasSubstr("refused\t0\n"));
   EXPECT_THAT(shown, HasSubstr("lost events\t0\n"));
@@ -111,7 +111,7 @@ TEST_F(WireVerbsTest, ShowPrintsTheHealthOfAConnection) {
   EXPECT_GT(counts["round_trip_s"], 0.0);
   EXPECT_EQ(counts["capacity"], 64);
 
-  EXPECT_THAT(Gcm({"show", kTeleoperation}).out, testing::Not(HasSubstr("stands for")));
+  EXPECT_THAT(Gcm({"show", kTeleoperation}).out, testing::Not(HasSubstr("connected for")));
   EXPECT_THAT(Gcm({"show", "robot/arm"}).out, HasSubstr("mailbox\t0 of 64 wait\n"));
 }
 

@@ -83,7 +83,8 @@ TEST_F(CandidatesModelTest, LimitsTheListAndFindsTheRestByFilter) {
   mode_.start(kRobotPort);
 
   const int rest = static_cast<int>(CandidatesModel::kMostShown);
-  EXPECT_TRUE(Name(rest).endsWith(" more; type to find one")) << Name(rest).toStdString();
+  EXPECT_TRUE(Name(rest).endsWith(" more: type a part of the name to find one"))
+      << Name(rest).toStdString();
   model_.setFilter("copy_1190/control");
   EXPECT_EQ(Name(0), "robot/copy_1190/Control");
   EXPECT_TRUE(model_.fits(Row(0)));

@@ -69,7 +69,11 @@ TEST_F(InspectorFlow, TheHealthOfProcessesAndConnectionsIsShown) {
   Select("desk/supervisor");
   auto& interfaces = Find<QTreeView>("inspector.interfaces");
   EXPECT_TRUE(Eventually([&] {
-    return interfaces.model()->index(0, 0).data(Qt::ToolTipRole).toString().contains("stands for");
+    return interfaces.model()
+        ->index(0, 0)
+        .data(Qt::ToolTipRole)
+        .toString()
+        .contains("connected for");
   }));
   KeepPictures(*window_, "flow-health");
 

@@ -46,7 +46,7 @@ TEST_F(GraphSearchTest, MatchesAllWordsInAnyOrder) {
 
   Type("no such thing");
   EXPECT_TRUE(search_.found().isEmpty());
-  EXPECT_EQ(search_.countText(), "nothing fits");
+  EXPECT_EQ(search_.countText(), "no match");
   EXPECT_TRUE(scene_.highlight().names().empty());
 }
 

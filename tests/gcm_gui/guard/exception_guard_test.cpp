@@ -89,7 +89,7 @@ TEST_F(ExceptionGuardTest, ContainsTimersQueuedCallsAndBadAlloc) {
   EXPECT_TRUE(WaitForFault("Timer"));
   EXPECT_TRUE(WaitForFault("Left"));
 
-  EXPECT_EQ(FaultsOf("Left")[0].what, "there is not enough memory for it");
+  EXPECT_EQ(FaultsOf("Left")[0].what, "there is not enough memory");
 }
 
 TEST_F(ExceptionGuardTest, CountsRepeatedFaultsAsOne) {

@@ -231,7 +231,7 @@ TEST(ThreadFacts, DescribeTheThreadAndItsCycleTimes) {
   EXPECT_EQ(value("Starts late by"), "35.0 µs");
   EXPECT_EQ(value("Latest start"), "52.00 ms");
   arm.leader = "controller";
-  EXPECT_EQ(value("Thread"), "that of controller");
+  EXPECT_EQ(value("Thread"), "the thread of controller");
   EXPECT_EQ(value("Scheduling"), "");
 }
 

@@ -113,7 +113,7 @@ TEST_F(DemoTest, ReportsAMissingDemoFile) {
 
   EXPECT_TRUE(
       QTest::qWaitFor([&] { return Notice(window).contains("/no/such/demo.json"); }, kPatience));
-  EXPECT_TRUE(Notice(window).startsWith("The demo is not beside this program: "));
+  EXPECT_TRUE(Notice(window).startsWith("The system file of the demo cannot be read: "));
   EXPECT_EQ(plans_.started, 0);
 }
 

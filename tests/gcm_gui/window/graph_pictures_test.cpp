@@ -37,7 +37,7 @@ TEST_F(GraphPicturesTest, RendersTheHoveredConnection) {
   scene().hover().point("robot/controller/Arm");
   ASSERT_TRUE(EventuallyDimmed());
   scene().hover().showReadout({"robot", "controller", "Arm"},
-                              {"stands for 3 min", "round trip 38.0 µs", "1204 calls and events",
+                              {"connected for 3 min", "round trip 38.0 µs", "1204 calls and events",
                                "mailbox: 0 of 64 used", "0 refused, 0 replaced, 0 events lost"});
   KeepPictures(window_, "graph-hover");
 }
