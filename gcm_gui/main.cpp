@@ -56,7 +56,7 @@ void AddOptions(CLI::App& app, Options& options) {
       ->check(CLI::ExistingFile)
       ->type_name("FILE");
   app.add_flag("--no-tour", options.no_tour,
-               "no tour, even if this user opens the window for the first time");
+               "do not show the tour, even if this user opens the window for the first time");
   app.add_option("--theme", options.theme, "dark, light or system")
       ->check(CLI::IsMember({"dark", "light", "system"}))
       ->capture_default_str();

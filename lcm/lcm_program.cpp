@@ -183,7 +183,7 @@ void MakeConnections(const ProcessPart& part, tendon::Process& process) {
     tendon::Log(tendon::LogLevel::kError, process.name(),
                 "not connected to " + ToString(one.provided) + ": " +
                     (provider ? ToString(one.required) + " was connected to " +
-                                    ToString(*provider) + " before, and stays connected to it"
+                                    ToString(*provider) + " before, and this connection stays"
                               : made.error().message));
   }
 }

@@ -22,12 +22,12 @@ int main(int argc, char** argv) {
                  "address at which this process listens for viewers and other processes")
       ->capture_default_str();
   app.add_option("--advertise", options.advertise,
-                 "address that other processes use to connect; without a port, the port of "
-                 "--listen is used (default: the address of --listen, or if that is 0.0.0.0 or "
-                 "[::], the address from which this process reaches the GCM)");
+                 "address that other processes use to connect; if it has no port, the port of "
+                 "--listen is used (default: the address of --listen; if that is 0.0.0.0 or [::], "
+                 "the address from which this process reaches the GCM)");
   app.set_version_flag("--version", "lcm " + tendon::OwnVersion().release);
   app.add_option("--timeout", timeout_ms,
-                 "longest time to wait for the GCM at the start: 500ms, 5s, 2min or a number of ms")
+                 "maximum time to wait for the GCM at the start: 500ms, 5s, 2min or a number of ms")
       ->type_name("TIME")
       ->transform(CLI::Validator(&program::TransformMilliseconds, ""))
       ->default_str("3s");

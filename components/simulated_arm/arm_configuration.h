@@ -46,7 +46,7 @@ inline constexpr auto tendon::kPayload<arm::ArmConfiguration> = tendon::Describe
     "arm.ArmConfiguration",
     tendon::Field{"home", &arm::ArmConfiguration::home, "rad"}
         .Within(-arm::kLargestAngle, arm::kLargestAngle)
-        .Help("Initial position, between lower and upper."),
+        .Help("Initial position of each joint, between lower and upper."),
     tendon::Field{"lower", &arm::ArmConfiguration::lower, "rad"}
         .Within(-arm::kLargestAngle, arm::kLargestAngle)
         .Help("Lower limit of each joint, below upper."),

@@ -54,8 +54,8 @@ void SimulatedArm::Run() {
 void SimulatedArm::OnResume() {
   if (motion_.is_under_way()) {
     Log(tendon::LogLevel::kWarning, name(),
-        "holds its position: it was suspended during a motion, and continues with its next "
-        "command");
+        "holds its position, because the arm was suspended during a motion; it moves again after "
+        "the next command");
   }
   motion_.Rest();
 }

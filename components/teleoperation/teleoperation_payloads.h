@@ -28,14 +28,14 @@ struct Tracking {
 }  // namespace arm
 
 template <>
-inline constexpr auto tendon::kPayload<arm::TeleoperationConfiguration> =
-    tendon::Describe("arm.TeleoperationConfiguration",
-                     tendon::Field{"period", &arm::TeleoperationConfiguration::period, "s"}
-                         .Within(arm::kShortestTour, arm::kLongestTour)
-                         .Help("Duration of one round."),
-                     tendon::Field{"amplitude", &arm::TeleoperationConfiguration::amplitude}
-                         .Within(0, arm::kMostAmplitude)
-                         .Help("How far the joints swing; above 1 they can reach their limits."));
+inline constexpr auto tendon::kPayload<arm::TeleoperationConfiguration> = tendon::Describe(
+    "arm.TeleoperationConfiguration",
+    tendon::Field{"period", &arm::TeleoperationConfiguration::period, "s"}
+        .Within(arm::kShortestTour, arm::kLongestTour)
+        .Help("Duration of one round."),
+    tendon::Field{"amplitude", &arm::TeleoperationConfiguration::amplitude}
+        .Within(0, arm::kMostAmplitude)
+        .Help("How far the joints swing; if it is above 1, the joints can reach their limits."));
 
 template <>
 inline constexpr auto tendon::kPayload<arm::Target> =

@@ -21,7 +21,7 @@ bool FitsAny(const std::vector<std::string>& patterns, const std::string& text) 
 Error Misfit(const tendon::Catalogue& catalogue, const std::string& pattern) {
   if (pattern.find('*') != std::string::npos) {
     return {ErrorCode::kNotFound,
-            "no event matches '" + pattern + "'; list them with: gcm ls -R --type event"};
+            "no event matches '" + pattern + "'; to list all events: gcm ls -R --type event"};
   }
   const auto target = FindTarget(catalogue, pattern);
   if (!target) return target.error();
@@ -36,10 +36,10 @@ Error Misfit(const tendon::Catalogue& catalogue, const std::string& pattern) {
   if (target->provided != nullptr) {
     return {ErrorCode::kNotFound, "'" + pattern + "' has no events"};
   }
-  return {ErrorCode::kInvalid,
-          "'" + pattern +
-              "' is not an interface: give the path of an interface, or for all its interfaces '" +
-              pattern + "/**'"};
+  return {ErrorCode::kInvalid, "'" + pattern +
+                                   "' is not an interface: give the path of one interface; or, for "
+                                   "all interfaces in it, give '" +
+                                   pattern + "/**'"};
 }
 
 }  // namespace

@@ -38,8 +38,8 @@ bool IsExpression(const std::string& text) {
 tendon::Result<Expression> Expression::Parse(std::string_view text) {
   if (text.empty()) return Error{ErrorCode::kInvalid, "an empty expression matches everything"};
   if (text.size() > kLongest) {
-    return Error{ErrorCode::kInvalid, "an expression is at most " + std::to_string(kLongest) +
-                                          " bytes long, this one has " +
+    return Error{ErrorCode::kInvalid, "an expression may have at most " + std::to_string(kLongest) +
+                                          " bytes, but the given expression has " +
                                           std::to_string(text.size())};
   }
   re2::RE2::Options options;

@@ -29,7 +29,8 @@ Result<std::vector<SystemItem>> MatchingItems(const tendon::Catalogue& catalogue
   auto items = ItemsIn(catalogue);
   std::erase_if(items, [&](const SystemItem& one) { return !tendon::MatchesGlob(glob, one.path); });
   if (!items.empty()) return items;
-  return Error{ErrorCode::kNotFound, "nothing matches '" + glob + "'; gcm ls -R lists all names"};
+  return Error{ErrorCode::kNotFound,
+               "nothing matches '" + glob + "'; to list all names: gcm ls -R"};
 }
 
 Result<std::vector<SystemItem>> MatchingItemsAndContents(const tendon::Catalogue& catalogue,
@@ -45,7 +46,7 @@ Result<std::vector<SystemItem>> MatchingItemsAndContents(const tendon::Catalogue
 
 Error NoGlobAllowed(const std::string& command, const std::string& glob) {
   return {ErrorCode::kInvalid, "'" + glob + "' may match several objects, but " + command +
-                                   " needs exactly one name; list the matches with: gcm find '" +
+                                   " needs exactly one name; to list the matches: gcm find '" +
                                    glob + "'"};
 }
 

@@ -56,7 +56,7 @@ Result<PathTarget> FindTarget(const tendon::Catalogue& catalogue, const std::str
   if (!path) return path.error();
   if (!path->field.empty()) {
     return Error{ErrorCode::kInvalid,
-                 "'" + text + "' names a part of a value; read it with: gcm get " + text};
+                 "'" + text + "' names a part of a value; to read this part: gcm get " + text};
   }
   PathTarget target;
   const auto process = LookUpProcess(catalogue, path->process);

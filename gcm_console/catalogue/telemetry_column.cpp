@@ -34,9 +34,7 @@ Result<std::vector<std::string>> ColumnsOf(const tendon::Catalogue& catalogue,
     std::vector<std::string> tables;
     for (const auto& table : (*component)->tables) tables.push_back(table.name);
     return Error{ErrorCode::kNotFound,
-                 "'" + text +
-                     "' is not a column of a state table; list them with: gcm "
-                     "ls " +
+                 "'" + text + "' is not a column of a state table; to list the columns: gcm ls " +
                      path.process + "/" + path.component + "/state" +
                      tendon::DidYouMean(path.interface, tables)};
   }
@@ -95,8 +93,8 @@ Result<std::vector<std::string>> Expand(const tendon::Catalogue& catalogue,
     }
   }
   if (paths.empty()) {
-    return Error{ErrorCode::kNotFound,
-                 "no column matches '" + pattern + "'; list them with: gcm ls -R --type state"};
+    return Error{ErrorCode::kNotFound, "no column matches '" + pattern +
+                                           "'; to list the columns: gcm ls -R --type state"};
   }
   return paths;
 }

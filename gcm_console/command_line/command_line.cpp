@@ -94,8 +94,8 @@ std::string UnknownVerb(const std::vector<std::string>& words, const CLI::App& a
         part->get_subcommands([&](const CLI::App* verb) { return verb->get_name() == words[i]; });
     if (named.empty()) {
       const std::string near = tendon::DidYouMean(words[i], VerbsOf(*part));
-      return "no verb '" + words[i] + "'" + near + (near.empty() ? "; " : " ") + command +
-             " --help lists them";
+      return "no verb '" + words[i] + "'" + near + (near.empty() ? "; " : " ") +
+             "to list the verbs: " + command + " --help";
     }
     part = named[0];
     command += " " + words[i];
@@ -193,7 +193,7 @@ void CommandLine::AddSettings() {
       ->capture_default_str();
   auto* quiet = app_.add_flag("-q,--quiet", is_quiet_, "print only results and errors, no remarks");
   app_.add_flag("-v,--verbose", is_verbose_,
-                "print the address of the GCM, and how fast it answers")
+                "print the address of the GCM, and how fast the GCM answers")
       ->excludes(quiet);
   app_.add_flag("--read-only", settings_.read_only,
                 "connect with the role viewer, which cannot change anything");

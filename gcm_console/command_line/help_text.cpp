@@ -199,9 +199,11 @@ const std::vector<Topic>& Topics() {
         {"2", "the command line is invalid"},
         {"3", "no GCM answers at the address"},
         {"4",
-         "the name does not exist, or matches several; for connect: the GCM has never known the "
-         "process"},
-        {"5", "the two interfaces do not fit; for plan: this is the only obstacle"},
+         "the name does not exist, or several objects match; for connect: the GCM has never known "
+         "the process"},
+        {"5",
+         "the two interfaces are not compatible; for plan: only interfaces that are not compatible "
+         "prevent the plan"},
         {"6", "no answer in time; the outcome is unknown"},
         {"7", "denied: your role is not sufficient, or a file has unsafe permissions"},
         {"8", "only a part of the command was done"},
@@ -214,19 +216,20 @@ const std::vector<Topic>& Topics() {
         {"robot/arm/Control", "an interface, provided or required"},
         {"robot/arm/Control.MoveTo", "a member: a command, event, function or event handler"},
         {"robot/arm/state.Joints", "a column of the component's state table"},
-        {"robot/arm/state.Joints.position[0]", "a part of its value"},
+        {"robot/arm/state.Joints.position[0]", "a part of the value of a column"},
         {"In patterns, * matches any characters except / and '.', and ** matches any characters."},
-        {"Verbs that need exactly one name do not accept patterns; gcm find lists the names that "
-         "match a pattern."},
-        {"In gcm shell, paths are relative to the path that cd has set; /robot/arm begins at the "
-         "top, .. goes one level up."}}},
+        {"Verbs that need exactly one name do not accept patterns; to list the names that match a "
+         "pattern, use gcm find."},
+        {"In gcm shell, paths are relative to the path that cd has set. A path that begins with /, "
+         "such as /robot/arm, begins at the top. The path .. means one level up."}}},
       {"prompt",
        "the commands of gcm shell besides the verbs",
        {{"cd PATH", "make paths relative to PATH; without PATH, return to the top"},
         {"..", "go one level up"},
         {"VERB &", "run watch, events, hz or log --follow in the background"},
         {"jobs, end NUMBER",
-         "list the background jobs; end the job with this number, or all jobs without a number"},
+         "jobs lists the background jobs; end ends the job with this number, or all jobs if there "
+         "is no number"},
         {"exit", "end the shell and all background jobs"},
         {"VERB; VERB", "run several verbs one after the other"},
         {"# WORDS", "a remark"},
@@ -234,13 +237,15 @@ const std::vector<Topic>& Topics() {
       {"output",
        "the format of the output, and where it goes",
        {{"Results go to the standard output, remarks and errors to the standard error."},
-        {"terminal", "tables with titles; --no-header leaves the titles out"},
-        {"pipe or file", "one line for each row, cells separated by tabs, no titles"},
+        {"terminal", "tables with column titles; --no-header omits the titles"},
+        {"pipe or file", "one line for each row, without titles; the cells are separated by tabs"},
         {"--json",
          "one document with \"schema\": 1; watch, events, hz and log: one document in each line, "
          "for each row, event, log record or gap"},
-        {"-q, -v", "print no remarks; print more remarks"},
-        {"--color WHEN", "auto: on a terminal, unless NO_COLOR is set or TERM is dumb"}}}};
+        {"-q, -v", "-q prints no remarks; -v prints more remarks"},
+        {"--color WHEN",
+         "when to use colours; auto means on a terminal, unless NO_COLOR is set or TERM is "
+         "dumb"}}}};
   return kTopics;
 }
 

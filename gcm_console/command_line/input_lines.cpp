@@ -19,7 +19,7 @@ bool IsBroken(const std::istream& in) {
 
 Error Broken() {
   return {ErrorCode::kInvalid,
-          "the standard input could not be read to its end: use a file or a pipe"};
+          "the standard input could not be read completely: use a file or a pipe"};
 }
 
 }  // namespace

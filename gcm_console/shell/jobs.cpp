@@ -44,7 +44,7 @@ std::string JobLines::Take() {
   std::string all;
   for (const std::string& line : lines_) all += line + '\n';
   if (left_out_ > 0) {
-    all += "gcm: " + tendon::Counted(left_out_, "line is left out", "lines are left out") +
+    all += "gcm: " + tendon::Counted(left_out_, "line is omitted", "lines are omitted") +
            ": the buffer for their output is full\n";
   }
   lines_.clear();
@@ -137,7 +137,7 @@ Result<void> Jobs::Begin(const Words& words, const Settings& settings, int colum
   if (std::ranges::find(kLasting, words[0]) == kLasting.end()) {
     return Error{ErrorCode::kInvalid,
                  "only watch, events, hz and log can run in the background, but '" + words[0] +
-                     "' cannot: write the line without the &"};
+                     "' cannot: repeat the command without &"};
   }
   ForgetEnded();
   jobs_.push_back(std::make_unique<Job>(++last_number_, words, settings, columns, lines_));
@@ -149,8 +149,8 @@ Result<void> Jobs::End(const std::string& number) {
   ForgetEnded();
   const auto job = std::ranges::find(jobs_, number, [](const auto& one) { return one->number(); });
   if (job == jobs_.end()) {
-    return Error{ErrorCode::kNotFound,
-                 "no background job has the number '" + number + "'; jobs lists them"};
+    return Error{ErrorCode::kNotFound, "no background job has the number '" + number +
+                                           "'; to list the background jobs: jobs"};
   }
   jobs_.erase(job);
   return {};

@@ -66,7 +66,7 @@ Result<ExitCode> RehearseInit(Context& context) {
   if (context.settings().json) {
     context.PrintJson({{"folder", folder.string()}, {"not_after", nullptr}, {"dry_run", true}});
   } else {
-    context.out() << "CA would be made in " << Plain(folder.string()) << '\n';
+    context.out() << "the CA would be made in " << Plain(folder.string()) << '\n';
   }
   return program::kOk;
 }
@@ -188,7 +188,7 @@ void AddIssueOptions(CLI::App& app, CertArguments& arguments) {
   app.add_option("--host", arguments.hosts, "a name or address at which the process listens")
       ->needs(process)
       ->allow_extra_args(false);
-  app.add_option("--days", arguments.days, "how long it is valid")
+  app.add_option("--days", arguments.days, "how many days the certificate is valid")
       ->transform(CLI::Validator(&program::TransformCount, ""))
       ->check(CLI::Range(1, 3650))
       ->capture_default_str();
@@ -210,10 +210,12 @@ constexpr CertVerb kCertVerbs[] = {
     {"init", "make a CA",
      [](CLI::App& app, CertArguments& arguments) { AddDryRun(app, arguments.is_dry); }, &Init},
     {"issue", "make a key and a certificate", &AddIssueOptions, &Issue},
-    {"check", "print the owner of a certificate, and whether it is valid",
+    {"check", "print the owner of a certificate, and whether the certificate is valid",
      [](CLI::App& app, CertArguments& arguments) {
-       WithKind(app.add_option("file", arguments.file, "NAME.crt; its key is NAME.key beside it"),
-                WordKind::kFile)
+       WithKind(
+           app.add_option("file", arguments.file,
+                          "the certificate NAME.crt; the key NAME.key must be in the same folder"),
+           WordKind::kFile)
            ->required();
      },
      &Check},

@@ -55,11 +55,10 @@ Result<std::string> ProcessOf(const Catalogue& catalogue, const std::string& nam
   if (present.size() == 1) return present.front();
   if (present.empty()) {
     return Error{ErrorCode::kNotFound,
-                 "no process has joined the GCM; start one with: lcm --name "
-                 "NAME"};
+                 "no process has joined the GCM; to start a process: lcm --name NAME"};
   }
   return Error{ErrorCode::kInvalid,
-               "there are several processes: give one of " + Joined(present, ", ")};
+               "there are several processes; give one of these: " + Joined(present, ", ")};
 }
 
 /// Returns the configuration from the command line or from a file; empty if neither is given.
@@ -165,8 +164,8 @@ Result<ExitCode> Create(Context& context, const ClassArguments& arguments) {
   if (is_whole && (!path->interface.empty() || !arguments.process.empty())) {
     return Error{ErrorCode::kInvalid,
                  "'" + arguments.component +
-                     "' does not name a component: expected process/component, or "
-                     "only its name together with --in process"};
+                     "' does not name a component: expected process/component, or only the name of "
+                     "the component together with --in process"};
   }
   const auto process =
       ProcessOf((*client)->catalogue(), is_whole ? path->process : arguments.process);
@@ -174,8 +173,8 @@ Result<ExitCode> Create(Context& context, const ClassArguments& arguments) {
   const auto configuration = ConfigurationOf(arguments);
   if (!configuration) return configuration.error();
   if (arguments.class_name.empty()) {
-    return Error{ErrorCode::kInvalid, "no class is given; gcm classes " + *process +
-                                          " lists the classes of '" + *process + "'"};
+    return Error{ErrorCode::kInvalid, "no class is given; to list the classes of '" + *process +
+                                          "': gcm classes " + *process};
   }
   const LifecycleOrder order{.verb = LifecycleVerb::kCreate,
                              .process = *process,
@@ -194,7 +193,7 @@ Result<ExitCode> Configure(Context& context, const ClassArguments& arguments) {
   if (found->size() > 1) {
     return Error{ErrorCode::kInvalid, "'" + arguments.component + "' matches " +
                                           std::to_string(found->size()) +
-                                          " components; configure one at a time"};
+                                          " components; give one component"};
   }
   const auto configuration = ConfigurationOf(arguments);
   if (!configuration) return configuration.error();
@@ -314,9 +313,9 @@ void AddConfiguration(CLI::App& app, ClassArguments& arguments) {
 }
 
 void AddProcess(CLI::App& app, ClassArguments& arguments) {
-  WithKind(
-      app.add_option("--in", arguments.process, "the process; only needed if there are several"),
-      WordKind::kProcess);
+  WithKind(app.add_option("--in", arguments.process,
+                          "the process; only needed if there are several processes"),
+           WordKind::kProcess);
 }
 
 }  // namespace
@@ -338,7 +337,7 @@ std::vector<Verb> ClassVerbs() {
        [](CLI::App& app) -> Verb::Run {
          auto arguments = std::make_shared<ClassArguments>();
          WithKind(app.add_option("process", arguments->process,
-                                 "the process; only needed if there are several"),
+                                 "the process; only needed if there are several processes"),
                   WordKind::kProcess);
          WithKind(app.add_option("class", arguments->class_name,
                                  "show the fields of the configuration of this class"),
@@ -348,14 +347,15 @@ std::vector<Verb> ClassVerbs() {
       {"create", "create a component of a class",
        [](CLI::App& app) -> Verb::Run {
          auto arguments = std::make_shared<ClassArguments>();
-         WithKind(app.add_option("class", arguments->class_name, "see: gcm classes"),
+         WithKind(app.add_option("class", arguments->class_name,
+                                 "the class; to list all classes: gcm classes"),
                   WordKind::kClass)
              ->required();
          app.add_option("name", arguments->component, "process/component, or only the component")
              ->required();
          AddProcess(app, *arguments);
          WithKind(app.add_option("--library", arguments->library,
-                                 "the plug-in with the class; it is loaded if necessary"),
+                                 "the plug-in with the class; this plug-in is loaded if necessary"),
                   WordKind::kPlugIn);
          AddConfiguration(app, *arguments);
          AddDryRun(app, arguments->dry_run);

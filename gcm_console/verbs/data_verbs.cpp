@@ -75,9 +75,9 @@ Result<ExitCode> GetOne(Context& context, const std::string& text) {
       if (command.name != path->member || command.signature.kind == tendon::CommandKind::kRead) {
         continue;
       }
-      return Error{ErrorCode::kInvalid, "'" + text + "' is a " +
-                                            std::string(ToString(command.signature.kind)) +
-                                            " command, which get cannot call: use gcm call"};
+      return Error{ErrorCode::kInvalid,
+                   "'" + text + "' is a " + std::string(ToString(command.signature.kind)) +
+                       " command, and get cannot call such a command; use gcm call"};
     }
   }
   const auto value = context.Ask<std::string>(
@@ -110,9 +110,9 @@ Result<std::vector<std::string>> MatchingReadables(const tendon::Catalogue& cata
   if (columns) paths.insert(paths.end(), columns->paths.begin(), columns->paths.end());
   if (!paths.empty()) return paths;
   if (!items) return columns.error();
-  return Error{ErrorCode::kNotFound, "'" + glob +
-                                         "' matches no value that can be read; gcm find '" + glob +
-                                         "' lists the matches"};
+  return Error{ErrorCode::kNotFound,
+               "'" + glob + "' matches no value that can be read; to list the matches: gcm find '" +
+                   glob + "'"};
 }
 
 /// Prints one line per value. If a value cannot be read, reports this and reads the others.
@@ -250,7 +250,7 @@ class WatchedTables {
       is_any_left |= !table.inbox->is_empty();
     }
     if (is_any_left) return std::nullopt;
-    return Error{tendon::ErrorCode::kNotFound, "none of the matching columns has this part"};
+    return Error{tendon::ErrorCode::kNotFound, "no matching column has this part"};
   }
   /// Returns the reason of an interruption, from the first table that has one.
   [[nodiscard]] std::optional<Error> interruption() const {
@@ -514,10 +514,11 @@ std::vector<Verb> DataVerbs() {
       {"get", "read a value once",
        [](CLI::App& app) -> Verb::Run {
          auto path = std::make_shared<std::string>();
-         WithKind(app.add_option("path", *path,
-                                 "a read command or a column, such as "
-                                 "robot/arm/state.Joints.position[0]; * matches several"),
-                  WordKind::kReadable)
+         WithKind(
+             app.add_option("path", *path,
+                            "a read command or a column, such as "
+                            "robot/arm/state.Joints.position[0]; a pattern with * matches several"),
+             WordKind::kReadable)
              ->required();
          return [path](Context& context) {
            return IsGlob(*path) ? GetAll(context, *path) : GetOne(context, *path);
@@ -527,13 +528,15 @@ std::vector<Verb> DataVerbs() {
        "print every new row of state tables: time in ns, tick, values",
        [](CLI::App& app) -> Verb::Run {
          auto options = std::make_shared<WatchOptions>();
-         WithKind(app.add_option(
-                      "paths", options->paths,
-                      "columns of state tables, or a part of a column (.position[0]); * and ** "
-                      "match several; a row of one table has - in the columns of the other tables"),
-                  WordKind::kColumn)
+         WithKind(
+             app.add_option("paths", options->paths,
+                            "columns of state tables, or parts of columns (.position[0]); * and ** "
+                            "match several columns; if the columns are of several tables, each row "
+                            "is of one table and has - in the columns of the other tables"),
+             WordKind::kColumn)
              ->required();
-         app.add_option("--hz", options->rate, "at most this many rows per second (default: all)")
+         app.add_option("--hz", options->rate,
+                        "print at most this many rows per second (default: all rows)")
              ->transform(CLI::Validator(&program::TransformPositive, ""));
          app.add_flag(
              "--latest", options->is_latest,

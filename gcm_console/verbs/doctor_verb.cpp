@@ -148,8 +148,8 @@ class Doctor {
     if (!place || !tendon::IsOfOneHost(gcm)) return;
     if (const auto holder = tendon::os::HolderOf(place->port)) {
       Bad("port", gcm + " is used by " + *holder + ", which does not answer as a GCM",
-          "end that program, or choose another port: gcm serve --gcm HOST:PORT, and the same "
-          "address in $TENDON_GCM");
+          "end that program; or, to use another port: gcm serve --gcm HOST:PORT, and set "
+          "$TENDON_GCM to the same address");
     } else {
       Good("port", gcm + " is free: no program listens there");
     }
@@ -177,19 +177,18 @@ class Doctor {
     const std::string place = "on " + process.host + ", pid " + std::to_string(process.pid);
     if (process.state == tendon::ProcessState::kStarting) {
       Bad(what, place + ", is starting: it has not joined yet",
-          "wait, or end it: gcm kill " + process.name);
+          "wait; or, to end the process: gcm kill " + process.name);
       return false;
     }
     if (!IsPresent(process)) {
       const bool has_left = process.state == tendon::ProcessState::kLeft;
-      findings_.push_back(
-          {what, has_left ? Finding::Verdict::kUnknown : Finding::Verdict::kBad,
-           std::string(ToString(process.state)) + ": " + process.reason,
-           HasFallenSilent(process)
-               ? AdviceFor(process)
-               : "start it again with the command that started it, or remove it from the list: gcm "
-                 "forget " +
-                     process.name});
+      findings_.push_back({what, has_left ? Finding::Verdict::kUnknown : Finding::Verdict::kBad,
+                           std::string(ToString(process.state)) + ": " + process.reason,
+                           HasFallenSilent(process)
+                               ? AdviceFor(process)
+                               : "start the process again with the command that started it; or, to "
+                                 "remove it from the list: gcm forget " +
+                                     process.name});
       return false;
     }
     if (process.state == tendon::ProcessState::kAlive && !process.reason.empty()) {
@@ -202,8 +201,8 @@ class Doctor {
     if (is_elsewhere && tendon::IsOfOneHost(process.address)) {
       Bad(what,
           place + ", advertises the address " + process.address +
-              ", which only its own host can reach",
-          "start it with --listen and --advertise and an address of " + process.host);
+              ", which only the host of the process can reach",
+          "start the process with --listen and --advertise and an address of " + process.host);
       return false;
     }
     const auto begin = std::chrono::steady_clock::now();
@@ -215,14 +214,14 @@ class Doctor {
       Bad(what,
           place + ", at " + process.address + ": " + told.error().message + " (seen from host " +
               here + ")",
-          is_silent ? "it may hang: gcm log --from " + process.name
+          is_silent ? "the process may hang; to see its log: gcm log --from " + process.name
                     : tendon::FixOfUnreached(process.name, here, told.error()));
       return false;
     }
     AddVersion(what, told,
                place + ", at " + process.address + ", answers within " +
                    tendon::MillisecondsText(passed) + UsageText(process) + ClockText(client, entry),
-               "build the process with this release, or use a gcm of its release");
+               "build the process with this release, or use gcm of the release of the process");
     return true;
   }
   /// Requests the version of a process; if `process` is empty, the version of the GCM.
@@ -362,7 +361,7 @@ Result<ExitCode> Examine(Context& context) {
 
 std::vector<Verb> DoctorVerbs() {
   return {{"doctor",
-           "look for problems of keys, addresses, versions, processes, plug-ins, clocks, "
+           "look for problems with keys, addresses, versions, processes, plug-ins, clocks and "
            "connections",
            [](CLI::App&) -> Verb::Run { return &Examine; }}};
 }

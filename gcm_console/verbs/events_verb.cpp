@@ -88,7 +88,7 @@ class EventWriter {
   void WriteLost(const LostEvents& events) {
     for (const auto& [path, lost] : events.by_path) {
       context_.err() << "gcm: " << lost << " events of " << Plain(path)
-                     << " are lost: they came faster than they were read\n";
+                     << " are lost, because the events came faster than gcm could read them\n";
       if (context_.settings().json) {
         context_.PrintJsonLine({{"gap", {{"path", path}, {"lost", lost}}}});
       }
@@ -220,7 +220,7 @@ Result<ExitCode> PrintEvents(Context& context, const EventsOptions& options) {
 Verb::Run PrepareEvents(CLI::App& app) {
   auto options = std::make_shared<EventsOptions>();
   WithKind(app.add_option("paths", options->patterns,
-                          "events or provided interfaces; * and ** match several"),
+                          "events or provided interfaces; a pattern with * or ** matches several"),
            WordKind::kEvent)
       ->required();
   AddCount(app, options->count, "end after this many events");

@@ -72,8 +72,9 @@ Result<InterfaceName> LikelyProvider(const Catalogue& catalogue, const Interface
   const auto candidates = RankCandidates(catalogue, required);
   if (!candidates) return candidates.error();
   if (!candidates->empty()) return candidates->front().provided;
-  return Error{ErrorCode::kIncompatible,
-               ToString(required) + " is not connected, and no available interface fits it"};
+  return Error{
+      ErrorCode::kIncompatible,
+      ToString(required) + " is not connected, and no available interface is compatible with it"};
 }
 
 /// Measures the time of a request that the process answers without a thread of a component.
@@ -208,15 +209,15 @@ std::vector<Verb> ExplainVerbs() {
              ->required();
          return [required](Context& context) { return Candidates(context, *required); };
        }},
-      {"explain", "check a connection step by step, and report why it does not work",
+      {"explain", "check a connection step by step, and report why the connection does not work",
        [](CLI::App& app) -> Verb::Run {
          auto ends = std::make_shared<ExplainedEnds>();
          WithKind(app.add_option("required", ends->required, "process/component/interface"),
                   WordKind::kRequired)
              ->required();
          WithKind(app.add_option("provided", ends->provided,
-                                 "the provided interface (default: the connected one; if there is "
-                                 "none, the best candidate)"),
+                                 "the provided interface (default: the connected interface; if "
+                                 "none is connected, the best candidate)"),
                   WordKind::kProvided);
          return [ends](Context& context) { return Explain(context, *ends); };
        }},

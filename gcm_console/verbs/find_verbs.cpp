@@ -179,7 +179,7 @@ std::string VerdictOn(const Health& health) {
            Joined(health.verbs, ", ");
   }
   if (health.at_rest.empty()) return "all is well";
-  return "nothing is wrong, but some connected components do not run: " +
+  return "no problem was found, but some connected components do not run: " +
          Joined(health.at_rest, ", ");
 }
 
@@ -224,7 +224,7 @@ Result<ExitCode> Find(Context& context, const std::vector<std::string>& words) {
   });
   if (items.empty()) {
     return Error{ErrorCode::kNotFound,
-                 "nothing matches '" + Joined(words, " ") + "'; gcm ls -R lists all names"};
+                 "nothing matches '" + Joined(words, " ") + "'; to list all names: gcm ls -R"};
   }
   PrintItems(context, items);
   return program::kOk;
@@ -298,8 +298,8 @@ std::vector<Verb> FindVerbs() {
          auto terms = std::make_shared<std::vector<std::string>>();
          app.add_option("expression", *terms,
                         "a part of a path, a whole path with * and **, or a regular /expression/; "
-                        "type:, state:, host: or proc: before a term applies it to this property; "
-                        "! before a term negates it; all terms must match")
+                        "a term after type:, state:, host: or proc: is compared with this "
+                        "property; a term after ! must not match; all terms must match")
              ->required();
          return [terms](Context& context) { return Find(context, *terms); };
        },

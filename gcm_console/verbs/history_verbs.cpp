@@ -131,7 +131,7 @@ Result<void> CheckNewest(const tendon::Catalogue& catalogue,
   const HistoryEntry newest = undone.steps.front();
   if (words.step != 0 && newest.id != words.step) {
     return Error{ErrorCode::kFailed, "step " + std::to_string(words.step) +
-                                         " is not the newest any more; the newest is " +
+                                         " is not the newest step any more; the newest step is " +
                                          tendon::WholeText(newest) + "; see: gcm history"};
   }
   auto checked = CheckUndoOf(catalogue, history, newest);
@@ -215,21 +215,21 @@ std::vector<Verb> HistoryVerbs() {
                                  ->check(CLI::Range(1, 1000))
                                  ->capture_default_str();
          app.add_option("--step", words->step,
-                        "undo only the step with this number, if it is still the newest; gcm "
-                        "history lists the numbers")
+                        "undo only the step with this number, if it is still the newest step; to "
+                        "list the numbers: gcm history")
              ->transform(CLI::Validator(&program::TransformCount, ""))
              ->excludes(count);
          app.add_flag("--skip", words->skip,
-                      "if the newest step cannot be undone now, skip it permanently")
+                      "if the newest step cannot be undone now, skip this step permanently")
              ->excludes(count);
          app.add_flag("--dry-run", words->dry_run,
                       "only print what would be undone, and whether the first step can be undone");
          return [words](Context& context) { return Undo(context, *words); };
        }},
-      {"history", "list the changes of the system: what, by whom and when",
+      {"history", "list the changes of the system: what was changed, by whom and when",
        [](CLI::App& app) -> Verb::Run {
          auto count = std::make_shared<std::size_t>(50);
-         app.add_option("--count", *count, "number of changes, newest first")
+         app.add_option("--count", *count, "number of changes to list, the newest first")
              ->transform(CLI::Validator(&program::TransformCount, ""))
              ->capture_default_str();
          return [count](Context& context) { return History(context, *count); };

@@ -261,7 +261,7 @@ Result<Targets> FindProcesses(const Catalogue& catalogue, const Ours& ours,
     }
     if (is_found) continue;
     return Error{ErrorCode::kNotFound,
-                 "no process matches '" + pattern + "'; gcm ls lists all processes"};
+                 "no process matches '" + pattern + "'; to list all processes: gcm ls"};
   }
   if (targets.paths.size() > 1) PutClientProcessesFirst(catalogue, targets.paths);
   return targets;
@@ -319,7 +319,7 @@ std::vector<Verb> LifecycleVerbs() {
   return {
       LifecycleVerbOf("start", "start or resume components",
                       {LifecycleVerb::kStart, "start", "started"}),
-      LifecycleVerbOf("suspend", "pause the cycles of components; start resumes them",
+      LifecycleVerbOf("suspend", "pause the cycles of components; to resume them: gcm start",
                       {LifecycleVerb::kSuspend, "suspend", "suspended"}),
       LifecycleVerbOf("stop", "stop components", {LifecycleVerb::kStop, "stop", "stopped"}),
       LifecycleVerbOf("restart", "stop components that run, and start them again",
@@ -328,7 +328,7 @@ std::vector<Verb> LifecycleVerbs() {
                       {LifecycleVerb::kRemove, "remove", "removed"}),
       ProcessVerb("end processes that the GCM has started, with all their components",
                   {"kill", "ended", true, &CheckKill, &Kill}),
-      ProcessVerb("remove processes that are gone for good from the catalogue",
+      ProcessVerb("remove processes that have ended or are lost from the catalogue",
                   {"forget", "forgotten", false, &CheckForget, &Forget}),
   };
 }

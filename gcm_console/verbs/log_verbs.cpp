@@ -131,7 +131,7 @@ void PrintLost(std::uint64_t lost, Context& context) {
   if (lost == 0) return;
   if (context.settings().json) context.PrintJsonLine({{"gap", {{"lost", lost}}}});
   context.err() << "gcm: " << tendon::Counted(lost, "record is lost", "records are lost")
-                << ": they came faster than they could be printed\n";
+                << ", because the records came faster than gcm could print them\n";
 }
 
 void PrintNotices(const LogInbox::Content& content, Context& context) {
@@ -224,7 +224,7 @@ Result<ExitCode> ShowLog(Context& context, const LogOptions& options) {
       continue;
     }
     if (!kept.records.empty() || kept.lost > 0) (void)PrintKept(std::move(kept), options, context);
-    return Error{ErrorCode::kTimeout, "the GCM has not sent all of its log in time"};
+    return Error{ErrorCode::kTimeout, "the GCM has not sent its whole log in time"};
   }
 }
 
@@ -262,8 +262,8 @@ Result<ExitCode> SetLevels(Context& context, const LevelOrder& order) {
     outcomes.push_back({name, SetOneLevel(context, {name, order.level, order.dry_run})});
   }
   if (outcomes.empty()) {
-    return Error{ErrorCode::kNotFound,
-                 "no available process matches '" + order.process + "'; gcm ls lists them"};
+    return Error{ErrorCode::kNotFound, "no available process matches '" + order.process +
+                                           "'; to list all processes: gcm ls"};
   }
   PrintOutcomes(context, {"log-level", "set to log " + order.level + " and above", order.dry_run},
                 outcomes);
@@ -295,8 +295,9 @@ std::vector<Verb> LogVerbs() {
                       "keep running, and print new records when they arrive");
          app.add_option("--level", options->level, "the lowest level to print (default: all)")
              ->check(CLI::IsMember(LevelNames()));
-         app.add_option("--from", options->from,
-                        "process or process/source; * and ** match several (default: all)");
+         app.add_option(
+             "--from", options->from,
+             "process or process/source; a pattern with * or ** matches several (default: all)");
          return [options](Context& context) { return ShowLog(context, *options); };
        },
        {"gcm log --follow --level warning", "gcm log --from 'robot/**'"}},

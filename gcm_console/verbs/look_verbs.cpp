@@ -147,7 +147,7 @@ Verb::Run PrepareList(CLI::App& app) {
   std::vector<std::string> codes;
   for (const SystemItemKind& kind : kSystemItemKinds) codes.emplace_back(kind.code);
   app.add_option("--type", options->types,
-                 "list only these types, at any depth; separate them by commas")
+                 "list only objects of these types, at any depth; separate the types by commas")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember(codes));

@@ -27,7 +27,8 @@ Error NoTopic(const std::string& word, const Page& page) {
   for (const Topic& topic : Topics()) known.push_back(topic.name);
   const std::string near = tendon::DidYouMean(word, known);
   return {ErrorCode::kInvalid, "no verb or topic '" + word + "'" + near +
-                                   (near.empty() ? "; " : " ") + "gcm help lists them"};
+                                   (near.empty() ? "; " : " ") +
+                                   "to list all verbs and topics: gcm help"};
 }
 
 Result<void> WriteManual(const Page& page, const fs::path& folder) {

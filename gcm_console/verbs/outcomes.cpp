@@ -43,8 +43,8 @@ tendon::Result<void> CheckRole(const Context& context) {
   if (!context.settings().read_only) return {};
   return tendon::Error{tendon::ErrorCode::kDenied,
                        "gcm " + context.verb() +
-                           " needs the role operator, but --read-only connects as a viewer: try "
-                           "again without --read-only"};
+                           " needs the role operator, but --read-only connects with the role "
+                           "viewer: try again without --read-only"};
 }
 
 bool Confirm(const Context& context, const std::string& question) {

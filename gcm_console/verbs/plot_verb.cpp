@@ -61,7 +61,7 @@ class PlottedTables {
       is_any_left |= !table.feed->is_empty();
     }
     if (is_any_left) return std::nullopt;
-    return Error{tendon::ErrorCode::kNotFound, "none of the matching values is a number"};
+    return Error{tendon::ErrorCode::kNotFound, "no matching value is a number"};
   }
   [[nodiscard]] std::vector<std::string> notes() const {
     std::vector<std::string> all;
@@ -146,10 +146,11 @@ Result<ExitCode> Plot(Context& context, const PlotOptions& options) {
 
 Verb::Run PreparePlot(CLI::App& app) {
   auto options = std::make_shared<PlotOptions>();
-  WithKind(app.add_option("paths", options->paths,
-                          "columns of state tables, or a part of a column (.position[0]); all "
-                          "numbers in them are drawn; * and ** match several"),
-           WordKind::kColumn)
+  WithKind(
+      app.add_option("paths", options->paths,
+                     "columns of state tables, or parts of columns (.position[0]); all numbers in "
+                     "these columns are drawn; a pattern with * or ** matches several columns"),
+      WordKind::kColumn)
       ->required();
   app.add_option("--window", options->window, "the time span that is shown (default: 10s)")
       ->type_name("TIME")
@@ -163,7 +164,7 @@ Verb::Run PreparePlot(CLI::App& app) {
 
 std::vector<Verb> PlotVerbs() {
   return {{"plot",
-           "draw numbers over time; q ends it",
+           "draw numbers over time; the key q ends the plot",
            &PreparePlot,
            {"gcm plot robot/arm/state.Joints.position[0] robot/arm/state.Joints.velocity[0]",
             "gcm plot robot/arm/state.Joints.position"}}};

@@ -181,10 +181,10 @@ Result<ExitCode> MeasureRate(Context& context, const RateOptions& options) {
 
 Verb::Run PrepareRate(CLI::App& app) {
   auto options = std::make_shared<RateOptions>();
-  WithKind(app.add_option("path", options->path, "a state table, or a column of it"),
+  WithKind(app.add_option("path", options->path, "a state table, or a column of a state table"),
            WordKind::kColumn)
       ->required();
-  AddCount(app, options->count, "end after this many lines, one per second");
+  AddCount(app, options->count, "end after this many lines; one line is printed each second");
   AddDuration(app, options->seconds);
   return [options](Context& context) { return MeasureRate(context, *options); };
 }

@@ -28,7 +28,7 @@ tendon::Error WithHint(tendon::Error error) {
 tendon::Result<program::ExitCode> Serve(Context& context, const std::string& broker) {
   if (!context.streams().has_input) {
     return tendon::Error{tendon::ErrorCode::kInvalid,
-                         "serve runs until it is stopped: start it in a terminal"};
+                         "serve runs until it is stopped: start gcm serve in a terminal"};
   }
   tendon::os::HoldTerminationSignals();
   const Settings& settings = context.settings();
@@ -90,7 +90,7 @@ tendon::Result<std::filesystem::path> WriteSettings(const std::string& address,
 tendon::Result<program::ExitCode> RunBroker(Context& context, const std::string& address) {
   if (context.session() != nullptr || !context.streams().has_input) {
     return tendon::Error{tendon::ErrorCode::kInvalid,
-                         "broker runs until it is stopped: start it outside of gcm shell"};
+                         "broker runs until it is stopped: start gcm broker outside of gcm shell"};
   }
   if (const auto place = tendon::ParseAddress(address, 1)) {
     if (const auto may = tendon::os::ListenAt(place->host, place->port); !may) return may.error();
@@ -101,8 +101,8 @@ tendon::Result<program::ExitCode> RunBroker(Context& context, const std::string&
   if (!file) return file.error();
   tendon::os::BecomeProgram({"icebox", "--Ice.Config=" + file->string()}, kMostOfBroker);
   return tendon::Error{tendon::ErrorCode::kNotFound,
-                       "icebox is not installed: apt-get install zeroc-icebox "
-                       "libzeroc-icestorm3.7, as tools/setup does"};
+                       "icebox is not installed; to install it: apt-get install zeroc-icebox "
+                       "libzeroc-icestorm3.7 (tools/setup does this, too)"};
 }
 
 Verb::Run PrepareBroker(CLI::App& app) {

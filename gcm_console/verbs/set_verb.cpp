@@ -99,7 +99,7 @@ Result<ExitCode> Set(Context& context, const SetWords& words) {
   if (found->size() > 1) {
     return Error{ErrorCode::kInvalid, "'" + words.component + "' matches " +
                                           std::to_string(found->size()) +
-                                          " components; set the parameters of one at a time"};
+                                          " components; give one component"};
   }
   const std::string path = ToString(found->front());
   const auto component = FindConfigured(**client, context.settings().timeout, found->front());
@@ -132,13 +132,14 @@ std::vector<Verb> SetVerbs() {
                       WordKind::kComponent)
                  ->required();
              WithKind(app.add_option("parameter", words->parameter,
-                                     "for example gain, gain.x or gain[2]; if it is missing, all "
-                                     "parameters are printed"),
+                                     "for example gain, gain.x or gain[2]; if no parameter is "
+                                     "given, all parameters are printed"),
                       WordKind::kParameter);
-             const auto* value =
-                 WithKind(app.add_option("value", words->value,
-                                         "JSON; if it is missing, the current value is printed"),
-                          WordKind::kSetting);
+             const auto* value = WithKind(
+                 app.add_option(
+                     "value", words->value,
+                     "the new value as JSON; if no value is given, the current value is printed"),
+                 WordKind::kSetting);
              AddDryRun(app, words->dry_run);
              return [words, value](Context& context) {
                words->is_to_be_set = value->count() > 0;

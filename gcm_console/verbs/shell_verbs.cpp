@@ -54,7 +54,7 @@ Result<ExitCode> ReadLines(Shell& shell, const Streams& streams) {
 
 Result<ExitCode> RunShell(Context& context) {
   if (context.session() != nullptr) {
-    return Error{ErrorCode::kInvalid, "this is already gcm shell; to leave it: exit"};
+    return Error{ErrorCode::kInvalid, "this is already gcm shell; to leave gcm shell: exit"};
   }
   Shell shell(context.settings());
   const bool is_typed = context.streams().make_line_reader != nullptr;
@@ -106,7 +106,7 @@ Result<ExitCode> RunScript(Context& context, const ScriptOptions& options) {
   std::error_code none;
   if (fs::is_directory(options.file, none)) {
     return Error{ErrorCode::kInvalid,
-                 options.file + " is a folder: give a file that has one gcm command in each line"};
+                 options.file + " is a folder: give a file with one gcm command in each line"};
   }
   std::ifstream script(options.file);
   if (!script) {
@@ -136,7 +136,7 @@ std::vector<Verb> ShellVerbs() {
       {"shell", "start a prompt for verbs, with completion, history and cd; see: gcm help prompt",
        [](CLI::App&) -> Verb::Run { return &RunShell; }},
       {"run",
-       "execute the verbs in a file, and stop at the first that fails",
+       "execute the verbs in a file, and stop at the first verb that fails",
        &PrepareScript,
        {"gcm run start.gcm", "gcm run --keep-going -"}},
   };

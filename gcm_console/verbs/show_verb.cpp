@@ -47,7 +47,8 @@ void AddPlugin(const tendon::PluginDescription& plugin, Table& table) {
   const std::string change = tendon::PluginChangeText(plugin);
   if (change.empty()) return;
   const bool is_gone = plugin.state == tendon::PluginState::kGone;
-  table.Add({"plug-in file", change + (is_gone ? "" : ", but the process still uses the old one")});
+  table.Add(
+      {"plug-in file", change + (is_gone ? "" : ", but the process still uses the old file")});
 }
 
 void AddProcess(Context& context, const tendon::ProcessDescription& process, Table& table) {

@@ -258,11 +258,10 @@ Result<void> CheckApply(const Plan& plan, const ApplyWords& words) {
                      words.file + " --keep-going" + (words.yes ? " --yes" : "")};
   }
   if (plan.TakesAway() && !words.yes) {
-    return Error{
-        ErrorCode::kFailed,
-        "nothing was done, because the steps with ! stop, disconnect or remove something that "
-        "works; to confirm this: gcm apply " +
-            words.file + " --yes" + (words.keep_going ? " --keep-going" : "")};
+    return Error{ErrorCode::kFailed,
+                 "nothing was done, because the steps marked with ! stop, disconnect or remove "
+                 "something that works; to execute these steps, too: gcm apply " +
+                     words.file + " --yes" + (words.keep_going ? " --keep-going" : "")};
   }
   return {};
 }
@@ -286,17 +285,17 @@ std::uint64_t NewestStep(Context& context) {
   return steps.empty() ? 0 : steps.back().id;
 }
 
-/// Returns "; undo it with: gcm undo 8" if there are steps after `former` and all are by the same
-/// program.
+/// Returns "; to undo these steps: gcm undo 8" if there are steps after `former` and all are by the
+/// same program.
 std::string WayBack(Context& context, std::uint64_t former) {
   const auto steps = Steps(context);
   const auto first = std::ranges::find_if(steps, [&](const auto& one) { return one.id > former; });
   if (first == steps.end()) return "";
   const auto is_others = [&](const auto& one) { return one.who != first->who; };
   if (std::any_of(first, steps.end(), is_others)) {
-    return "; others have made changes meanwhile, see: gcm history";
+    return "; other programs have made changes meanwhile; to list the changes: gcm history";
   }
-  return "; undo it with: gcm undo " + std::to_string(steps.end() - first);
+  return "; to undo these steps: gcm undo " + std::to_string(steps.end() - first);
 }
 
 void Summarise(Context& context, const PlanOutcome& outcome, const Plan& plan,
@@ -388,7 +387,9 @@ std::vector<Verb> SystemVerbs() {
        [](CLI::App& app) -> Verb::Run {
          auto words = std::make_shared<ImportWords>();
          WithKind(
-             app.add_option("from", words->from, "file with \"components\" and \"connections\""),
+             app.add_option(
+                 "from", words->from,
+                 "a file of the cisst component manager, with \"components\" and \"connections\""),
              WordKind::kFile)
              ->required();
          WithKind(app.add_option("to", words->to, "system file to create"), WordKind::kFile)

@@ -274,9 +274,9 @@ std::string ScreenText(const Table& processes, const std::vector<Figures>& all,
 
 // A narrow terminal shows only the beginning of this line.
 constexpr const char* kKeyLine =
-    "q end; sort: n name, r rate, t latest, l load, s skipped; / filter, c connections";
+    "keys: q end; sort by n name, r rate, t latest, l load, s skipped; / filter; c connections";
 constexpr const char* kConnectionKeyLine =
-    "q end; sort: n name, r rate, t round trip, w waiting, s lost; / filter, c tasks";
+    "keys: q end; sort by n name, r rate, t round trip, w waiting, s lost; / filter; c tasks";
 
 ExitCode ShowAlways(Context& context, tendon::GcmClient& client, TopOptions options) {
   TaskFeed tasks(client);
@@ -328,8 +328,8 @@ Verb::Run Prepare(CLI::App& app) {
                          ->capture_default_str();
   app.add_option("--filter", options->filter, "show only rows whose path contains this text");
   app.add_flag("--connections", options->shows_connections,
-               "show all connections instead of tasks; the rate counts calls and events in "
-               "mailboxes, not reads");
+               "show all connections instead of all tasks; the rate counts calls and events in "
+               "mailboxes, but not reads");
   return [options, sort](Context& context) -> Result<ExitCode> {
     if (sort->count() == 0) return Top(context, *options);
     const std::string& by = options->sort;

@@ -9,11 +9,11 @@ tendon::Result<void> CheckOrder(const std::string& verb, const tendon::Catalogue
                           catalogue.FindProvided(required) != nullptr &&
                           catalogue.FindRequired(provided) != nullptr;
   if (!is_swapped) return {};
-  return tendon::Error{
-      tendon::ErrorCode::kInvalid,
-      ToString(required) +
-          " is a provided interface, but the required interface comes first; run: gcm " + verb +
-          " " + ToString(provided) + " " + ToString(required)};
+  return tendon::Error{tendon::ErrorCode::kInvalid,
+                       ToString(required) +
+                           " is a provided interface, but the required interface comes first; in "
+                           "the right order: gcm " +
+                           verb + " " + ToString(provided) + " " + ToString(required)};
 }
 
 void LearnConflictingTypes(Context& context) {

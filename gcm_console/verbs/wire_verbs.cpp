@@ -81,7 +81,8 @@ ExitCode Print(Context& context, const VerbForms& forms, const std::vector<Outco
 Error Unmatched(const Match& match, const std::string& pattern) {
   if (match.provided.empty()) {
     return {ErrorCode::kIncompatible, "no interface that matches '" + pattern +
-                                          "' can be connected to it; look with: gcm candidates " +
+                                          "' can be connected to this required interface; to list "
+                                          "the possible interfaces: gcm candidates " +
                                           ToString(match.required)};
   }
   std::string all;
@@ -89,7 +90,7 @@ Error Unmatched(const Match& match, const std::string& pattern) {
     all += (all.empty() ? "" : ", ") + ToString(one);
   }
   return {ErrorCode::kNotFound,
-          std::to_string(match.provided.size()) + " interfaces fit equally well: " + all};
+          std::to_string(match.provided.size()) + " interfaces match equally well: " + all};
 }
 
 bool IsClear(const Match& match) { return match.provided.size() == 1; }
@@ -213,9 +214,9 @@ Result<ExitCode> DisconnectAll(Context& context, const ConnectArguments& ends) {
     question += " " + ToString(one.required);
   }
   if (found.empty()) {
-    return Error{ErrorCode::kNotFound, "no interface that matches '" + ends.required +
-                                           "' is connected; gcm ls -R -l --type req lists "
-                                           "all connections"};
+    return Error{ErrorCode::kNotFound,
+                 "no interface that matches '" + ends.required +
+                     "' is connected; to list all connections: gcm ls -R -l --type req"};
   }
   question = "disconnect " + std::to_string(found.size()) + " interfaces:" + question;
   const bool asks = found.size() > 1 && !ends.yes && !ends.dry_run;
@@ -257,7 +258,7 @@ Result<ExitCode> Disconnect(Context& context, const ConnectArguments& ends) {
 std::vector<Verb> WireVerbs() {
   return {
       {"connect",
-       "connect a required interface to a provided one",
+       "connect a required interface to a provided interface",
        [](CLI::App& app) -> Verb::Run {
          auto ends = std::make_shared<ConnectArguments>();
          WithKind(app.add_option("required", ends->required, "process/component/interface"),
@@ -271,10 +272,10 @@ std::vector<Verb> WireVerbs() {
              "if the required interface is already connected, replace that connection in one step");
          app.add_flag(
              "--match", ends->match,
-             "both arguments are patterns: connect each free required interface to the provided "
-             "interface that fits; if several fit, to the one with the same name");
+             "both arguments are patterns: connect each free required interface to the compatible "
+             "provided interface; if several are compatible, to the interface with the same name");
          AddDryRun(app, ends->dry_run);
-         app.add_flag("--yes", ends->yes, "do not ask, even if --match connects several");
+         app.add_flag("--yes", ends->yes, "do not ask, even if --match makes several connections");
          return [ends](Context& context) { return Connect(context, *ends); };
        },
        {"gcm connect desk/teleoperation/Robot robot/arm/Control",
@@ -288,7 +289,8 @@ std::vector<Verb> WireVerbs() {
                   WordKind::kRequired)
              ->required();
          AddDryRun(app, ends->dry_run);
-         app.add_flag("--yes", ends->yes, "do not ask, even if a pattern matches several");
+         app.add_flag("--yes", ends->yes,
+                      "do not ask, even if a pattern matches several connections");
          return [ends](Context& context) { return Disconnect(context, *ends); };
        }},
   };

@@ -76,7 +76,7 @@ QWidget* EventsPage::buildBar() {
   rate_ = MakeNote(QStringLiteral("events.rate"));
   pause_ = MakeLinkButton(Words::tr("Pause"), QStringLiteral("events.pause"));
   pause_->setCheckable(true);
-  pause_->setToolTip(Words::tr("The list is paused; new events are shown afterwards"));
+  pause_->setToolTip(Words::tr("The list is paused; new events are shown when the pause ends"));
   connect(pause_, &QToolButton::toggled, this, [this](bool paused) {
     events_.setPaused(paused);
     showRate();

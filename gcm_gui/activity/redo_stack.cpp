@@ -30,8 +30,9 @@ void RedoStack::again() {
   if (is_under_way_) return;
   if (undone_.empty()) return Q_EMIT notice(Words::tr("There is nothing to redo"));
   if (!ChangesConnections(undone_.back())) {
-    return Q_EMIT notice(Words::tr(
-        "Starting and stopping cannot be redone: do it again, for example with F6 to F9"));
+    return Q_EMIT notice(
+        Words::tr("Starting and stopping cannot be redone: start or stop the component again, for "
+                  "example with F6 to F9"));
   }
   const Action action = std::move(undone_.back());
   undone_.pop_back();

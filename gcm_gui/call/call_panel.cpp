@@ -332,7 +332,8 @@ void CallPanel::onValue(const std::string& read, const std::vector<std::string>&
   if (is_touched_ || as_json_->isChecked() || under_way_) return;
   if (!value) {
     return showStatus(
-        Words::tr("Not the current values: %1 does not report them").arg(ToQString(read)),
+        Words::tr("These are not the current values: %1 does not report the current values")
+            .arg(ToQString(read)),
         QStringLiteral("warning"));
   }
   const std::string exact = WithExactDurations(*schema_, *value);
@@ -401,8 +402,8 @@ void CallPanel::setCareful(bool careful) {
   call_->setCareful(careful);
   repeat_->setCareful(careful);
   call_->setText(careful ? Words::tr("Hold to call") : Words::tr("Call"));
-  call_->setToolTip(careful ? Words::tr("This can move something: hold the button for "
-                                        "0.4 s, or press Ctrl+Enter twice")
+  call_->setToolTip(careful ? Words::tr("This command can move something: hold the button for 0.4 "
+                                        "s, or press Ctrl+Enter twice")
                             : Words::tr("Ctrl+Enter"));
 }
 
@@ -416,7 +417,7 @@ void CallPanel::callByKey() {
   if (call_->isCareful() && call_->isEnabled() && !second_key_.isActive()) {
     second_key_.start();
     return showStatus(
-        Words::tr("Press Ctrl+Enter again to call the command: it can move something"),
+        Words::tr("This command can move something: press Ctrl+Enter again to call it"),
         QStringLiteral("warning"));
   }
   second_key_.stop();

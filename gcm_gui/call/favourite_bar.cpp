@@ -90,10 +90,10 @@ void FavouriteBar::show(const Button& one) {
   const auto* component = catalogue.FindComponent(path->process, path->component);
   const bool is_careful = component != nullptr && NeedsCare(*command, component->state);
   one.button->setCareful(is_careful);
-  one.button->setToolTip(CallLine(one.favourite.path, one.favourite.argument) +
-                         (is_careful ? Words::tr("\nThis can move something: hold the "
-                                                 "button for 0.4 s")
-                                     : QString()));
+  one.button->setToolTip(
+      CallLine(one.favourite.path, one.favourite.argument) +
+      (is_careful ? Words::tr("\nThis command can move something: hold the button for 0.4 s")
+                  : QString()));
 }
 
 void FavouriteBar::call(const Favourite& favourite) {

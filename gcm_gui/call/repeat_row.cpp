@@ -101,8 +101,8 @@ void RepeatRow::showButton() {
   button_->setEnabled(is_callable_ && (!is_refused_ || repeater_.isRunning()));
   const QString start = careful_ ? Words::tr("Hold to repeat") : Words::tr("Repeat");
   button_->setText(repeater_.isRunning() && !careful_ ? Words::tr("Stop") : start);
-  button_->setToolTip(careful_ ? Words::tr("This can move something: hold the button for 0.4 s; "
-                                           "the calls repeat until you release it")
+  button_->setToolTip(careful_ ? Words::tr("This command can move something: hold the button for "
+                                           "0.4 s; the calls repeat until you release the button")
                                : QString());
 }
 

@@ -99,7 +99,7 @@ void WindowCommands::addSystemCommands() {
   };
   add(Words::tr("&Connect…"), Qt::Key_C, [this] { window_.connectSelection(); });
   add(Words::tr("&Disconnect"), Qt::Key_D, [this] { window_.disconnectSelection(); });
-  add(Words::tr("&Why is it connected, or not?"), Qt::Key_W,
+  add(Words::tr("&Why is the interface connected, or not?"), Qt::Key_W,
       [this] { window_.diagnosis().open(window_.selection().current()); });
   add(Words::tr("C&all the command…"), {}, [this] { window_.callSelection(); });
   addLifecycleCommands();
@@ -138,9 +138,9 @@ void WindowCommands::addLifecycleCommands() {
                                      window_.parts().actions, *window_.centralWidget());
   connect(lifecycle_, &LifecycleCommands::notice, &window_.notice(), &NoticeLine::showNotice);
   lifecycle_->addCommands(*commands_);
-  lifecycle_->fillMenu(*commands_,
-                       {Words::tr("Connect"), Words::tr("Disconnect"),
-                        Words::tr("Why is it connected, or not?"), Words::tr("Call the command")});
+  lifecycle_->fillMenu(*commands_, {Words::tr("Connect"), Words::tr("Disconnect"),
+                                    Words::tr("Why is the interface connected, or not?"),
+                                    Words::tr("Call the command")});
   window_.graphCommands().setComponentMenu(lifecycle_->menu(), window_.selection());
   connect(&window_.catalogue().tree(), &CatalogueTree::menuRequested, lifecycle_,
           [this](const QPoint& place) {

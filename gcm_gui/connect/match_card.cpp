@@ -73,8 +73,8 @@ void MatchCard::open(const std::vector<InterfaceName>& required) {
     setTabOrder(before, row.box);
     before = row.box;
   }
-  about_->setText(Words::tr("%1 of %2 have a candidate. Space checks a row, Enter connects "
-                            "all checked rows.")
+  about_->setText(Words::tr("%1 of %2 required interfaces have a candidate. Space checks a row, "
+                            "Enter connects all checked rows.")
                       .arg(rows_.size())
                       .arg(required.size()));
   count();

@@ -84,7 +84,8 @@ ConsoleRunner::~ConsoleRunner() {
     thread_.join();
     return;
   }
-  std::cerr << "gcm-gui: a command of the console does not end; the window does not wait for it\n";
+  std::cerr << "gcm-gui: a command of the console does not end; the window closes without waiting "
+               "for this command\n";
   thread_.detach();
 }
 

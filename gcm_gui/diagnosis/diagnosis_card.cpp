@@ -95,7 +95,7 @@ void DiagnosisCard::show(const DiagnosisReport& report, const RequiredDescriptio
   const bool was_tried = report.refusal || report.diagnosis.is_connected;
   retry_->setText(was_tried ? Words::tr("Retry") : Words::tr("Connect"));
   retry_->setAccessibleName(was_tried ? Words::tr("Try the connection again")
-                                      : Words::tr("Connect them"));
+                                      : Words::tr("Connect the two interfaces"));
   const bool works = report.diagnosis.is_connected && !failure;
   retry_->setVisible(!works && (!failure || failure->code != ErrorCode::kIncompatible));
   copy_->setEnabled(true);

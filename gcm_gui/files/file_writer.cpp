@@ -34,7 +34,7 @@ QString Write(const QString& name, const FileWriter::Fill& fill, FileWriter::Rea
   }
   if (!fill(file)) {
     file.cancelWriting();
-    return file.error() == QFileDevice::NoError ? Words::tr("it cannot be encoded")
+    return file.error() == QFileDevice::NoError ? Words::tr("the content cannot be encoded")
                                                 : file.errorString();
   }
   return file.commit() ? QString() : file.errorString();

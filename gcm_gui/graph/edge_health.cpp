@@ -18,8 +18,8 @@ constexpr std::chrono::seconds kBetween{1};
 QString FlawSentence(const ConnectionFlaw& flaw) {
   switch (flaw.kind) {
     case ConnectionFlaw::Kind::kCallsRefused:
-      return (flaw.count == 1 ? Words::tr("%1 call found the mailbox full")
-                              : Words::tr("%1 calls found the mailbox full"))
+      return (flaw.count == 1 ? Words::tr("%1 call was refused, because the mailbox was full")
+                              : Words::tr("%1 calls were refused, because the mailbox was full"))
           .arg(flaw.count);
     case ConnectionFlaw::Kind::kEventsLost:
       return (flaw.count == 1 ? Words::tr("%1 event was lost") : Words::tr("%1 events were lost"))

@@ -30,8 +30,8 @@ std::vector<TourStep> WindowTour(MainWindow& window) {
                      "automatically; to find one, type into the filter."),
            [&window] { return Revealed(window, window.catalogue()); }),
       Step(Words::tr("Connect with two clicks"),
-           Words::tr("Click a hollow port, then a port that lights up: this connects them, and "
-                     "Ctrl+Z undoes it."),
+           Words::tr("Click a hollow port, then a port that lights up: this connects the two "
+                     "ports, and Ctrl+Z undoes the connection."),
            [&window]() -> QWidget* {
              window.centre().setCurrent(0);
              return &window.centre();

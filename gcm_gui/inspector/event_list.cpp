@@ -22,7 +22,7 @@ constexpr std::chrono::milliseconds kCountPeriod{500};
 EventList::EventList(SystemReports& reports, QWidget* parent)
     : QWidget(parent), reports_(reports), rate_(MakeNote(QStringLiteral("inspector.eventRate"))) {
   RowView* list = MakeRowList(events_, QStringLiteral("inspector.events"), Words::tr("Events"),
-                              Words::tr("No event has been raised since this was opened."));
+                              Words::tr("No event has been raised since this list was opened."));
   list->rows().setAllLeft(true);
   QToolButton* clear = MakeLinkButton(Words::tr("Clear"), QStringLiteral("inspector.clearEvents"));
   connect(clear, &QToolButton::clicked, &events_, &EventsModel::clear);

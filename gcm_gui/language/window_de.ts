@@ -146,7 +146,7 @@ Die ganze Antwort: Als Befehl kopieren</translation>
         <translation>Zum Aufruf halten</translation>
     </message>
     <message>
-        <source>This can move something: hold the button for 0.4 s, or press Ctrl+Enter twice</source>
+        <source>This command can move something: hold the button for 0.4 s, or press Ctrl+Enter twice</source>
         <translation>Das kann etwas in Bewegung setzen: den Knopf 0.4&#xa0;s halten oder zweimal Strg+Enter drücken</translation>
     </message>
     <message>
@@ -154,7 +154,7 @@ Die ganze Antwort: Als Befehl kopieren</translation>
         <translation>Strg+Enter</translation>
     </message>
     <message>
-        <source>Press Ctrl+Enter again to call the command: it can move something</source>
+        <source>This command can move something: press Ctrl+Enter again to call it</source>
         <translation>Nochmals Strg+Enter ruft auf: das kann etwas in Bewegung setzen</translation>
     </message>
     <message>
@@ -183,7 +183,7 @@ Die ganze Antwort: Als Befehl kopieren</translation>
     </message>
     <message>
         <source>
-This can move something: hold the button for 0.4 s</source>
+This command can move something: hold the button for 0.4 s</source>
         <translation>
 Das kann etwas in Bewegung setzen: den Knopf 0.4&#xa0;s halten</translation>
     </message>
@@ -232,7 +232,7 @@ Das kann etwas in Bewegung setzen: den Knopf 0.4&#xa0;s halten</translation>
         <translation>Stopp</translation>
     </message>
     <message>
-        <source>This can move something: hold the button for 0.4 s; the calls repeat until you release it</source>
+        <source>This command can move something: hold the button for 0.4 s; the calls repeat until you release the button</source>
         <translation>Das kann etwas in Bewegung setzen: Aufrufe erfolgen, solange der Knopf gehalten wird, ab 0.4&#xa0;s</translation>
     </message>
     <message>
@@ -314,8 +314,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Nach Name und Typ zuordnen</translation>
     </message>
     <message>
-        <source>%1 of %2 have a candidate. Space checks a row, Enter connects all checked rows.</source>
-        <translation>%1 von %2 haben ein Gegenstück. Die Leertaste hakt an, Enter verbindet das Angehakte.</translation>
+        <source>%1 of %2 required interfaces have a candidate. Space checks a row, Enter connects all checked rows.</source>
+        <translation>%1 von %2 benötigten Schnittstellen haben ein Gegenstück. Die Leertaste hakt an, Enter verbindet das Angehakte.</translation>
     </message>
     <message>
         <source>no available interface fits</source>
@@ -410,8 +410,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Pause</translation>
     </message>
     <message>
-        <source>The list is paused; new events are shown afterwards</source>
-        <translation>Die Liste steht still; was kommt, wird danach gezeigt</translation>
+        <source>The list is paused; new events are shown when the pause ends</source>
+        <translation>Die Liste steht still; neue Ereignisse werden nach der Pause gezeigt</translation>
     </message>
     <message>
         <source>Clear</source>
@@ -422,20 +422,20 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Eine Komponente auswählen, um ihre Ereignisse zu sehen.</translation>
     </message>
     <message>
-        <source>it cannot be encoded</source>
-        <translation>es lässt sich nicht kodieren</translation>
+        <source>the content cannot be encoded</source>
+        <translation>der Inhalt lässt sich nicht kodieren</translation>
     </message>
     <message>
         <source>%1 was not saved: %2</source>
         <translation>%1 wurde nicht gespeichert: %2</translation>
     </message>
     <message>
-        <source>%1 call found the mailbox full</source>
-        <translation>%1 Aufruf fand keinen Platz</translation>
+        <source>%1 call was refused, because the mailbox was full</source>
+        <translation>%1 Aufruf wurde abgewiesen, weil das Postfach voll war</translation>
     </message>
     <message>
-        <source>%1 calls found the mailbox full</source>
-        <translation>%1 Aufrufe fanden keinen Platz</translation>
+        <source>%1 calls were refused, because the mailbox was full</source>
+        <translation>%1 Aufrufe wurden abgewiesen, weil das Postfach voll war</translation>
     </message>
     <message>
         <source>%1 event was lost</source>
@@ -546,7 +546,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>%1 gefunden</translation>
     </message>
     <message>
-        <source>No event has been raised since this was opened.</source>
+        <source>No event has been raised since this list was opened.</source>
         <translation>Seit dies offen ist, gab es kein Ereignis.</translation>
     </message>
     <message>
@@ -1446,7 +1446,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Verbindung nochmals versuchen</translation>
     </message>
     <message>
-        <source>Connect them</source>
+        <source>Connect the two interfaces</source>
         <translation>Beide verbinden</translation>
     </message>
     <message>
@@ -1478,7 +1478,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>  dasselbe im Terminal: </translation>
     </message>
     <message>
-        <source>Values and plots come directly from their processes, so they continue.</source>
+        <source>Values and plots come directly from the processes, so values and plots continue.</source>
         <translation>Werte und Plots kommen direkt von ihren Prozessen und laufen weiter.</translation>
     </message>
     <message>
@@ -1614,7 +1614,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>GCM unter </translation>
     </message>
     <message>
-        <source>The global component manager (GCM) at %1 knows every process and makes their connections.</source>
+        <source>The global component manager (GCM) at %1 knows every process and makes the connections between the processes.</source>
         <translation>Der globale Komponentenmanager (GCM) unter %1 kennt jeden Prozess und stellt die Verbindungen her.</translation>
     </message>
     <message>
@@ -1726,7 +1726,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Die Systemdatei der Demo kann nicht gelesen werden: </translation>
     </message>
     <message>
-        <source>A plan is running; the demo starts after it</source>
+        <source>A plan is running; the demo starts after the plan</source>
         <translation>Ein Plan wird gerade ausgeführt; die Demo kommt danach</translation>
     </message>
     <message>
@@ -1898,8 +1898,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>1 … 9, Enter</translation>
     </message>
     <message>
-        <source>While connecting: pick that candidate, pick the best one</source>
-        <translation>Beim Verbinden: diesen wählen, den besten</translation>
+        <source>While connecting: pick the candidate with this number, or the best candidate</source>
+        <translation>Beim Verbinden: das Gegenstück mit dieser Nummer oder das beste wählen</translation>
     </message>
     <message>
         <source>In a plot</source>
@@ -1966,7 +1966,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>In einem Formular</translation>
     </message>
     <message>
-        <source>Call the command; press it twice if it can move something</source>
+        <source>Call the command; if the command can move something, press these keys twice</source>
         <translation>Befehl aufrufen; ein zweites Mal, wo er etwas in Bewegung setzt</translation>
     </message>
     <message>
@@ -2018,7 +2018,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Mit zwei Klicks verbinden</translation>
     </message>
     <message>
-        <source>Click a hollow port, then a port that lights up: this connects them, and Ctrl+Z undoes it.</source>
+        <source>Click a hollow port, then a port that lights up: this connects the two ports, and Ctrl+Z undoes the connection.</source>
         <translation>Einen hohlen Anschluss anklicken, dann einen, der aufleuchtet: beide sind verbunden, und Strg+Z macht es rückgängig.</translation>
     </message>
     <message>
@@ -2102,7 +2102,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>&amp;Trennen</translation>
     </message>
     <message>
-        <source>&amp;Why is it connected, or not?</source>
+        <source>&amp;Why is the interface connected, or not?</source>
         <translation>&amp;Warum verbunden oder nicht?</translation>
     </message>
     <message>
@@ -2306,11 +2306,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Nichts wurde getan: den Knopf 0.4 s lang halten</translation>
     </message>
     <message>
-        <source>This can move something: hold the button for 0.4 s</source>
+        <source>This order can move something: hold the button for 0.4 s</source>
         <translation>Es kann etwas in Bewegung setzen: den Knopf 0.4 s lang halten</translation>
     </message>
     <message>
-        <source>This can move something: hold the button for 0.4 s, or press Enter</source>
+        <source>This order can move something: hold the button for 0.4 s, or press Enter</source>
         <translation>Es kann etwas in Bewegung setzen: den Knopf 0.4 s lang halten oder die Eingabetaste drücken</translation>
     </message>
     <message>
@@ -2326,7 +2326,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>%1: %2 in %3 erledigt · zweimal Strg+Z macht es rückgängig</translation>
     </message>
     <message>
-        <source>Why is it connected, or not?</source>
+        <source>Why is the interface connected, or not?</source>
         <translation>Warum verbunden oder nicht?</translation>
     </message>
     <message>
@@ -2334,11 +2334,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Starten oder beenden</translation>
     </message>
     <message>
-        <source>This ends the actions of the component: hold the button for 0.4 s</source>
+        <source>This order ends the actions of the component: hold the button for 0.4 s</source>
         <translation>Es beendet, was die Komponente tut: den Knopf 0.4 s lang halten</translation>
     </message>
     <message>
-        <source>This ends the actions of the component: hold the button for 0.4 s, or press Enter</source>
+        <source>This order ends the actions of the component: hold the button for 0.4 s, or press Enter</source>
         <translation>Es beendet, was die Komponente tut: den Knopf 0.4 s lang halten oder die Eingabetaste drücken</translation>
     </message>
     <message>
@@ -2454,8 +2454,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Nichts wurde rückgängig gemacht, das wiederholt werden könnte</translation>
     </message>
     <message>
-        <source>Starting and stopping cannot be redone: do it again, for example with F6 to F9</source>
-        <translation>Starten und Beenden wird nicht wiederholt: neu anordnen, etwa mit F6 bis F9</translation>
+        <source>Starting and stopping cannot be redone: start or stop the component again, for example with F6 to F9</source>
+        <translation>Starten und Beenden wird nicht wiederholt: die Komponente neu starten oder beenden, etwa mit F6 bis F9</translation>
     </message>
     <message>
         <source>%1 in its process</source>
@@ -2506,8 +2506,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Mit einem anderen &amp;Rechner verbinden…</translation>
     </message>
     <message>
-        <source>Address of its GCM, such as robot1 or robot1:10705</source>
-        <translation>Adresse seines GCM, etwa robot1 oder robot1:10705</translation>
+        <source>Address of the GCM on that machine, such as robot1 or robot1:10705</source>
+        <translation>Adresse des GCM auf jenem Rechner, etwa robot1 oder robot1:10705</translation>
     </message>
     <message>
         <source>Another window could not be started</source>
@@ -2526,7 +2526,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>%1 gibt es schon: öffnen, oder vor dem Import entfernen</translation>
     </message>
     <message>
-        <source>%1 is shown in another window; this one hosts a GCM, and stays open</source>
+        <source>%1 is shown in another window; this window hosts a GCM, so it stays open</source>
         <translation>%1 zeigt ein anderes Fenster; dieses betreibt einen GCM und bleibt offen</translation>
     </message>
     <message>
@@ -2786,12 +2786,12 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>die Achse von %1 muss ein Text sein</translation>
     </message>
     <message>
-        <source>it has no curves</source>
-        <translation>er hat keine Kurven</translation>
+        <source>the plot has no curves</source>
+        <translation>der Plot hat keine Kurven</translation>
     </message>
     <message>
-        <source>its time range is not valid</source>
-        <translation>er zeigt keine mögliche Zeitspanne</translation>
+        <source>the time range of the plot is not valid</source>
+        <translation>die Zeitspanne des Plots ist nicht möglich</translation>
     </message>
     <message>
         <source>plot %1: </source>
@@ -2806,8 +2806,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Version %1 von Plot-Layouts wird nicht unterstützt; dieses Programm unterstützt Version %2</translation>
     </message>
     <message>
-        <source>there is no plot in it</source>
-        <translation>es ist kein Plot darin</translation>
+        <source>the file contains no plot</source>
+        <translation>die Datei enthält keinen Plot</translation>
     </message>
     <message>
         <source>constructed</source>
@@ -2926,8 +2926,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>%1: aktuelle Werte von %2</translation>
     </message>
     <message>
-        <source>Not the current values: %1 does not report them</source>
-        <translation>Nicht die jetzigen Werte: %1 nennt sie nicht</translation>
+        <source>These are not the current values: %1 does not report the current values</source>
+        <translation>Das sind nicht die jetzigen Werte: %1 nennt die jetzigen Werte nicht</translation>
     </message>
     <message>
         <source>left</source>
@@ -3079,7 +3079,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation> kann nicht gezeigt werden: </translation>
     </message>
     <message>
-        <source>The component is told that it was suspended. If its author has implemented this, it starts from the current situation; otherwise it continues its previous action.</source>
+        <source>The component is told that it was suspended. If its author has written code for this case, the component starts from the current situation; otherwise the component continues its previous action.</source>
         <translation>Der Komponente wird gesagt, dass sie angehalten war. Wenn ihr Autor das vorgesehen hat, beginnt sie mit der jetzigen Lage; sonst setzt sie ihre vorige Aktion fort.</translation>
     </message>
     <message>
@@ -3108,12 +3108,12 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation> führt </translation>
     </message>
     <message>
-        <source>the file is missing: restore it before you restart the process</source>
+        <source>the file is missing: restore the file before you restart the process</source>
         <translation>die Datei ist weg: vor einem neuen Start des Prozesses zurücklegen</translation>
     </message>
     <message>
-        <source>the file was written again at %1: restart the process to use it</source>
-        <translation>die Datei wurde um %1 neu geschrieben: dafür den Prozess neu starten</translation>
+        <source>the file was written again at %1: restart the process to use the new file</source>
+        <translation>die Datei wurde um %1 neu geschrieben: für die neue Datei den Prozess neu starten</translation>
     </message>
     <message>
         <source>Plug-in</source>
@@ -3157,8 +3157,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>der Vergleich mit einer Systemdatei</translation>
     </message>
     <message>
-        <source>Ends unless called again within %1</source>
-        <translation>Endet, wenn nicht binnen %1 wieder aufgerufen</translation>
+        <source>The action ends unless the command is called again within %1</source>
+        <translation>Die Aktion endet, wenn der Befehl nicht binnen %1 wieder aufgerufen wird</translation>
     </message>
     <message>
         <source>%1 curves</source>

@@ -146,7 +146,7 @@ La réponse entière&#xa0;: Copier en commande</translation>
         <translation>Maintenir pour appeler</translation>
     </message>
     <message>
-        <source>This can move something: hold the button for 0.4 s, or press Ctrl+Enter twice</source>
+        <source>This command can move something: hold the button for 0.4 s, or press Ctrl+Enter twice</source>
         <translation>Cela peut mettre quelque chose en mouvement&#xa0;: maintenir le bouton 0.4&#xa0;s ou appuyer deux fois sur Ctrl+Entrée</translation>
     </message>
     <message>
@@ -154,7 +154,7 @@ La réponse entière&#xa0;: Copier en commande</translation>
         <translation>Ctrl+Entrée</translation>
     </message>
     <message>
-        <source>Press Ctrl+Enter again to call the command: it can move something</source>
+        <source>This command can move something: press Ctrl+Enter again to call it</source>
         <translation>Encore Ctrl+Entrée pour appeler&#xa0;: cela peut mettre quelque chose en mouvement</translation>
     </message>
     <message>
@@ -183,7 +183,7 @@ La réponse entière&#xa0;: Copier en commande</translation>
     </message>
     <message>
         <source>
-This can move something: hold the button for 0.4 s</source>
+This command can move something: hold the button for 0.4 s</source>
         <translation>
 Cela peut mettre quelque chose en mouvement&#xa0;: maintenir le bouton 0.4&#xa0;s</translation>
     </message>
@@ -232,7 +232,7 @@ Cela peut mettre quelque chose en mouvement&#xa0;: maintenir le bouton 0.4&#xa0;
         <translation>Arrêter</translation>
     </message>
     <message>
-        <source>This can move something: hold the button for 0.4 s; the calls repeat until you release it</source>
+        <source>This command can move something: hold the button for 0.4 s; the calls repeat until you release the button</source>
         <translation>Cela peut mettre quelque chose en mouvement&#xa0;: les appels durent tant que le bouton est maintenu, à partir de 0.4&#xa0;s</translation>
     </message>
     <message>
@@ -314,8 +314,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Associer par nom et type</translation>
     </message>
     <message>
-        <source>%1 of %2 have a candidate. Space checks a row, Enter connects all checked rows.</source>
-        <translation>%1 sur %2 ont un vis-à-vis. Espace coche, Entrée connecte ce qui est coché.</translation>
+        <source>%1 of %2 required interfaces have a candidate. Space checks a row, Enter connects all checked rows.</source>
+        <translation>%1 sur %2 interfaces requises ont un vis-à-vis. Espace coche, Entrée connecte ce qui est coché.</translation>
     </message>
     <message>
         <source>no available interface fits</source>
@@ -410,7 +410,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Pause</translation>
     </message>
     <message>
-        <source>The list is paused; new events are shown afterwards</source>
+        <source>The list is paused; new events are shown when the pause ends</source>
         <translation>La liste est figée&#xa0;; ce qui arrive est montré ensuite</translation>
     </message>
     <message>
@@ -422,7 +422,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Sélectionner un composant pour voir ses événements.</translation>
     </message>
     <message>
-        <source>it cannot be encoded</source>
+        <source>the content cannot be encoded</source>
         <translation>encodage impossible</translation>
     </message>
     <message>
@@ -430,12 +430,12 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>%1 n&apos;a pas été enregistré&#xa0;: %2</translation>
     </message>
     <message>
-        <source>%1 call found the mailbox full</source>
-        <translation>%1 appel n&apos;a pas trouvé de place</translation>
+        <source>%1 call was refused, because the mailbox was full</source>
+        <translation>%1 appel a été refusé, car la boîte aux lettres était pleine</translation>
     </message>
     <message>
-        <source>%1 calls found the mailbox full</source>
-        <translation>%1 appels n&apos;ont pas trouvé de place</translation>
+        <source>%1 calls were refused, because the mailbox was full</source>
+        <translation>%1 appels ont été refusés, car la boîte aux lettres était pleine</translation>
     </message>
     <message>
         <source>%1 event was lost</source>
@@ -546,7 +546,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>trouvés&#xa0;: %1</translation>
     </message>
     <message>
-        <source>No event has been raised since this was opened.</source>
+        <source>No event has been raised since this list was opened.</source>
         <translation>Aucun événement depuis l&apos;ouverture.</translation>
     </message>
     <message>
@@ -1446,7 +1446,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Réessayer la connexion</translation>
     </message>
     <message>
-        <source>Connect them</source>
+        <source>Connect the two interfaces</source>
         <translation>Les connecter</translation>
     </message>
     <message>
@@ -1478,7 +1478,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>  la même chose dans un terminal&#xa0;: </translation>
     </message>
     <message>
-        <source>Values and plots come directly from their processes, so they continue.</source>
+        <source>Values and plots come directly from the processes, so values and plots continue.</source>
         <translation>Les valeurs et les graphiques viennent directement de leurs processus et continuent.</translation>
     </message>
     <message>
@@ -1614,7 +1614,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>GCM à </translation>
     </message>
     <message>
-        <source>The global component manager (GCM) at %1 knows every process and makes their connections.</source>
+        <source>The global component manager (GCM) at %1 knows every process and makes the connections between the processes.</source>
         <translation>Le gestionnaire global de composants (GCM) à %1 connaît chaque processus et établit leurs connexions.</translation>
     </message>
     <message>
@@ -1726,7 +1726,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Le fichier système de la démo ne peut pas être lu&#xa0;: </translation>
     </message>
     <message>
-        <source>A plan is running; the demo starts after it</source>
+        <source>A plan is running; the demo starts after the plan</source>
         <translation>Un plan est en cours d&apos;exécution&#xa0;; la démo vient après</translation>
     </message>
     <message>
@@ -1898,8 +1898,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>1 … 9, Entrée</translation>
     </message>
     <message>
-        <source>While connecting: pick that candidate, pick the best one</source>
-        <translation>Pendant la connexion&#xa0;: choisir celui-là, le meilleur</translation>
+        <source>While connecting: pick the candidate with this number, or the best candidate</source>
+        <translation>Pendant la connexion&#xa0;: choisir le vis-à-vis de ce numéro, ou le meilleur</translation>
     </message>
     <message>
         <source>In a plot</source>
@@ -1966,7 +1966,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Dans un formulaire</translation>
     </message>
     <message>
-        <source>Call the command; press it twice if it can move something</source>
+        <source>Call the command; if the command can move something, press these keys twice</source>
         <translation>Appeler la commande&#xa0;; une seconde fois si elle met quelque chose en mouvement</translation>
     </message>
     <message>
@@ -2018,7 +2018,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Connecter en deux clics</translation>
     </message>
     <message>
-        <source>Click a hollow port, then a port that lights up: this connects them, and Ctrl+Z undoes it.</source>
+        <source>Click a hollow port, then a port that lights up: this connects the two ports, and Ctrl+Z undoes the connection.</source>
         <translation>Cliquer sur un port creux, puis sur un port qui s&apos;allume&#xa0;: ils sont connectés, et Ctrl+Z annule.</translation>
     </message>
     <message>
@@ -2102,7 +2102,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>&amp;Déconnecter</translation>
     </message>
     <message>
-        <source>&amp;Why is it connected, or not?</source>
+        <source>&amp;Why is the interface connected, or not?</source>
         <translation>&amp;Pourquoi est-ce connecté, ou non&#xa0;?</translation>
     </message>
     <message>
@@ -2306,11 +2306,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Rien n&apos;a été fait : maintenez le bouton 0.4 s</translation>
     </message>
     <message>
-        <source>This can move something: hold the button for 0.4 s</source>
+        <source>This order can move something: hold the button for 0.4 s</source>
         <translation>Cela peut mettre quelque chose en mouvement : maintenez le bouton 0.4 s</translation>
     </message>
     <message>
-        <source>This can move something: hold the button for 0.4 s, or press Enter</source>
+        <source>This order can move something: hold the button for 0.4 s, or press Enter</source>
         <translation>Cela peut mettre quelque chose en mouvement : maintenez le bouton 0.4 s ou appuyez sur Entrée</translation>
     </message>
     <message>
@@ -2326,7 +2326,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>%1 : %2 fait en %3 · Ctrl+Z deux fois annule</translation>
     </message>
     <message>
-        <source>Why is it connected, or not?</source>
+        <source>Why is the interface connected, or not?</source>
         <translation>Pourquoi est-ce connecté, ou non&#xa0;?</translation>
     </message>
     <message>
@@ -2334,11 +2334,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Démarrer ou arrêter</translation>
     </message>
     <message>
-        <source>This ends the actions of the component: hold the button for 0.4 s</source>
+        <source>This order ends the actions of the component: hold the button for 0.4 s</source>
         <translation>Cela met fin à ce que fait le composant : maintenir le bouton 0.4 s</translation>
     </message>
     <message>
-        <source>This ends the actions of the component: hold the button for 0.4 s, or press Enter</source>
+        <source>This order ends the actions of the component: hold the button for 0.4 s, or press Enter</source>
         <translation>Cela met fin à ce que fait le composant : maintenir le bouton 0.4 s ou appuyer sur Entrée</translation>
     </message>
     <message>
@@ -2454,7 +2454,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Rien n&apos;a été annulé qui puisse être refait</translation>
     </message>
     <message>
-        <source>Starting and stopping cannot be redone: do it again, for example with F6 to F9</source>
+        <source>Starting and stopping cannot be redone: start or stop the component again, for example with F6 to F9</source>
         <translation>Démarrer et arrêter ne se rétablit pas : donnez l’ordre à nouveau, par exemple avec F6 à F9</translation>
     </message>
     <message>
@@ -2506,8 +2506,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Se connecter à une autre &amp;machine…</translation>
     </message>
     <message>
-        <source>Address of its GCM, such as robot1 or robot1:10705</source>
-        <translation>Adresse de son GCM, comme robot1 ou robot1:10705</translation>
+        <source>Address of the GCM on that machine, such as robot1 or robot1:10705</source>
+        <translation>Adresse du GCM de cette machine, comme robot1 ou robot1:10705</translation>
     </message>
     <message>
         <source>Another window could not be started</source>
@@ -2526,7 +2526,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>%1 existe déjà : ouvrez-le, ou supprimez-le avant l’importation</translation>
     </message>
     <message>
-        <source>%1 is shown in another window; this one hosts a GCM, and stays open</source>
+        <source>%1 is shown in another window; this window hosts a GCM, so it stays open</source>
         <translation>%1 est montré dans une autre fenêtre ; celle-ci héberge un GCM et reste ouverte</translation>
     </message>
     <message>
@@ -2786,12 +2786,12 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>l&apos;axe de %1 doit être un texte</translation>
     </message>
     <message>
-        <source>it has no curves</source>
-        <translation>il n&apos;a pas de courbes</translation>
+        <source>the plot has no curves</source>
+        <translation>le tracé n&apos;a pas de courbes</translation>
     </message>
     <message>
-        <source>its time range is not valid</source>
-        <translation>il ne montre aucune durée possible</translation>
+        <source>the time range of the plot is not valid</source>
+        <translation>la durée du tracé n&apos;est pas possible</translation>
     </message>
     <message>
         <source>plot %1: </source>
@@ -2806,8 +2806,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>la version %1 des dispositions n’est pas prise en charge ; ce programme prend en charge la version %2</translation>
     </message>
     <message>
-        <source>there is no plot in it</source>
-        <translation>il n&apos;y a aucun tracé dedans</translation>
+        <source>the file contains no plot</source>
+        <translation>le fichier ne contient aucun tracé</translation>
     </message>
     <message>
         <source>constructed</source>
@@ -2926,8 +2926,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>%1 : valeurs actuelles de %2</translation>
     </message>
     <message>
-        <source>Not the current values: %1 does not report them</source>
-        <translation>Pas les valeurs actuelles : %1 ne les dit pas</translation>
+        <source>These are not the current values: %1 does not report the current values</source>
+        <translation>Ce ne sont pas les valeurs actuelles : %1 ne donne pas les valeurs actuelles</translation>
     </message>
     <message>
         <source>left</source>
@@ -3079,7 +3079,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation> ne peut pas être affiché : </translation>
     </message>
     <message>
-        <source>The component is told that it was suspended. If its author has implemented this, it starts from the current situation; otherwise it continues its previous action.</source>
+        <source>The component is told that it was suspended. If its author has written code for this case, the component starts from the current situation; otherwise the component continues its previous action.</source>
         <translation>Le composant est informé qu&apos;il était suspendu. Si son auteur l&apos;a prévu, il part de la situation actuelle ; sinon il continue son action précédente.</translation>
     </message>
     <message>
@@ -3108,11 +3108,11 @@ Possède %1 des commandes et événements requis.</translation>
         <translation> exécute </translation>
     </message>
     <message>
-        <source>the file is missing: restore it before you restart the process</source>
+        <source>the file is missing: restore the file before you restart the process</source>
         <translation>le fichier a disparu : le remettre avant de relancer le processus</translation>
     </message>
     <message>
-        <source>the file was written again at %1: restart the process to use it</source>
+        <source>the file was written again at %1: restart the process to use the new file</source>
         <translation>le fichier a été réécrit à %1 : relancer le processus pour l’exécuter</translation>
     </message>
     <message>
@@ -3157,8 +3157,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>la comparaison avec un fichier système</translation>
     </message>
     <message>
-        <source>Ends unless called again within %1</source>
-        <translation>S’arrête si elle n’est pas rappelée sous %1</translation>
+        <source>The action ends unless the command is called again within %1</source>
+        <translation>L’action s’arrête si la commande n’est pas rappelée sous %1</translation>
     </message>
     <message>
         <source>%1 curves</source>

@@ -65,8 +65,9 @@ QString EffectOf(LifecycleVerb verb, ComponentState state) {
   const bool is_suspended = state == ComponentState::kSuspended;
   if (verb == LifecycleVerb::kStart && is_suspended) {
     return Words::tr(
-        "The component is told that it was suspended. If its author has implemented this, it "
-        "starts from the current situation; otherwise it continues its previous action.");
+        "The component is told that it was suspended. If its author has written code for this "
+        "case, the component starts from the current situation; otherwise the component continues "
+        "its previous action.");
   }
   if (verb == LifecycleVerb::kStart || verb == LifecycleVerb::kRestart) {
     return Words::tr("The component starts from the beginning: no previous action continues.");
@@ -84,18 +85,17 @@ QString StateWithDuration(const QString& path, ComponentState state,
 
 QString ButtonAdviceOf(LifecycleVerb verb) {
   return EndsSomething(verb)
-             ? Words::tr("This ends the actions of the component: hold the button for 0.4 s")
-             : Words::tr("This can move something: hold the button for 0.4 s");
+             ? Words::tr("This order ends the actions of the component: hold the button for 0.4 s")
+             : Words::tr("This order can move something: hold the button for 0.4 s");
 }
 
 QString CardAdviceOf(LifecycleVerb verb) {
   return EndsSomething(verb)
              ? Words::tr(
-                   "This ends the actions of the component: hold the button for 0.4 s, or press "
-                   "Enter")
+                   "This order ends the actions of the component: hold the button for 0.4 s, or "
+                   "press Enter")
              : Words::tr(
-                   "This can move something: hold the button for 0.4 s, or press "
-                   "Enter");
+                   "This order can move something: hold the button for 0.4 s, or press Enter");
 }
 
 }  // namespace tendon::gui

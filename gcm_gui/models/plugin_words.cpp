@@ -14,9 +14,9 @@ QString PluginWords(const PluginDescription& plugin) {
 QString PluginChangeWords(const PluginDescription& plugin) {
   if (plugin.state == PluginState::kCurrent) return {};
   if (plugin.state == PluginState::kGone) {
-    return Words::tr("the file is missing: restore it before you restart the process");
+    return Words::tr("the file is missing: restore the file before you restart the process");
   }
-  return Words::tr("the file was written again at %1: restart the process to use it")
+  return Words::tr("the file was written again at %1: restart the process to use the new file")
       .arg(ToQString(WallTimeText(plugin.written_now)));
 }
 

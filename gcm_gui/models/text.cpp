@@ -108,7 +108,7 @@ QString ExpiryText(const MemberDescription& member) {
   if (member.expires_after <= 0) return {};
   const bool is_short = member.expires_after < 1;
   const QString time = QString::number(member.expires_after * (is_short ? 1000 : 1), 'g', 4);
-  return Words::tr("Ends unless called again within %1")
+  return Words::tr("The action ends unless the command is called again within %1")
       .arg(time + (is_short ? QStringLiteral(" ms") : QStringLiteral(" s")));
 }
 

@@ -63,8 +63,8 @@ struct Quantity {
 enum class TypeNames { kShort, kWhole };
 [[nodiscard]] QString TypesText(const MemberDescription& member, TypeNames names);
 
-/// Returns "Ends unless called again within 100 ms"; empty for a command whose effect does not
-/// expire.
+/// Returns "The action ends unless the command is called again within 100 ms"; empty for a command
+/// whose effect does not expire.
 [[nodiscard]] QString ExpiryText(const MemberDescription& member);
 
 /// Quotes a word for a shell: 'it'\''s' for "it's".

@@ -79,10 +79,10 @@ QString ReadCurve(const QJsonValue& json, CurveLayout& curve) {
 
 /// Reads a plot. Returns the mistake in it, or an empty text.
 QString ReadPlot(const QJsonValue& json, PlotLayout& plot) {
-  if (!json.isObject() || !json["curves"].isArray()) return Words::tr("it has no curves");
+  if (!json.isObject() || !json["curves"].isArray()) return Words::tr("the plot has no curves");
   const double seconds = json["window"].toDouble();
   if (seconds <= 0 || seconds > TimeWindow::kLongest)
-    return Words::tr("its time range is not valid");
+    return Words::tr("the time range of the plot is not valid");
   plot.window = nanoseconds(static_cast<std::int64_t>(seconds * kNsPerSecond));
   plot.name = json["name"].toString();
   plot.is_below = json["below"].toBool();
@@ -123,7 +123,7 @@ std::optional<QString> ShowLayout(PlotPanel& panel, const QByteArray& layout) {
     const QString wrong = ReadPlot(json, plots.emplace_back());
     if (!wrong.isEmpty()) return Words::tr("plot %1: ").arg(plots.size()) + wrong;
   }
-  if (plots.empty()) return Words::tr("there is no plot in it");
+  if (plots.empty()) return Words::tr("the file contains no plot");
   while (panel.plotCount() > 1) panel.closePlot(0);
   panel.closePlot(0);
   for (std::size_t i = 0; i < plots.size(); ++i) {

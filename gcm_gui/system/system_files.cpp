@@ -88,7 +88,7 @@ void SystemFiles::startDemo() {
 void SystemFiles::carryOutDemo(SystemFile demo) {
   if (restore_.phase() == PlanController::Phase::kRunning) {
     showTab();
-    return Q_EMIT notice(Words::tr("A plan is running; the demo starts after it"));
+    return Q_EMIT notice(Words::tr("A plan is running; the demo starts after the plan"));
   }
   for (auto& process : demo.processes) {
     if (!process.start) process.start = SystemFile::Start{};

@@ -38,7 +38,8 @@ void GcmSwitcher::ask() {
   dialog->setObjectName(QStringLiteral("otherGcm"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(Words::tr("Connect to another machine"));
-  dialog->setLabelText(Words::tr("Address of its GCM, such as robot1 or robot1:10705"));
+  dialog->setLabelText(
+      Words::tr("Address of the GCM on that machine, such as robot1 or robot1:10705"));
   connect(dialog, &QInputDialog::textValueSelected, this, &GcmSwitcher::goTo);
   dialog->open();
 }
@@ -55,7 +56,8 @@ void GcmSwitcher::goTo(const QString& address) {
     return;
   }
   Q_EMIT notice(
-      Words::tr("%1 is shown in another window; this one hosts a GCM, and stays open").arg(wanted));
+      Words::tr("%1 is shown in another window; this window hosts a GCM, so it stays open")
+          .arg(wanted));
 }
 
 }  // namespace tendon::gui

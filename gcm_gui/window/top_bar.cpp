@@ -125,11 +125,10 @@ void TopBar::showLink() {
                        Counts(store_.catalogue()));
       break;
   }
-  link_pill_->setToolTip(
-      Words::tr("The global component manager (GCM) at %1 knows every process and makes their "
-                "connections.")
-          .arg(link_.address()) +
-      (link_.reason().isEmpty() ? QString() : '\n' + link_.reason()));
+  link_pill_->setToolTip(Words::tr("The global component manager (GCM) at %1 knows every process "
+                                   "and makes the connections between the processes.")
+                             .arg(link_.address()) +
+                         (link_.reason().isEmpty() ? QString() : '\n' + link_.reason()));
 }
 
 void TopBar::showProblemCount(int count) {

@@ -40,7 +40,8 @@ TEST_P(ChannelContract, ARefusedOpenerVersionSaysWhichProgramToUpdate) {
     EXPECT_EQ(ReadWholeFrame(*answer)->type, MessageType::kRefusal);
     EXPECT_EQ(
         ReadRefusal(std::span(*answer).subspan(FrameHeader::kSize), "robot"),
-        (Error{ErrorCode::kIncompatible, "robot speaks protocol " + kOursText + ", this program " +
+        (Error{ErrorCode::kIncompatible, "robot speaks protocol version " + kOursText +
+                                             ", but this program speaks version " +
                                              std::to_string(version) + ": update " + outdated}));
   }
   ASSERT_TRUE(server->Wait([](const Oracle& oracle) { return oracle.closed_.size() == 2; }));
@@ -65,8 +66,8 @@ TEST_P(ChannelContract, ARefusedAcceptorVersionSaysWhichProgramToUpdate) {
     ASSERT_FALSE(channel);
     EXPECT_EQ(channel.error().code, ErrorCode::kIncompatible);
     EXPECT_EQ(channel.error().message,
-              listener_->address() + " speaks protocol " + std::to_string(version) +
-                  ", this program " + kOursText + ": update " +
+              listener_->address() + " speaks protocol version " + std::to_string(version) +
+                  ", but this program speaks version " + kOursText + ": update " +
                   (version == kNewer ? "this program" : listener_->address()));
     ASSERT_TRUE(client->Wait([](const Oracle& oracle) { return !oracle.closed_.empty(); }));
     EXPECT_EQ(client->closed_.size(), 1U);

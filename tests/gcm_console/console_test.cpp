@@ -312,7 +312,7 @@ TEST_F(ConsoleTest, WatchSkipsMatchingColumnsWithoutTheField) {
   const Outcome none = Gcm({"watch", "robot/arm/state.*.positio"});
   EXPECT_EQ(none.exit_code, program::kNotFound);
   EXPECT_THAT(none.err, HasSubstr("gcm: robot/arm/state.Joints.positio: there is no field"));
-  EXPECT_THAT(none.err, testing::EndsWith("gcm: none of the matching columns has this part\n"));
+  EXPECT_THAT(none.err, testing::EndsWith("gcm: no matching column has this part\n"));
 }
 
 TEST_F(ConsoleTest, WatchRejectsAGlobForFields) {
@@ -328,9 +328,9 @@ TEST_F(ConsoleTest, WatchReportsAGlobWithoutMatches) {
   const Outcome none = Gcm({"watch", "robot/*/state.Jonts"});
 
   EXPECT_EQ(none.exit_code, program::kNotFound);
-  EXPECT_EQ(
-      none.err,
-      "gcm: no column matches 'robot/*/state.Jonts'; list them with: gcm ls -R --type state\n");
+  EXPECT_EQ(none.err,
+            "gcm: no column matches 'robot/*/state.Jonts'; to list the columns: gcm ls -R --type "
+            "state\n");
 }
 
 TEST_F(ConsoleTest, CandidatesListsCompatibleAndNearlyCompatibleInterfaces) {

@@ -123,7 +123,7 @@ TEST_F(LcmStart, RejectsAnInvalidSystemFile) {
     return R"({"version": 1, "name": "x", "processes": )" + processes + "}";
   };
   ExpectTextRefused(R"({"version": 99})",
-                    "line 1, column 2: file is version 99, this program reads 1");
+                    "line 1, column 2: the file has version 99, but this program reads version 1");
   ExpectTextRefused(with("7"), "line 1, column 29: processes: expected a list, got number");
   ExpectTextRefused(with(R"([{"name": "a", "name": "b"}])"),
                     "line 1, column 57: processes[0]: key 'name' occurs twice");

@@ -99,7 +99,7 @@ class UnderTls(unittest.TestCase):
         with self.connect(self.anna) as system:
             system.wait_until(self.is_running, PATIENCE)
             robot, = (one for one in system.processes() if one["name"] == "robot")
-        with self.assertRaisesRegex(tendon.Unreachable, "is 'robot', not 'gcm'"):
+        with self.assertRaisesRegex(tendon.Unreachable, "is 'robot', but 'gcm' was expected"):
             tendon.connect(robot["address"], timeout=PATIENCE, certificate=self.anna)
 
     def test_the_gcm_of_another_ca_is_not_trusted(self):

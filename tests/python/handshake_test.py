@@ -88,7 +88,8 @@ class Handshake(unittest.TestCase):
                 (Denied, "calls itself 'gcm', but shows the certificate of 'robot'",
                  Shown("robot", "operator"), "gcm"),
                 (Denied, "has the certificate of a viewer", Shown("gcm", "viewer"), "gcm"),
-                (Unreachable, "is 'gcm', not 'robot'", Shown("gcm", "operator"), "robot")]:
+                (Unreachable, "is 'gcm', but 'robot' was expected", Shown("gcm", "operator"),
+                 "robot")]:
             with self.subTest(words), self.assertRaisesRegex(kind, words):
                 answer(shown, wanted)
 
@@ -106,8 +107,8 @@ class Handshake(unittest.TestCase):
     def test_a_version_mismatch_names_the_outdated_program(self):
         newer, older = PROTOCOL_VERSION + 1, PROTOCOL_VERSION - 1
         for version, outdated in [(newer, "this program"), (older, ADDRESS)]:
-            words = (f"^{ADDRESS} speaks protocol {version}, this program {PROTOCOL_VERSION}: "
-                     f"update {outdated}$")
+            words = (f"^{ADDRESS} speaks protocol version {version}, but this program speaks "
+                     f"version {PROTOCOL_VERSION}: update {outdated}$")
             with self.subTest(version=version), self.assertRaisesRegex(Incompatible, words):
                 self.opener.take(Header(MessageType.CHALLENGE, version=version), b"")
 
@@ -159,7 +160,7 @@ class Cookie(unittest.TestCase):
     def test_a_damaged_file_is_rejected(self):
         for text in ("", "0", "no number", "1" * 17):
             self.write(text)
-            with self.subTest(text=text), self.assertRaisesRegex(Invalid, "is damaged: remove it"):
+            with self.subTest(text=text), self.assertRaisesRegex(Invalid, "is damaged: remove this file"):
                 loopback_cookie()
 
 

@@ -167,7 +167,7 @@ class OverIce(unittest.TestCase):
 
     def test_another_protocol_version_is_rejected(self):
         self.acceptor.version = PROTOCOL_VERSION + 1
-        with self.assertRaisesRegex(Incompatible, "speaks protocol .*: update this program$"):
+        with self.assertRaisesRegex(Incompatible, "speaks protocol version .*: update this program$"):
             self.link()
         self.assertNotIn(MessageType.PROOF, self.acceptor.heard)
 

@@ -94,7 +94,7 @@ class Codec(unittest.TestCase):
     def test_only_padding_to_eight_may_follow(self):
         self.assertEqual(Number("int8").decode(b"\x05" + bytes(7)), 5)
         with self.assertRaisesRegex(Invalid, "^these 9 bytes are not a valid int8: there is more "
-                                             "data after its end$"):
+                                             "data after the end of the value$"):
             Number("int8").decode(b"\x05" + bytes(8))
 
     def test_an_unnamed_enum_value_is_a_number(self):

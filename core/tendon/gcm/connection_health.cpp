@@ -40,7 +40,8 @@ std::string ToString(const ConnectionFlaw& flaw) {
   const std::string count = std::to_string(flaw.count);
   switch (flaw.kind) {
     case FlawKind::kCallsRefused:
-      return Counted(flaw.count, "call", "calls") + " found the mailbox full";
+      return Counted(flaw.count, "call was", "calls were") +
+             " refused, because the mailbox was full";
     case FlawKind::kEventsLost:
       return Counted(flaw.count, "event was", "events were") + " lost";
     case FlawKind::kMailboxFull:

@@ -34,7 +34,7 @@ struct ConnectionFlaw {
 [[nodiscard]] std::vector<ConnectionFlaw> FlawsOf(const ConnectionCounts& now,
                                                   const std::optional<ConnectionCounts>& before);
 
-/// For example "3 calls found the mailbox full".
+/// For example "3 calls were refused, because the mailbox was full".
 [[nodiscard]] std::string ToString(const ConnectionFlaw& flaw);
 
 }  // namespace tendon

@@ -70,8 +70,8 @@ void CheckAbsent(const Catalogue& catalogue, const message::Wire& wire, const Er
     examination.Good("process " + wire.provided.process + " is available");
   }
   examination.Bad(missing.code, missing.message,
-                  "start this process: the connection is made when it joins; or cancel the "
-                  "connection: gcm disconnect " +
+                  "start this process (the connection is made when the process joins); or, to "
+                  "cancel the connection: gcm disconnect " +
                       ToString(wire.required));
 }
 
@@ -97,7 +97,7 @@ void CheckComponents(const ComponentDescription& required, const ComponentDescri
     if (component->state != ComponentState::kFaulted) continue;
     return examination.Bad(ErrorCode::kFailed,
                            "component '" + component->name + "' is faulted: " + component->fault,
-                           "start it again");
+                           "start the component again");
   }
   examination.Good(required.name + " is " + std::string(ToString(required.state)) + ", " +
                    provided.name + " is " + std::string(ToString(provided.state)));
@@ -110,7 +110,7 @@ void CheckFree(const Catalogue& catalogue, const message::Wire& wire, Examinatio
   if (connection->provided == wire.provided) return examination.Good("the connection is requested");
   examination.Bad(ErrorCode::kExists,
                   ToString(wire.required) + " is connected to " + ToString(connection->provided),
-                  "replace this connection: gcm connect " + ToString(wire.required) + " " +
+                  "to replace this connection: gcm connect " + ToString(wire.required) + " " +
                       ToString(wire.provided) + " --replace");
 }
 
@@ -123,7 +123,7 @@ void CheckSignatures(const message::Wire& wire, const RequiredDescription& requi
   std::vector<std::string> details;
   for (const Mismatch& one : compatibility.mismatches) details.push_back(one.text);
   examination.Bad(ErrorCode::kIncompatible, text,
-                  "list the interfaces that fit: gcm candidates " + ToString(wire.required),
+                  "to list the compatible interfaces: gcm candidates " + ToString(wire.required),
                   std::move(details));
 }
 
@@ -152,11 +152,12 @@ void CheckConnection(const Catalogue& catalogue, const message::Wire& wire,
   const ProcessDescription& provided = catalogue.FindProcess(wire.provided.process)->process;
   const auto* connection = catalogue.FindConnection(wire.required);
   if (IsOutOfReach(required, provided)) {
-    return examination.Bad(
-        ErrorCode::kUnreachable,
-        required.name + " on host " + required.host + " cannot reach " + provided.name + " at " +
-            provided.address,
-        "start " + provided.name + " with --listen and --advertise for host " + provided.host);
+    return examination.Bad(ErrorCode::kUnreachable,
+                           required.name + " on host " + required.host + " cannot reach " +
+                               provided.name + " at " + provided.address,
+                           "start " + provided.name +
+                               " with --listen and --advertise and an address of host " +
+                               provided.host);
   }
   if (connection == nullptr) return;  // no connection was tried
   if (connection->state == ConnectionState::kPending) {
@@ -171,7 +172,7 @@ void CheckConnection(const Catalogue& catalogue, const message::Wire& wire,
   if (connection->state == ConnectionState::kActive)
     return examination.Good("the connection is made");
   examination.Bad(ErrorCode::kFailed, "the connection was refused: " + connection->reason,
-                  "disconnect it: gcm disconnect " + ToString(wire.required));
+                  "to end the connection: gcm disconnect " + ToString(wire.required));
 }
 
 ConnectionRemnant LeftAtRequired(const Catalogue& catalogue, const message::Wire& wire) {
@@ -196,7 +197,8 @@ ConnectionRemnant LeftAtProvider(const Catalogue& catalogue, const message::Wire
   if (!served && served.error().code != ErrorCode::kNotFound) {
     return {
         process, Kind::kUnknown,
-        "unknown, because process '" + process + "' does not report it: " + served.error().message};
+        "unknown, because process '" + process +
+            "' does not report whether it still serves the connection: " + served.error().message};
   }
   const auto* other = catalogue.FindConnection(wire.required);
   const bool serves_another = other != nullptr && other->provided.process == process;
@@ -205,8 +207,8 @@ ConnectionRemnant LeftAtProvider(const Catalogue& catalogue, const message::Wire
   }
   return {process, Kind::kSomething,
           process + " still serves " + ToString(wire.required) +
-              ", although this connection does not exist any more; it is removed when the link "
-              "between the two processes ends"};
+              ", although this connection does not exist any more; that process stops serving it "
+              "when the link between the two processes ends"};
 }
 
 /// The rank of a candidate; a smaller one is better.
@@ -254,7 +256,7 @@ void AddHealth(Diagnosis& diagnosis, const std::vector<ConnectionFlaw>& flaws) {
   step = {Verdict::kBad,
           text,
           is_late ? "check process '" + provider + "' and the network between the two processes"
-                  : "find the component that is too slow: gcm top",
+                  : "to find the component that is too slow: gcm top",
           {}};
   diagnosis.failure = Error{ErrorCode::kFailed, step.text + "; " + step.fix};
 }
@@ -315,8 +317,8 @@ std::string FixOfUnreached(const std::string& name, const std::string& host, con
   }
   if (reason.code == ErrorCode::kTimeout) return "check process '" + name + "': it may hang";
   return "check that " + name +
-         " listens at this address and that no firewall blocks it; if the address is wrong, "
-         "start " +
+         " listens at this address and that no firewall blocks the connection; if the address is "
+         "wrong, start " +
          name + " with --advertise and an address that can be reached";
 }
 

@@ -30,7 +30,7 @@ Named<Description> Select(const Catalogue& catalogue, const std::string& pattern
 
 Error NoneIs(const std::string& kind, const std::string& pattern) {
   return {ErrorCode::kNotFound,
-          "no " + kind + " interface matches '" + pattern + "'; gcm ls -R lists all names"};
+          "no " + kind + " interface matches '" + pattern + "'; to list all names: gcm ls -R"};
 }
 
 bool IsOfOneComponent(const InterfaceName& a, const InterfaceName& b) {

@@ -84,7 +84,7 @@ std::string Connected(const ConnectionDescription& connection, const InterfaceNa
   }
   if (connection.provided == wanted) {
     return stand + " already: " + connection.reason + "; to see why: gcm explain " + required +
-           "; to cancel it: gcm disconnect " + required;
+           "; to cancel the connection: gcm disconnect " + required;
   }
   return stand + "; to replace this connection: gcm connect " + required + " " + ToString(wanted) +
          " --replace";
@@ -100,7 +100,8 @@ Result<void> CheckReplacement(const Catalogue& catalogue, const ConnectionDescri
   return Error{present.error().code,
                ToString(connection.required) + " stays connected to " +
                    ToString(connection.provided) +
-                   ", because its replacement must be available first: " + present.error().message};
+                   ", because the new provided interface must be available first: " +
+                   present.error().message};
 }
 
 /// The commands of an interface, including the columns of a table.
@@ -279,9 +280,10 @@ bool HasFallenSilent(const ProcessDescription& process) {
 std::string AdviceFor(const ProcessDescription& process) {
   if (!HasFallenSilent(process)) return "start it again";
   const std::string pid = std::to_string(process.pid);
-  return "it may be stopped, hang, or have lost its connection to the GCM: on host " +
-         process.host + ", kill -CONT " + pid + " resumes a stopped process, and kill -9 " + pid +
-         " ends it";
+  return "the process may be stopped, may hang, or may have lost its connection to the GCM; on "
+         "host " +
+         process.host + ", to resume a stopped process: kill -CONT " + pid +
+         "; to end the process: kill -9 " + pid;
 }
 
 Result<void> RequirePresent(const ProcessDescription& process) {

@@ -181,8 +181,8 @@ std::string ReadClass(const FileObject& object) {
     for (const char* key : {"library", "configuration", "thread", "runs_after"}) {
       if (object.Find(key) == nullptr) continue;
       Refuse(object.Place(key),
-             "a component without a class is created by its own program, and "
-             "only that program can set this");
+             "a component without a class is created by the program of the process, and only that "
+             "program can set this value");
     }
     return {};
   }
@@ -252,8 +252,8 @@ SystemFile::Process ReadProcess(const Json& json, const std::string& place) {
   const auto is_made_by_its_program = [](const auto& one) { return one.class_name.empty(); };
   if (process.start && std::ranges::any_of(process.components, is_made_by_its_program)) {
     Refuse(object.Place("start"),
-           "the GCM starts this process as an lcm, but a component without a class is created by "
-           "its own program: remove \"start\", or give each component a class");
+           "the GCM starts this process as an lcm, but an lcm cannot create a component without a "
+           "class: remove \"start\", or give each component a class");
   }
   process.comment = object.Comment();
   return process;
@@ -332,7 +332,8 @@ void CheckVersion(const Json& json) {
                           (version.is_number() ? version.dump() : Shown(version)));
   }
   if (version != SystemFile::kVersion) {
-    throw file::FileError{"version", "file is version " + version.dump() + ", this program reads " +
+    throw file::FileError{"version", "the file has version " + version.dump() +
+                                         ", but this program reads version " +
                                          std::to_string(SystemFile::kVersion)};
   }
 }
@@ -409,7 +410,7 @@ Result<std::string> SystemFileText(const SystemFile& system) {
   } catch (const OrderedJson::exception& exception) {  // thrown if a text is not UTF-8
     return refuse(exception.what());
   }
-  const auto again = ParseSystemFile(text, "it could not be read again");
+  const auto again = ParseSystemFile(text, "the written text");
   return again ? Result<std::string>(std::move(text)) : refuse(again.error().message);
 }
 
@@ -421,7 +422,7 @@ Result<void> WriteSystemFile(const fs::path& path, const SystemFile& system) {
 
 Result<SystemFile> ParseSystemFile(std::string_view text, const std::string& source) {
   if (text.size() > SystemFile::kMaxSize) {
-    return Error{ErrorCode::kInvalid, source + ": is larger than 16 MB"};
+    return Error{ErrorCode::kInvalid, source + ": the file is larger than 16 MB"};
   }
   return file::ReadText<SystemFile>(text, source, ReadSystem);
 }

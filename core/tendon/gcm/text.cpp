@@ -121,11 +121,11 @@ std::optional<OutdatedPlugin> FindOutdatedPlugin(const std::string& process,
                                                  const PluginDescription& plugin) {
   if (plugin.state == PluginState::kCurrent) return std::nullopt;
   const bool is_gone = plugin.state == PluginState::kGone;
-  return OutdatedPlugin{.finding = "process '" + process + "' runs " + PluginText(plugin) +
-                                   "; the file " +
-                                   (is_gone ? "is missing" : "was " + PluginChangeText(plugin)),
-                        .remedy = is_gone ? "restore it before you restart the process"
-                                          : "restart the process to use it"};
+  return OutdatedPlugin{
+      .finding = "process '" + process + "' runs " + PluginText(plugin) + "; the file " +
+                 (is_gone ? "is missing" : "was " + PluginChangeText(plugin)),
+      .remedy = is_gone ? "restore the plug-in file before you restart the process"
+                        : "restart the process to use the new file"};
 }
 
 std::string OutdatedPluginText(const std::string& process, const PluginDescription& plugin) {

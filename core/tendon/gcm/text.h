@@ -56,7 +56,7 @@ struct OutdatedPlugin {
   /// "process 'robot' runs /opt/robot/arm.so of 2025-11-21 15:40:03; the file was written again at
   /// 2025-11-21 15:50:10"
   std::string finding;
-  std::string remedy;  ///< "restart the process to use it"
+  std::string remedy;  ///< "restart the process to use the new file"
 };
 
 /// Returns nothing if the file of the plug-in is unchanged.

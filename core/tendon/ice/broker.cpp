@@ -67,7 +67,7 @@ Result<void> CheckFits(const std::filesystem::path& file) {
   if (text.find_first_of("#\\=: \t\r\n") == std::string::npos) return {};
   return Error{ErrorCode::kInvalid,
                "the settings of icebox cannot hold the path '" + Printable(text) +
-                   "': put the file where there is no '#', '\\', '=', ':' or blank in it"};
+                   "': put the file into a folder whose path has no '#', '\\', '=', ':' or blank"};
 }
 
 }  // namespace
@@ -79,8 +79,8 @@ Result<void> CheckBrokerIsInstalled() {
   });
   if (is_there) return {};
   return Error{ErrorCode::kNotFound,
-               "IceStorm is not installed: apt-get install zeroc-icebox libzeroc-icestorm3.7, as "
-               "tools/setup does"};
+               "IceStorm is not installed; to install it: apt-get install zeroc-icebox "
+               "libzeroc-icestorm3.7 (tools/setup does this, too)"};
 }
 
 Result<std::string> BrokerInstance(bool is_certified) {

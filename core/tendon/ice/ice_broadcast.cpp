@@ -104,8 +104,8 @@ std::string NumberText() {
 }
 
 Error NotReached(const std::string& broker, const Ice::Exception& failure) {
-  return {ErrorCode::kUnreachable,
-          "no broker answers at " + broker + " (" + failure.ice_id() + "); gcm broker starts it"};
+  return {ErrorCode::kUnreachable, "no broker answers at " + broker + " (" + failure.ice_id() +
+                                       "); to start a broker: gcm broker"};
 }
 
 }  // namespace

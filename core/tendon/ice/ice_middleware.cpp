@@ -79,9 +79,11 @@ Error WhyNotListening(const HostPort& place) {
 /// The error for a link that was not opened in time. `tls` is null without TLS, also in the
 /// functions below.
 Error TimedOut(const HostPort& place, std::chrono::milliseconds timeout, const Tls* tls) {
-  return {ErrorCode::kTimeout,
-          "no answer from " + ToString(place) + " within " + Milliseconds(timeout) +
-              (tls != nullptr ? "" : ": the program there hangs, or requires a --certificate")};
+  return {
+      ErrorCode::kTimeout,
+      "no answer from " + ToString(place) + " within " + Milliseconds(timeout) +
+          (tls != nullptr ? ""
+                          : ": the program at this address hangs, or requires a --certificate")};
 }
 
 /// Thrown when the attempt to open a link was cancelled.
@@ -102,9 +104,10 @@ Error WhyNotOpened(const std::exception_ptr& why, const HostPort& place,
     return tls->NotTrusted(place, failure.reason);
   } catch (const Ice::ConnectionLostException&) {
     if (tls != nullptr) return tls->NotAccepted(place);
-    return {ErrorCode::kUnreachable, ToString(place) +
-                                         " closed the connection immediately: check that it is a "
-                                         "program of Tendon; it may require a --certificate"};
+    return {ErrorCode::kUnreachable,
+            ToString(place) +
+                " closed the connection immediately: check that a program of Tendon listens at "
+                "this address; that program may require a --certificate"};
   } catch (const Ice::SyscallException& failure) {
     return {ErrorCode::kUnreachable, os::WhyNotReached(ToString(place), failure.error)};
   } catch (const Ice::Exception& failure) {

@@ -156,7 +156,7 @@ bool IceLink::StartClosing(const Error& reason) {
 }
 
 void IceLink::Close() {
-  Fail({ErrorCode::kUnreachable, "the connection to " + peer_ + " was closed here"});
+  Fail({ErrorCode::kUnreachable, "the connection to " + peer_ + " was closed by this program"});
 }
 
 void IceLink::Fail(const Error& reason) {
@@ -168,7 +168,8 @@ void IceLink::Fail(const Error& reason) {
 }
 
 void IceLink::CloseAtOnce() {
-  StartClosing({ErrorCode::kUnreachable, "the connection to " + peer_ + " was closed here"});
+  StartClosing(
+      {ErrorCode::kUnreachable, "the connection to " + peer_ + " was closed by this program"});
   pending_calls_.Release();
   connection_->close(Ice::ConnectionClose::Forcefully);
 }

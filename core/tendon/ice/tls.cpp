@@ -42,7 +42,9 @@ int ShowOwnOf(SSL* link, void* tls) {
     return static_cast<Tls*>(tls)->ShowOwn(*link) ? 1 : 0;
     // OpenSSL is C code, so no exception may leave this function.
   } catch (const std::exception& failure) {
-    Log(LogLevel::kError, "ice", std::string("no certificate to show: ") + failure.what());
+    Log(LogLevel::kError, "ice",
+        std::string("the certificate of this program cannot be used in a TLS handshake: ") +
+            failure.what());
     return 0;
   }
 }

@@ -42,7 +42,8 @@ Result<std::unique_ptr<Connection>> Connection::Make(RequiredInterface& required
                                                      const std::string& required_name,
                                                      const std::string& provided_name) {
   if (required.is_connected()) {
-    return Error{ErrorCode::kExists, required_name + " is already connected; disconnect it first"};
+    return Error{ErrorCode::kExists,
+                 required_name + " is already connected; end that connection first"};
   }
   const Compatibility compatibility = Compare(required.description(), provided.description());
   if (!compatibility.fits()) {

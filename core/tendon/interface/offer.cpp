@@ -11,8 +11,9 @@ Offer& Offer::SetExpiry(std::chrono::nanoseconds after, std::function<void()> en
                              std::to_string(after.count()) + " ns");
   }
   if (!uses_mailbox()) {
-    throw ConfigurationError(what + " cannot expire: it runs in the thread of its caller. Only " +
-                             "commands that wait for the component's thread can");
+    throw ConfigurationError(what +
+                             " cannot expire: it runs in the thread of its caller. Only commands "
+                             "that run in the thread of the component can expire");
   }
   description_.expires_after = std::chrono::duration<double>(after).count();
   expiry_ = std::make_unique<Expiry>(description_.name, after, std::move(end));

@@ -23,7 +23,7 @@ void RequiredInterface::Seal() {
   for (const auto& handler : handlers_) {
     if (handler->expiry() == nullptr) continue;
     throw ConfigurationError("event handler '" + handler->description().name + "' of '" + name_ +
-                             "' cannot expire: only commands can");
+                             "' cannot expire: only commands can expire");
   }
   names_.Seal();
 }

@@ -122,7 +122,7 @@ inline void SetEndFaulted(ConnectionDescription& connection, const std::string& 
                           const std::string& fault) {
   connection.state = ConnectionState::kPending;
   connection.reason = "component '" + component + "' is faulted: " + fault +
-                      "; it is connected again when that component is started";
+                      "; the connection is made again when that component is started";
 }
 
 /// Statistics of a connection's calls and events since it was last made.

@@ -83,7 +83,7 @@ class ComponentRegistry {
       return std::unique_ptr<Component>(std::make_unique<T>(name, *configuration));
     } else {
       if (!json.empty()) {
-        return Error{ErrorCode::kInvalid, "it takes no configuration, got " + json};
+        return Error{ErrorCode::kInvalid, "the class takes no configuration, got " + json};
       }
       return std::unique_ptr<Component>(std::make_unique<T>(name));
     }

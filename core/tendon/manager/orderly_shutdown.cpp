@@ -105,8 +105,8 @@ void OrderlyShutdown::GiveUp() {
 
 void OrderlyShutdown::LogNotExecuted(const Component& client) {
   Log(LogLevel::kWarning, client.name(),
-      "has stopped, but some of its last calls were not executed in time: their server is busy, or "
-      "does not answer");
+      "has stopped, but some of its last calls were not executed in time: the server of these "
+      "calls is busy, or does not answer");
 }
 
 void OrderlyShutdown::RecordResult(const Result<void>& result) {

@@ -39,7 +39,7 @@ Result<void> CheckAbi(void* library) {
   if (found == TendonPluginAbi()) return {};
   return Error{ErrorCode::kFailed, "expected " + DescribePluginAbi(TendonPluginAbi()) + ", found " +
                                        DescribePluginAbi(found) +
-                                       "; build it again against this version"};
+                                       "; build the plug-in again against this version of Tendon"};
 }
 
 /// A library is identified by its path and the hash of its content, so a file that was written
@@ -65,7 +65,7 @@ Result<ComponentRegistry> LetRegister(void* library, const fs::path& original) {
   void* const entry = os::FindSymbol(library, kRegister);
   if (entry == nullptr) {
     return LoadError(original, std::string("expected the function ") + kRegister +
-                                   ", found none; it is not a plug-in with components");
+                                   ", found none; the file is not a plug-in with components");
   }
   if (auto checked = CheckAbi(library); !checked)
     return LoadError(original, checked.error().message);
@@ -136,7 +136,8 @@ Result<void> ProbePlugin(const fs::path& file, const fs::path& original,
   const auto outcome = os::RunProgram(program, {file.string(), original.string()}, patience);
   if (!outcome) {
     if (outcome.error().code != ErrorCode::kTimeout) return outcome.error();
-    return LoadError(original, kLoads + ("it has not finished after " + Milliseconds(patience)));
+    return LoadError(original,
+                     kLoads + ("loading it has not finished after " + Milliseconds(patience)));
   }
   // The output is checked too, because the plug-in itself may print text or end the process with
   // any exit code.

@@ -66,7 +66,7 @@ Result<void> CheckNeeds(const std::string& component,
   if (needs.empty()) return {};
   return Error{ErrorCode::kFailed, "component '" + component +
                                        "' is not started, because it would wait for " +
-                                       ReasonsOf(needs) + "; connect that first"};
+                                       ReasonsOf(needs) + "; make these connections first"};
 }
 
 }  // namespace tendon

@@ -76,7 +76,7 @@ void Watchdog::Check(Watched& watched, SteadyTime now, std::vector<Finding>& fin
                       " x " + InFourDigits(period);
     findings.push_back(
         {task.name(), LogLevel::kWarning,
-         watched.warning + ": its last cycle began " + InFourDigits(elapsed) + " ago"});
+         watched.warning + ": the last cycle began " + InFourDigits(elapsed) + " ago"});
   } else {
     watched.warning.clear();
     findings.push_back({task.name(), LogLevel::kInfo,

@@ -141,9 +141,10 @@ Result<void> Channel::Greet(const std::shared_ptr<Link>& link, SteadyTime deadli
   lock.lock();
   if (!changed_.wait_until(lock, deadline, [&] { return greeted_ || reason_; })) {
     is_open_.Set(false);
-    reason_ = Error{ErrorCode::kTimeout, link->peer() +
-                                             " accepted the connection but did not answer in time: "
-                                             "check that it is a program of Tendon"};
+    reason_ =
+        Error{ErrorCode::kTimeout, link->peer() +
+                                       " accepted the connection but did not answer in time: check "
+                                       "that a program of Tendon listens at this address"};
   }
   if (greeted_) return {};
   const Error reason = *reason_;

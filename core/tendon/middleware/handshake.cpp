@@ -64,8 +64,9 @@ void FillWithRandom(std::array<std::uint8_t, 16>& nonce) {
 
 /// The error for different protocol versions, written for the user of the opener.
 Error VersionsDiffer(const std::string& acceptor, unsigned its, unsigned openers) {
-  return {ErrorCode::kIncompatible, acceptor + " speaks protocol " + std::to_string(its) +
-                                        ", this program " + std::to_string(openers) + ": update " +
+  return {ErrorCode::kIncompatible, acceptor + " speaks protocol version " + std::to_string(its) +
+                                        ", but this program speaks version " +
+                                        std::to_string(openers) + ": update " +
                                         (its > openers ? "this program" : acceptor)};
 }
 
@@ -202,7 +203,7 @@ Result<void> Handshake::CheckAcceptor() const {
     return Error{ErrorCode::kDenied, address_ + " calls itself '" + name +
                                          "', but shows the certificate of the " +
                                          std::string(ToString(certificate_->holder)) + " '" +
-                                         certificate_->name + "': do not trust it"};
+                                         certificate_->name + "': do not trust that program"};
   }
   if (certificate_ != nullptr && certificate_->role != tendon::Role::kOperator) {
     return Error{
@@ -211,8 +212,8 @@ Result<void> Handshake::CheckAcceptor() const {
             name + "' a certificate with --role operator"};
   }
   if (mine_.wanted.empty() || mine_.wanted == name) return {};
-  return Error{ErrorCode::kUnreachable,
-               "at " + address_ + " is '" + name + "', not '" + mine_.wanted + "'"};
+  return Error{ErrorCode::kUnreachable, "the process at " + address_ + " is '" + name + "', but '" +
+                                            mine_.wanted + "' was expected"};
 }
 
 Error Handshake::NotKnown() const {

@@ -23,7 +23,8 @@ Result<std::uint64_t> LoopbackCookie() {
   const char* last = text->data() + text->size();
   const auto [rest, failure] = std::from_chars(text->data(), last, cookie, kHex);
   if (failure != std::errc{} || rest != last || cookie == 0) {
-    return Error{ErrorCode::kInvalid, file.string() + " is damaged: remove it, then start again"};
+    return Error{ErrorCode::kInvalid,
+                 file.string() + " is damaged: remove this file, then start the program again"};
   }
   return cookie;
 }
@@ -31,7 +32,8 @@ Result<std::uint64_t> LoopbackCookie() {
 Error ReadRefusal(std::span<const std::byte> body, const std::string& peer) {
   Error error;
   if (Decode(body, error)) return {error.code, Printable(error.message)};
-  return {ErrorCode::kFailed, peer + " refused, and its reason cannot be read"};
+  return {ErrorCode::kFailed,
+          peer + " refused the request, but the reason that it sent cannot be read"};
 }
 
 }  // namespace tendon

@@ -197,7 +197,8 @@ class End final : public Link, public std::enable_shared_from_this<End> {
   }
 
   void Close() override {
-    CloseFor({ErrorCode::kUnreachable, "the connection to " + peer_name_ + " was closed here"});
+    CloseFor({ErrorCode::kUnreachable,
+              "the connection to " + peer_name_ + " was closed by this program"});
   }
 
   [[nodiscard]] std::string peer() const override { return peer_name_; }

@@ -128,7 +128,7 @@ void WarnOfExposure(Exposure exposure, std::string_view middleware) {
   if (exposure != Exposure::kInsecure) return;
   Log(LogLevel::kWarning, middleware,
       "--insecure: everybody who can reach the ports of this machine can read and command all "
-      "components here");
+      "components of this program");
 }
 
 }  // namespace tendon

@@ -28,8 +28,8 @@ Error ExceedsMaxPayload(std::string_view what, std::size_t size, std::string_vie
 Error WhyNotSent(Status status, const std::string& peer, std::size_t size) {
   switch (status.code()) {
     case Status::kQueueFull:
-      return {ErrorCode::kFailed, peer + " does not keep up: " + std::to_string(kSendWindow) +
-                                      " bytes wait to be sent to it; try again later"};
+      return {ErrorCode::kFailed, peer + " reads too slowly: " + std::to_string(kSendWindow) +
+                                      " bytes wait to be sent; try again later"};
     case Status::kInvalid:
       return ExceedsMaxPayload("a message", size);
     default:

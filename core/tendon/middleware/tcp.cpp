@@ -259,7 +259,7 @@ class TcpLink final : public Link,
   }
 
   void CloseNow() override {
-    Finish({ErrorCode::kUnreachable, "the connection to " + peer_ + " was closed here"});
+    Finish({ErrorCode::kUnreachable, "the connection to " + peer_ + " was closed by this program"});
   }
 
  private:

@@ -346,7 +346,7 @@ Result<ConnectionId> Process::ConnectAnew(const InterfaceName& required,
   }
   if (parts_->connections().Has(required)) {
     return Error{ErrorCode::kExists,
-                 ToString(required) + " is already connected; disconnect it first"};
+                 ToString(required) + " is already connected; end that connection first"};
   }
   return LocalManager::Connect(WithoutProcess(required), WithoutProcess(provided));
 }
@@ -390,8 +390,10 @@ InterfaceName Process::Full(InterfaceName interface) const {
 Result<InterfaceName> Process::Here(const InterfaceName& required) const {
   InterfaceName full = Full(required);
   if (full.process == name()) return full;
-  return Error{ErrorCode::kNotFound, ToString(full) + " is not in process '" + name() +
-                                         "'; connect and disconnect it there, or through the GCM"};
+  return Error{
+      ErrorCode::kNotFound,
+      ToString(full) + " is not in process '" + name() +
+          "'; connect and disconnect this interface in its own process, or through the GCM"};
 }
 
 ProcessOptions Tcp(ProcessOptions options, Exposure exposure) {

@@ -188,8 +188,8 @@ void RequiredInterfaceProxy::LogDropped(std::size_t function, const std::string&
 }
 
 void RequiredInterfaceProxy::LogRefused(std::size_t function) {
-  LogDropped(function,
-             std::to_string(capacity_) + " are already queued, or there is not enough memory");
+  LogDropped(function, std::to_string(capacity_) +
+                           " calls are already queued, or there is not enough memory");
 }
 
 /// Returns true if a call of this command must be queued in the serial executor.
@@ -217,7 +217,7 @@ void RequiredInterfaceProxy::OnCommand(std::size_t function, std::span<const std
   if (!MustWaitInLine(function)) {
     const Status status = (*functions_[function])(argument, answer_);
     if (status == Status(Status::kInvalid) || status == Status(Status::kFailed)) {
-      LogDropped(function, "its argument cannot be decoded");
+      LogDropped(function, "the argument of the call cannot be decoded");
     }
     if (status != Status(Status::kQueueFull)) return CountReceived(CreditReporting::kPrompt);
     // The peer may not have exceeded its credit: a reply confirms all earlier calls, also those

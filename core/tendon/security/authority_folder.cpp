@@ -96,8 +96,8 @@ Result<openssl::CertificateHandle> ReadAuthority(const AuthorityFolder& folder) 
   const auto text = ReadSmallFile(folder.certificate());
   if (!text && text.error().code == ErrorCode::kNotFound) {
     return Error{ErrorCode::kNotFound, "there is no CA in " + folder.path.string() +
-                                           ": make one with gcm cert init, or name its folder "
-                                           "with --ca"};
+                                           "; to make a CA: gcm cert init; if the CA is in another "
+                                           "folder, give that folder with --ca"};
   }
   if (!text) return text.error();
   auto certificate = openssl::ReadCertificate(*text);
@@ -107,7 +107,7 @@ Result<openssl::CertificateHandle> ReadAuthority(const AuthorityFolder& folder) 
 
 Result<openssl::RevocationList> ReadRevoked(const AuthorityFolder& folder) {
   const auto text = ReadSmallFile(folder.revoked());
-  if (!text) return Error{text.error().code, text.error().message + ": copy it from the CA"};
+  if (!text) return Error{text.error().code, text.error().message + ": copy this file from the CA"};
   auto list = openssl::ReadRevocationList(*text);
   if (list) return list;
   return Error{ErrorCode::kInvalid,

@@ -120,7 +120,7 @@ struct Found {
 Error Unreadable(const fs::path& copy, const std::string& why) {
   return {ErrorCode::kInvalid,
           copy.string() + " cannot be read (" + why +
-              "), so nothing was revoked: restore it from a copy of the CA's folder"};
+              "), so nothing was revoked: restore this file from a copy of the folder of the CA"};
 }
 
 Result<Found> Find(const AuthorityFolder& folder, const std::string& name) {
@@ -186,12 +186,12 @@ Result<void> CertificateAuthority::CheckInit(const fs::path& folder) {
   if (fs::exists(files.key(), reason)) {
     return Error{ErrorCode::kExists,
                  "the CA in " + folder.string() +
-                     " is incomplete, it has no ca.crt: restore that file or, if no certificate "
-                     "was issued yet, remove the folder and try again"};
+                     " is incomplete, because the file ca.crt is missing: restore that file; or, "
+                     "if no certificate was issued yet, remove the folder and try again"};
   }
   if (fs::exists(folder, reason) && !fs::is_empty(folder, reason)) {
     return Error{ErrorCode::kExists,
-                 folder.string() + " holds other files: choose another folder with --ca"};
+                 folder.string() + " contains other files: choose another folder with --ca"};
   }
   return {};
 }

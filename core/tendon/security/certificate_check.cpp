@@ -42,8 +42,9 @@ Error NotGood(const std::string& what, int reason, X509& certificate, const fs::
     case X509_V_ERR_SELF_SIGNED_CERT_IN_CHAIN:
     case X509_V_ERR_UNABLE_TO_VERIFY_LEAF_SIGNATURE:
     case X509_V_ERR_CERT_SIGNATURE_FAILURE:
-      return denied("was not issued by the CA in " + authority.string() +
-                    ": issue one there, or name the right CA with --ca");
+      return denied(
+          "was not issued by the CA in " + authority.string() +
+          ": issue a certificate with that CA, or give the folder of the right CA with --ca");
     default:
       return denied("cannot be trusted: " + std::string(X509_verify_cert_error_string(reason)));
   }
@@ -111,8 +112,8 @@ Result<CheckedCertificate> CheckCertificate(const fs::path& file, const fs::path
   if (text->find("PRIVATE KEY-----") != text->npos) {
     return Error{ErrorCode::kInvalid,
                  file.string() +
-                     " holds a private key: check the certificate beside it, and keep "
-                     "the key in a file of its own"};
+                     " contains a private key: check the file of the certificate instead, and keep "
+                     "the key in a separate file"};
   }
   const auto certificate = openssl::ReadCertificate(*text);
   if (!certificate || text->size() > kMaxCertificateSize) {
@@ -133,8 +134,8 @@ Result<Certificate> CheckPeerCertificate(std::string_view pem, openssl::TrustedA
   const auto certificate = openssl::ReadCertificate(pem.substr(0, kMaxCertificateSize));
   if (!certificate) return Error{ErrorCode::kDenied, "its certificate cannot be read"};
   const auto described = openssl::Describe(*certificate);
-  const std::string what =
-      described ? "the certificate of '" + described->name + "'" : "the certificate it shows";
+  const std::string what = described ? "the certificate of '" + described->name + "'"
+                                     : "the certificate that the peer shows";
   return Check(what, *certificate, authority, now);
 }
 

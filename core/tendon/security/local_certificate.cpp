@@ -40,7 +40,7 @@ Result<LocalCertificate::Loaded> LocalCertificate::Load(const Credentials& crede
   if (!checked) return checked.error();
   if (!checked->key) {
     return Error{ErrorCode::kNotFound, file.string() +
-                                           " has no private key beside it (.key): use a "
+                                           " has no private key (.key) in the same folder: use a "
                                            "certificate and a key that were issued together"};
   }
   auto text = ReadSmallFile(file);
@@ -65,7 +65,7 @@ std::shared_ptr<const LocalCertificate::Pair> LocalCertificate::Now() {
   const auto renewed = Renew();
   const std::string complaint = renewed ? std::string() : renewed.error().message;
   if (!complaint.empty() && complaint != complaint_) {
-    Log(LogLevel::kWarning, kSource, "keeps its previous certificate: " + complaint);
+    Log(LogLevel::kWarning, kSource, "this program keeps its previous certificate: " + complaint);
   }
   complaint_ = complaint;
   return pair_;
@@ -81,13 +81,15 @@ Result<void> LocalCertificate::Renew() {
   const Certificate& renewed = loaded->checked.certificate;
   if (renewed.name != certificate_.name || renewed.role != certificate_.role ||
       renewed.holder != certificate_.holder) {
-    return Error{ErrorCode::kDenied,
-                 file.string() + " now belongs to the " + std::string(ToString(renewed.holder)) +
-                     " '" + renewed.name + "' with the role " +
-                     std::string(ToString(renewed.role)) + ": start this program again to use it"};
+    return Error{ErrorCode::kDenied, file.string() + " now belongs to the " +
+                                         std::string(ToString(renewed.holder)) + " '" +
+                                         renewed.name + "' with the role " +
+                                         std::string(ToString(renewed.role)) +
+                                         ": start this program again to use that certificate"};
   }
   Log(LogLevel::kInfo, kSource,
-      "uses the renewed " + file.string() + ", valid until " + DateText(renewed.not_after));
+      "this program now uses the renewed certificate " + file.string() + ", valid until " +
+          DateText(renewed.not_after));
   Warn(file, loaded->checked.warning);
   text_ = std::move(loaded->text);
   pair_ = std::move(loaded->pair);

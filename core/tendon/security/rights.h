@@ -44,7 +44,7 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x209, "read the fill levels of mailboxes", Role::kViewer, Audit::kRefusals},
     {0x20a, "watch a state table via the broker", Role::kViewer, Audit::kRefusals},  // broadcast
     {0x20b, "mirror a read command", Role::kOperator, Audit::kRefusals},  // for a connection
-    {0x20d, "ask for its version", Role::kViewer, Audit::kRefusals},  // process/version_messages.h
+    {0x20d, "ask for the version", Role::kViewer, Audit::kRefusals},  // process/version_messages.h
     // process/membership_messages.h
     {0x300, "join", Role::kOperator, Audit::kRefusals},  // logged separately
     {0x301, "report a change", Role::kOperator, Audit::kRefusals},
@@ -67,7 +67,7 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x31a, "read the health", Role::kViewer, Audit::kRefusals},
     {0x31b, "give an order for a process", Role::kOperator, Audit::kAll},
     {0x31c, "find the broker", Role::kViewer, Audit::kRefusals},  // process/telemetry/
-    {0x31d, "list its started processes", Role::kViewer, Audit::kRefusals},
+    {0x31d, "list the started processes", Role::kViewer, Audit::kRefusals},
     {0x31e, "execute a plan", Role::kOperator, Audit::kRefusals},
     {0x31f, "skip a step", Role::kOperator, Audit::kAll},
     // process/log/log_messages.h, gcm/gcm_messages.h

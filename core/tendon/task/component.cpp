@@ -110,8 +110,8 @@ void Component::Seal() {
   }
   if (expiries_.empty() || inbox_) return;
   throw ConfigurationError("command '" + expiries_.front()->command() + "' of " + Quoted(name_) +
-                           " cannot expire, because a component without a thread cannot end it. "
-                           "Derive the component from a task");
+                           " cannot expire, because a component without a thread cannot end the "
+                           "action of the command. Derive the component from a task");
 }
 
 Result<void> Component::Start(Patience patience, const std::function<bool()>& proceed) {

@@ -27,8 +27,8 @@ Result<void> ThreadedTask::RunAfter(Task& other, SteadyTime deadline) {
     if (one == this) return refused("they would wait for each other: " + name() + " after " + ring);
   }
   if (!is_at_rest()) {
-    return refused("it is " + std::string(is_starting() ? "starting" : ToString(state())) +
-                   "; stop it first");
+    return refused("'" + name() + "' is " +
+                   std::string(is_starting() ? "starting" : ToString(state())) + "; stop it first");
   }
   Join();
   const auto joined = JoinLeader(other, deadline);

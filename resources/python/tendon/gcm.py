@@ -93,7 +93,7 @@ class GcmLink:
         snapshot = messages.decode("Snapshot", body)
         catalog = Catalogue(snapshot["base"])
         if not all(map(catalog.apply, snapshot["changes"])):
-            raise Invalid(f"the GCM at {self._address} sent a catalogue that makes no sense")
+            raise Invalid(f"the GCM at {self._address} sent an invalid catalogue")
         self._replace(catalog)
 
     def _on_notice(self, header: Header, body: bytes) -> None:

@@ -63,5 +63,5 @@ def read_refusal(body: bytes, peer: str) -> Error:
     try:
         refused = decode("Error", body)
     except Invalid:
-        return Failed(f"{peer} refused, and its reason cannot be read")
+        return Failed(f"{peer} refused the request, but the reason that it sent cannot be read")
     return error_of(str(refused["code"]), refused["message"])

@@ -68,7 +68,7 @@ def steps_of(field: str) -> list[str | int]:
     while position < len(field):
         found = _STEP.match(field, position)
         if found is None:
-            raise Invalid(f"'{field[:200]}' is no field: expected .name or [index]")
+            raise Invalid(f"'{field[:200]}' is not a field: expected .name or [index]")
         steps.append(found[1] if found[1] is not None else int(found[2]))
         position = found.end()
     return steps

@@ -123,7 +123,7 @@ class Processes:
                 raise type(why)(f"{where}: {why}") from None
             if link.peer_instance != process["instance"]:
                 link.close()
-                raise Unreachable(f"{where}: another program listens there")
+                raise Unreachable(f"{where}: another program listens at this address")
             self._peers[name] = peer = _Peer(link, feeds, {})
             return peer
 

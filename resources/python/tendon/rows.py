@@ -62,11 +62,11 @@ class Batch(NamedTuple):
         header = messages.decode("RowsHeader", body[:_HEADER_SIZE])
         columns = header["columns"]
         if columns > (len(body) - _HEADER_SIZE) // 4:
-            raise Invalid("rows of more columns than there are bytes")
+            raise Invalid("the rows have more columns than bytes")
         sizes = struct.unpack_from(f"<{columns}I", body, _HEADER_SIZE)
         batch = cls(body, header["rows_before"], header["lost_table"], header["rows"], sizes)
         if batch.rows > (len(body) - batch._first_row) // batch._row_size:
-            raise Invalid("more rows than there are bytes")
+            raise Invalid("there are more rows than bytes")
         return batch
 
     def cells(self) -> Iterator[tuple[int, int, list[bytes]]]:
@@ -86,7 +86,7 @@ class Batch(NamedTuple):
             return self.body[place:place + size]
         offset, size = _REFERENCE.unpack_from(self.body, place)
         if offset > len(self.body) or size > len(self.body) - offset:
-            raise Invalid("a row refers to bytes that are not there")
+            raise Invalid("a row refers to bytes that do not exist")
         return self.body[offset:offset + size]
 
     @property
@@ -250,7 +250,7 @@ class Watch:
             self._feed.end(batch)  # for whoever asks again
             raise batch
         if len(batch.sizes) != len(self._schemas):
-            raise Invalid("rows of another number of columns than were asked for")
+            raise Invalid("the rows do not have the requested number of columns")
         self._rows = batch.cells()
 
     def _values(self, cells: list[bytes]) -> dict[str, Any]:

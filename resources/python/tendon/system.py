@@ -78,7 +78,7 @@ class System:
             if result := condition(self):
                 return result
             if not self._gcm.wait_for_change(changes, deadline):
-                raise TimedOut(f"what was waited for has not come about within {timeout:g} s")
+                raise TimedOut(f"the condition was not true within {timeout:g} s")
 
     def read(self, path: str, argument: Any = None) -> Any:
         """The value of a column of a state table ("robot/arm/state.Joints"), of a field in it

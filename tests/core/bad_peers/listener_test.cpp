@@ -102,8 +102,7 @@ TEST_P(HostileListener, ListeningUpToTheLimitLeavesRoomForOthers) {
   ASSERT_FALSE(listened.ok());
   EXPECT_EQ(listened.error().message,
             "process 'robot' has 64 listeners to its events from this client already, which is the "
-            "limit: "
-            "end some of them");
+            "limit: end some of these listeners");
   const auto modest = Open(std::make_shared<ChannelHandler>());
   EXPECT_TRUE(Listen(*modest, 1, 1).ok());
   greedy->Close();

@@ -107,7 +107,7 @@ TEST_P(Client, AFailureStatusIsAnError) {
   const auto stopped = Call("robot/arm/Control.Stop");
   ASSERT_FALSE(stopped);
   EXPECT_EQ(stopped.error().message,
-            "robot/arm/Control.Stop: not active; start its component first");
+            "robot/arm/Control.Stop: not active; start the component of this command first");
 }
 
 TEST_P(Client, ProcessUpdatesKeepAChannelToTheSameInstance) {

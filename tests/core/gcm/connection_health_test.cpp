@@ -34,7 +34,7 @@ TEST(ConnectionHealth, ReportsAMailboxThatIsAlmostFull) {
 
 TEST(ConnectionHealth, DescribesEachFlaw) {
   EXPECT_EQ(ToString(ConnectionFlaw{.kind = Flaw::kCallsRefused, .count = 3}),
-            "3 calls found the mailbox full");
+            "3 calls were refused, because the mailbox was full");
   EXPECT_EQ(ToString(ConnectionFlaw{.kind = Flaw::kEventsLost, .count = 5}), "5 events were lost");
   EXPECT_EQ(ToString(ConnectionFlaw{.kind = Flaw::kMailboxFull, .count = 8, .capacity = 10}),
             "8 of 10 calls wait");

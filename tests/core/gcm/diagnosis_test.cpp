@@ -152,9 +152,9 @@ TEST_F(DiagnosisTest, FindsAConnectionToAnotherProvider) {
 
   ExpectBad(Examine(), 3, ErrorCode::kExists,
             "desk/teleoperation/Robot is connected to robot/second/Control");
-  EXPECT_EQ(
-      Examine().steps[2].fix,
-      "replace this connection: gcm connect desk/teleoperation/Robot robot/arm/Control --replace");
+  EXPECT_EQ(Examine().steps[2].fix,
+            "to replace this connection: gcm connect desk/teleoperation/Robot robot/arm/Control "
+            "--replace");
 }
 
 TEST_F(DiagnosisTest, FindsMismatchedSignatures) {
@@ -163,7 +163,7 @@ TEST_F(DiagnosisTest, FindsMismatchedSignatures) {
   ExpectBad(diagnosis, 4, ErrorCode::kIncompatible, "signatures match: 1 of 2");
   EXPECT_EQ(diagnosis.steps[3].details.size(), 1U);
   EXPECT_EQ(diagnosis.steps[3].fix,
-            "list the interfaces that fit: gcm candidates desk/teleoperation/Robot");
+            "to list the compatible interfaces: gcm candidates desk/teleoperation/Robot");
 }
 
 TEST_F(DiagnosisTest, FindsALoopbackAddressOfAnotherHost) {
@@ -174,7 +174,8 @@ TEST_F(DiagnosisTest, FindsALoopbackAddressOfAnotherHost) {
 
   ExpectBad(diagnosis, 5, ErrorCode::kUnreachable,
             "desk on host bench cannot reach robot at " + robot_.address);
-  EXPECT_EQ(diagnosis.steps[4].fix, "start robot with --listen and --advertise for host far");
+  EXPECT_EQ(diagnosis.steps[4].fix,
+            "start robot with --listen and --advertise and an address of host far");
 }
 
 TEST_F(DiagnosisTest, FindsAPendingConnection) {
@@ -277,8 +278,9 @@ TEST_F(DiagnosisTest, FindsLossesOfAnActiveConnection) {
   AddRoundTrip(diagnosis, 800us);
 
   ExpectBad(diagnosis, 6, ErrorCode::kFailed,
-            "the connection is made, but 4 calls found the mailbox full; 8 of 10 calls wait");
-  EXPECT_EQ(diagnosis.steps[5].fix, "find the component that is too slow: gcm top");
+            "the connection is made, but 4 calls were refused, because the mailbox was full; 8 of "
+            "10 calls wait");
+  EXPECT_EQ(diagnosis.steps[5].fix, "to find the component that is too slow: gcm top");
 }
 
 TEST_F(DiagnosisTest, FindsASlowActiveConnection) {
@@ -332,7 +334,8 @@ TEST_F(DiagnosisTest, ARefusedConnectionLeavesNoRemnants) {
   AddRemnants(diagnosis, catalogue_, Error{ErrorCode::kTimeout, "no answer"});
   EXPECT_EQ(diagnosis.remnants[1].verdict, Left::kUnknown);
   EXPECT_EQ(diagnosis.remnants[1].text,
-            "unknown, because process 'robot' does not report it: no answer");
+            "unknown, because process 'robot' does not report whether it still serves the "
+            "connection: no answer");
 
   Connect(ConnectionState::kActive);  // to another one there
   AddRemnants(diagnosis, catalogue_, ConnectionCounts{});

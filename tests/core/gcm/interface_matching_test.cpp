@@ -101,7 +101,7 @@ TEST_F(Matching, OmitsAbsentProcesses) {
   ASSERT_FALSE(matches);
   EXPECT_EQ(matches.error().code, ErrorCode::kNotFound);
   EXPECT_EQ(matches.error().message,
-            "no provided interface matches 'robot/**'; gcm ls -R lists all names");
+            "no provided interface matches 'robot/**'; to list all names: gcm ls -R");
 }
 
 }  // namespace

@@ -96,8 +96,8 @@ TEST_F(Lookup, AnAbsentProviderReplacesOnlyFailedConnections) {
   Connect(kRobot, kControl);
   EXPECT_EQ(
       PlanConnect(catalogue_, wire, WhenConnected::kReplace).error().message,
-      "desk/teleoperation/Robot stays connected to robot/arm/Control, because its replacement "
-      "must be available first: no process 'elsewhere'; there is 'desk', 'robot'");
+      "desk/teleoperation/Robot stays connected to robot/arm/Control, because the new provided "
+      "interface must be available first: no process 'elsewhere'; there is 'desk', 'robot'");
 
   Connect(kRobot, kControl, ConnectionState::kFailed);
 
@@ -153,7 +153,7 @@ TEST_F(Lookup, ReportsPendingAndRefusedConnectionsAsSuch) {
   EXPECT_EQ(PlanError(kRobot, kControl),
             "exists: desk/teleoperation/Robot waits to be connected to robot/arm/Control already: "
             "process 'robot' does not answer; to see why: gcm explain desk/teleoperation/Robot; to "
-            "cancel it: gcm disconnect desk/teleoperation/Robot");
+            "cancel the connection: gcm disconnect desk/teleoperation/Robot");
   set(ConnectionState::kFailed, "it does not fit");
   EXPECT_EQ(
       PlanError(kRobot, kControl)

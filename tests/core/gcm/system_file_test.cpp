@@ -155,16 +155,17 @@ TEST(SystemFile, ChecksHowAProcessIsStarted) {
       ErrorOf(WithStart(R"({"restart": "on-failur"})")),
       testing::EndsWith("processes[0].start.restart: expected one of never, on-failure, got "
                         "'on-failur'; did you mean 'on-failure'?"));
-  EXPECT_THAT(ErrorOf(WithStart("{}", R"({"name": "b", "class": null})")),
-              testing::EndsWith("processes[0].start: the GCM starts this process as an lcm, "
-                                "but a component without a class is created by its own program: "
-                                "remove \"start\", or give each component a class"));
+  EXPECT_THAT(
+      ErrorOf(WithStart("{}", R"({"name": "b", "class": null})")),
+      testing::EndsWith(
+          "processes[0].start: the GCM starts this process as an lcm, but an lcm cannot create a "
+          "component without a class: remove \"start\", or give each component a class"));
 }
 
 TEST(SystemFile, AComponentWithoutAClassTakesNoLibrary) {
-  EXPECT_THAT(
-      ErrorOf(Demo("\"SimulatedArm\"", "null")),
-      testing::HasSubstr("library: a component without a class is created by its own program"));
+  EXPECT_THAT(ErrorOf(Demo("\"SimulatedArm\"", "null")),
+              testing::HasSubstr(
+                  "library: a component without a class is created by the program of the process"));
 }
 
 TEST(SystemFile, TheLayoutNamesComponentsOfTheFile) {
@@ -323,14 +324,15 @@ TEST(SystemFile, ReportsFilesThatAreNotSystemFiles) {
   EXPECT_EQ(ErrorOf(""), "is empty");
   EXPECT_EQ(ErrorOf(" \n"), "is empty");
   EXPECT_EQ(ErrorOf("\xef\xbb\xbf" + kDemo),
-            "begins with a byte-order mark; save it as UTF-8 without one");
+            "begins with a byte-order mark; save the text as UTF-8 without this mark");
   EXPECT_EQ(ErrorOf("[]"), "line 1, column 1: expected an object, got a list");
   EXPECT_EQ(ErrorOf(Demo("\"version\": 1", "\"version\": 99")),
-            "line 2, column 3: file is version 99, this program reads 1");
+            "line 2, column 3: the file has version 99, but this program reads version 1");
   EXPECT_EQ(ErrorOf(Demo("\"version\": 1", "\"version\": \"1\"")),
             "line 2, column 3: version: expected 1, got string '1'");
   EXPECT_EQ(ErrorOf(Demo("\"version\": 1", "\"version\": 9223372036854775808")),
-            "line 2, column 3: file is version 9223372036854775808, this program reads 1");
+            "line 2, column 3: the file has version 9223372036854775808, but this program reads "
+            "version 1");
 }
 
 TEST(SystemFile, RefusesDeepNesting) {
@@ -422,7 +424,7 @@ TEST(SystemFile, OnlyARegularFileOfSensibleSizeIsRead) {
   std::filesystem::create_directory(folder.path() / "folder");
   std::filesystem::create_symlink(folder.path() / "loop", folder.path() / "loop");
 
-  EXPECT_EQ(error("big"), "big: is larger than 16 MB");
+  EXPECT_EQ(error("big"), "big: the file is larger than 16 MB");
   EXPECT_EQ(error("folder"), "folder: is a folder, not a file");
   EXPECT_EQ(error("none"), "none: there is no such file");
   EXPECT_EQ(error("loop"), "loop: Too many levels of symbolic links");

@@ -14,7 +14,7 @@ TEST(OutdatedPlugin, ReportsAFindingAndARemedy) {
   const auto gone = FindOutdatedPlugin("robot", plugin);
   ASSERT_TRUE(gone);
   EXPECT_EQ(gone->finding, "process 'robot' runs " + PluginText(plugin) + "; the file is missing");
-  EXPECT_EQ(gone->remedy, "restore it before you restart the process");
+  EXPECT_EQ(gone->remedy, "restore the plug-in file before you restart the process");
 
   plugin.state = PluginState::kChanged;
   const auto changed = FindOutdatedPlugin("robot", plugin);

@@ -149,7 +149,7 @@ TEST(MalformedReply, AnUnansweredPingTimesOut) {
   EXPECT_EQ(link.error().code, ErrorCode::kTimeout);
   EXPECT_EQ(link.error().message,
             "no answer from " + liar.address() +
-                " within 200 ms: the program there hangs, or requires a --certificate");
+                " within 200 ms: the program at this address hangs, or requires a --certificate");
 }
 
 }  // namespace

@@ -48,7 +48,8 @@ TEST_F(TlsRenewal, AListenerShowsARenewedCertificate) {
   const auto channel = Open(anna, address, "gcm ls", "robot");
   ASSERT_TRUE(channel.ok()) << channel.error().message;
   EXPECT_EQ((*channel)->peer().name, "robot");
-  EXPECT_TRUE(EventuallyLogged("uses the renewed " + (out / "robot.crt").string()));
+  EXPECT_TRUE(EventuallyLogged("this program now uses the renewed certificate " +
+                               (out / "robot.crt").string()));
 }
 
 TEST_F(TlsRenewal, AnOpenerShowsARenewedCertificate) {

@@ -49,7 +49,7 @@ TEST_F(TlsTest, RefusesAnUnexpectedPeer) {
   const auto refusal = Refusal(As({.name = "anna"}), Listen(robot_, "robot"), "gcm");
 
   EXPECT_EQ(refusal.code, ErrorCode::kUnreachable);
-  EXPECT_THAT(refusal.message, HasSubstr("is 'robot', not 'gcm'"));
+  EXPECT_THAT(refusal.message, HasSubstr("is 'robot', but 'gcm' was expected"));
 }
 
 TEST_F(TlsTest, ARevokedOpenerIsRefusedWithTheReason) {
@@ -219,7 +219,7 @@ TEST_F(TlsTest, ACertificateWithoutItsKeyIsRefusedAtTheStart) {
 
   ASSERT_FALSE(made.ok());
   EXPECT_EQ(made.error().code, ErrorCode::kNotFound);
-  EXPECT_THAT(made.error().message, HasSubstr("has no private key beside it"));
+  EXPECT_THAT(made.error().message, HasSubstr("has no private key (.key) in the same folder"));
 }
 
 }  // namespace

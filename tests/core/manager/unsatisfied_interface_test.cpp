@@ -95,7 +95,7 @@ TEST(UnsatisfiedInterface, RefusesAStartByNameAndReason) {
 
   EXPECT_EQ(CheckNeeds("client", needs).error().message,
             "component 'client' is not started, because it would wait for Robot: not connected; "
-            "Camera: pending: gone; connect that first");
+            "Camera: pending: gone; make these connections first");
   EXPECT_TRUE(CheckNeeds("client", {}));
 }
 

@@ -166,7 +166,8 @@ TEST(Handshake, RefusesAHelloOfAnotherVersion) {
   const auto refusal_of = [](std::uint16_t version) {
     return Talk().acceptor.Take(HeaderOf(MessageType::kHello, version), Bytes(5)).error();
   };
-  const std::string begin = "robot speaks protocol " + kOursText + ", this program ";
+  const std::string begin =
+      "robot speaks protocol version " + kOursText + ", but this program speaks version ";
 
   EXPECT_EQ(refusal_of(kOlder),
             (Error{ErrorCode::kIncompatible, begin + kOlderText + ": update this program"}));
@@ -180,8 +181,8 @@ TEST(Handshake, RefusesAChallengeOfAnotherVersion) {
     (void)talk.opener.Greet();
     return talk.opener.Take(HeaderOf(MessageType::kChallenge, version), Bytes(5)).error();
   };
-  const std::string begin = "127.0.0.1:10705 speaks protocol ";
-  const std::string ours = ", this program " + kOursText + ": update ";
+  const std::string begin = "127.0.0.1:10705 speaks protocol version ";
+  const std::string ours = ", but this program speaks version " + kOursText + ": update ";
 
   EXPECT_EQ(refusal_of(kOlder),
             (Error{ErrorCode::kIncompatible, begin + kOlderText + ours + "127.0.0.1:10705"}));
@@ -218,8 +219,8 @@ TEST(Handshake, RefusesMessagesOutOfTurn) {
 }
 
 TEST(Handshake, ReadsARefusalOfAnotherVersion) {
-  const Error refusal{ErrorCode::kIncompatible,
-                      "robot speaks protocol " + kNewerText + ", this program 6: update"};
+  const Error refusal{ErrorCode::kIncompatible, "robot speaks protocol version " + kNewerText +
+                                                    ", but this program speaks version 6: update"};
   Talk talk;
   (void)talk.opener.Greet();
 

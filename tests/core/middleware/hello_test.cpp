@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 TEST(ReadRefusal, AnUnreadableReasonIsStillARefusal) {
   EXPECT_EQ(ReadRefusal(Bytes(3), "robot"),
-            (Error{ErrorCode::kFailed, "robot refused, and its reason cannot be read"}));
+            (Error{ErrorCode::kFailed,
+                   "robot refused the request, but the reason that it sent cannot be read"}));
 }
 
 /// A runtime folder of its own for each test.
@@ -83,9 +84,10 @@ TEST_F(LoopbackCookieTest, NamesADamagedFile) {
   const auto cookie = LoopbackCookie();
 
   ASSERT_FALSE(cookie);
-  EXPECT_EQ(cookie.error(),
-            (Error{ErrorCode::kInvalid, file().string() + " is damaged: remove it, then start "
-                                                          "again"}));
+  EXPECT_EQ(
+      cookie.error(),
+      (Error{ErrorCode::kInvalid,
+             file().string() + " is damaged: remove this file, then start the program again"}));
 }
 
 }  // namespace

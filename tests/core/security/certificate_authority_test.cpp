@@ -53,14 +53,15 @@ TEST_F(CertificateAuthorityTest, RefusesAnIncompleteCa) {
   fs::remove(folder / "ca.crt");
 
   ExpectRefused(CertificateAuthority::Init(folder), ErrorCode::kExists,
-                "is incomplete, it has no ca.crt");
+                "is incomplete, because the file ca.crt is missing");
   ExpectRefused(CertificateAuthority::Open(folder), ErrorCode::kNotFound, "there is no CA in");
 }
 
 TEST_F(CertificateAuthorityTest, RefusesAFolderWithOtherFiles) {
   home.Write("letter", "");
 
-  ExpectRefused(CertificateAuthority::Init(home.path()), ErrorCode::kExists, "holds other files");
+  ExpectRefused(CertificateAuthority::Init(home.path()), ErrorCode::kExists,
+                "contains other files");
 }
 
 TEST_F(CertificateAuthorityTest, IssuesACertificateWithNameAndRole) {
@@ -178,8 +179,9 @@ TEST_F(CertificateAuthorityTest, RefusesAForeignKey) {
 }
 
 TEST_F(CertificateAuthorityTest, ReportsAMissingCa) {
-  ExpectRefused(CertificateAuthority::Open(home.path() / "nowhere"), ErrorCode::kNotFound,
-                "make one with gcm cert init, or name its folder with --ca");
+  ExpectRefused(
+      CertificateAuthority::Open(home.path() / "nowhere"), ErrorCode::kNotFound,
+      "to make a CA: gcm cert init; if the CA is in another folder, give that folder with --ca");
 }
 
 TEST_F(CertificateAuthorityTest, AllowsOneChangeAtATime) {

@@ -90,7 +90,7 @@ TEST_F(CertificateCheckTest, ARevocationIsPermanent) {
 
 TEST_F(CertificateCheckTest, RequiresARevocationList) {
   fs::remove(folder / "crl.pem");
-  ExpectBad(ErrorCode::kNotFound, "crl.pem: copy it from the CA");
+  ExpectBad(ErrorCode::kNotFound, "crl.pem: copy this file from the CA");
 
   home.Write("ca/crl.pem", "nonsense");
   ExpectBad(ErrorCode::kInvalid, "is not a list of revoked certificates");
@@ -158,7 +158,7 @@ TEST_F(CertificateCheckTest, ReportsFilesThatAreNotCertificates) {
 TEST_F(CertificateCheckTest, DoesNotQuoteAPrivateKey) {
   fs::copy_file(out / "robot.key", out / "robot.crt", fs::copy_options::overwrite_existing);
 
-  ExpectBad(ErrorCode::kInvalid, "holds a private key");
+  ExpectBad(ErrorCode::kInvalid, "contains a private key");
   EXPECT_EQ(Check().error().message.find("BEGIN"), std::string::npos);
 }
 

@@ -267,7 +267,7 @@ class Lamp final : public Component {
 TEST_F(Expiring, RefusesAComponentWithoutAThread) {
   EXPECT_EQ(test::Refusal([this] { manager.Add<Lamp>("lamp"); }),
             "command 'Glow' of 'lamp' cannot expire, because a component without a thread cannot "
-            "end it. Derive the component from a task");
+            "end the action of the command. Derive the component from a task");
 }
 
 }  // namespace

@@ -103,8 +103,9 @@ TEST_P(FaultedTaskPeers, AreListedAsPendingWithTheReason) {
 
   for (const auto& connection : manager.connections()) {
     EXPECT_EQ(connection.state, ConnectionState::kPending);
-    EXPECT_EQ(connection.reason, "component 'arm' is faulted: " + arm.fault() +
-                                     "; it is connected again when that component is started");
+    EXPECT_EQ(connection.reason,
+              "component 'arm' is faulted: " + arm.fault() +
+                  "; the connection is made again when that component is started");
   }
   arm.throws = Script::kNone;
   ASSERT_TRUE(manager.Start("arm").ok());

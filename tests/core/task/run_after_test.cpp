@@ -230,7 +230,7 @@ TEST_F(RunAfter, ARunningTaskCannotChangeItsThread) {
 
   ASSERT_FALSE(moved.ok());
   EXPECT_EQ(moved.error().message,
-            "component 'follower' cannot run after 'other': it is active; stop it first");
+            "component 'follower' cannot run after 'other': 'follower' is active; stop it first");
   ASSERT_TRUE(manager.Stop("follower").ok());
   EXPECT_TRUE(manager.RunAfter("follower", "other").ok());  // while both leaders run
   EXPECT_TRUE(manager.Start("follower").ok());

@@ -283,7 +283,7 @@ TEST_F(Wiring, RefusesASecondConnectionOfOneEnd) {
   ASSERT_TRUE(manager.Connect({"client", "Server"}, {"arm", "Control"}).ok());
 
   EXPECT_EQ(Refusal({"client", "Server"}, {"arm", "Control"}),
-            "client/Server is already connected; disconnect it first");
+            "client/Server is already connected; end that connection first");
   EXPECT_EQ(manager.connections().size(), 1U);
 }
 

@@ -74,7 +74,7 @@ TEST(Expression, ReportsAMistakeWithItsPlace) {
   EXPECT_EQ(MistakeIn("*a"), "no argument for repetition operator at '*'" + expected);
   EXPECT_EQ(MistakeIn("[z-a]"), "invalid character class range at 'z-a'" + expected);
   EXPECT_EQ(MistakeIn(std::string(201, 'a')),
-            "an expression is at most 200 bytes long, this one has 201");
+            "an expression may have at most 200 bytes, but the given expression has 201");
   EXPECT_EQ(MistakeIn("((a{100}){100}){100}"), "invalid repetition size at '{100}'" + expected);
 }
 

@@ -61,10 +61,10 @@ TEST(ArgumentWords, NumbersAreExactOrRejected) {
             begin + "expected float64, got '5deg'; write the number alone, without 'deg'");
   EXPECT_EQ(
       Told(real, {"1e999"}),
-      begin + "expected float64, got '1e999'; that number is too large or too small for the type");
+      begin + "expected float64, got '1e999'; the number is too large or too small for the type");
   EXPECT_EQ(Told(integer, {"9223372036854775808"}),
             begin +
-                "expected int64, got '9223372036854775808'; that number is too large or too small "
+                "expected int64, got '9223372036854775808'; the number is too large or too small "
                 "for the type");
   EXPECT_EQ(Told(integer, {"0x10"}), begin + "expected int64, got '0x10'; write 16");
   EXPECT_EQ(Told(integer, {"1.5"}), begin + "expected int64, got '1.5'; write a whole number");

@@ -71,7 +71,8 @@ TEST_F(HelpTest, TopicsExplainMoreThanVerbs) {
   const Outcome unknown = Typed({"help", "pahts"});
   EXPECT_EQ(unknown.exit_code, program::kUsage);
   EXPECT_EQ(unknown.err,
-            "gcm: no verb or topic 'pahts'; did you mean 'paths'? gcm help lists them\n");
+            "gcm: no verb or topic 'pahts'; did you mean 'paths'? to list all verbs and topics: "
+            "gcm help\n");
 }
 
 TEST_F(HelpTest, PrintsTheVersionAsTextAndJson) {

@@ -202,7 +202,7 @@ TEST_F(ScreenTest, TheDoctorReportsHealthAndFixes) {
   const Outcome ill = Gcm({"doctor"});
   EXPECT_EQ(ill.exit_code, program::kRefused);
   EXPECT_THAT(ill.out, HasSubstr("BAD  process robot"));
-  EXPECT_THAT(ill.out, HasSubstr("or remove it from the list: gcm forget robot"));
+  EXPECT_THAT(ill.out, HasSubstr("or, to remove it from the list: gcm forget robot"));
   EXPECT_THAT(ill.out, HasSubstr("fix: gcm explain desk/supervisor/Robot"));
 }
 

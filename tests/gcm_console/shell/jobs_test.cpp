@@ -25,7 +25,7 @@ TEST(JobLines, AreWholeLinesAndCountDroppedOnes) {
   const std::string all = lines.Take();
   EXPECT_THAT(all, testing::StartsWith("three\n0\n1\n"));
   EXPECT_THAT(all, testing::EndsWith(
-                       "\n998\ngcm: 2 lines are left out: the buffer for their output is full\n"));
+                       "\n998\ngcm: 2 lines are omitted: the buffer for their output is full\n"));
   EXPECT_EQ(lines.Take(), "");
 }
 

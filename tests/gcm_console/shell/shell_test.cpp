@@ -237,8 +237,8 @@ TEST_F(ShellTest, RefusesAShellInAShell) {
   EXPECT_EQ(outcome.exit_code, program::kUsage);
   EXPECT_THAT(outcome.out, HasSubstr("protocol"));
   EXPECT_EQ(outcome.err,
-            "gcm: this is already gcm shell; to leave it: exit\n"
-            "gcm: this is already gcm shell; to leave it: exit\n");
+            "gcm: this is already gcm shell; to leave gcm shell: exit\ngcm: this is already gcm "
+            "shell; to leave gcm shell: exit\n");
 }
 
 TEST_F(ShellTest, ReadsCommandsFromAPipe) {
@@ -277,7 +277,7 @@ TEST_F(ShellTest, UnreadableInputFails) {
   const std::string folder = home.path().string();
   EXPECT_EQ(Shell("shell < " + folder).exit_code, program::kUsage);
   EXPECT_EQ(Shell("run - < " + folder).err,
-            "gcm: standard input, after line 0: the standard input could not be read to its end: "
+            "gcm: standard input, after line 0: the standard input could not be read completely: "
             "use a file or a pipe\n");
   EXPECT_EQ(Shell("run - < /dev/zero").err,
             "gcm: standard input, after line 0: a line is longer than 1 MiB: check that the input "

@@ -34,7 +34,7 @@ TEST_F(GlobTest, LsListsMatches) {
   EXPECT_THAT(required, HasSubstr("desk/supervisor/Robot\trequired interface\t"));
   EXPECT_THAT(required, Not(HasSubstr("component")));
   ExpectError({"ls", "nobody/*"}, program::kNotFound,
-              "nothing matches 'nobody/*'; gcm ls -R lists all names");
+              "nothing matches 'nobody/*'; to list all names: gcm ls -R");
 }
 
 TEST_F(GlobTest, ShowPrintsEachMatchUnderItsPath) {
@@ -102,7 +102,7 @@ TEST_F(GlobTest, VerbsForOneNameRejectAGlob) {
   for (const Program::Words& words : lines) {
     ExpectError(words, program::kUsage,
                 "gcm: 'robot/*' may match several objects, but gcm " + words[0] +
-                    " needs exactly one name; list the matches with: gcm find 'robot/*'\n");
+                    " needs exactly one name; to list the matches: gcm find 'robot/*'\n");
   }
   ExpectError({"connect", "desk/*/Robot", "robot/arm/Control"}, program::kUsage,
               "gcm connect without --match needs exactly one name");

@@ -47,7 +47,7 @@ TEST_F(MisuseTest, ExplainsUnknownNames) {
       {{"candidates", "desk/teleoperation/Robt"}, program::kNotFound, "did you mean 'Robot'?"},
       {{"candidates", "robot/arm/Control"}, program::kNotFound, "is a provided interface"},
       {{"explain", "desk"}, program::kUsage, "'desk' is not an interface"},
-      {{"classes"}, program::kUsage, "there are several processes: give one of desk, robot"},
+      {{"classes"}, program::kUsage, "there are several processes; give one of these: desk, robot"},
       {{"classes", "robt"}, program::kNotFound, "no process 'robt'; did you mean 'robot'?"},
       {{"classes", "robot", "SimulatedAm"}, program::kNotFound, "did you mean 'SimulatedArm'?"},
       {{"--json", "classes", "robot", "SimulatedAm"},
@@ -100,7 +100,7 @@ TEST_F(MisuseTest, ExplainsUnusableFiles) {
        program::kNotFound,
        "there is no such file"},
       {{"import", torn}, program::kUsage, "to is missing; gcm import --help tells more"},
-      {{"run", folder}, program::kUsage, "is a folder: give a file that has one gcm command"},
+      {{"run", folder}, program::kUsage, "is a folder: give a file with one gcm command"},
       {{"plan", ""}, program::kUsage, "no file is given"},
       {{"run", folder + "/none.gcm"}, program::kNotFound, "there is no such file"},
   });

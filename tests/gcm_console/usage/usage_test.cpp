@@ -33,8 +33,8 @@ TEST_F(UsageTest, ExplainsAMistypedCommandLine) {
   };
   const std::vector<Case> cases = {
       {{}, "a verb is missing; gcm --help tells more"},
-      {{"conect"}, "no verb 'conect'; did you mean 'connect'? gcm --help lists them"},
-      {{"frobnicate"}, "no verb 'frobnicate'; gcm --help lists them"},
+      {{"conect"}, "no verb 'conect'; did you mean 'connect'? to list the verbs: gcm --help"},
+      {{"frobnicate"}, "no verb 'frobnicate'; to list the verbs: gcm --help"},
       {{"--gcm=a", "conect"}, "no verb 'conect'; did you mean 'connect'?"},
       {{"--tiemout", "5", "ls"}, "no option '--tiemout'; did you mean '--timeout'?"},
       {{"ls", "--jsn"}, "no option '--jsn'; did you mean '--json'? gcm ls --help tells more"},
@@ -69,7 +69,8 @@ TEST_F(UsageTest, ExplainsAMistypedCommandLine) {
       {{"top", "--sort", "x"}, "--sort: x not in {name,"},
       {{"log-level", "a", "loud"}, "level: loud not in {debug,info,warning,error}"},
       {{"completion", "ksh"}, "shell: ksh not in {bash,zsh,fish}"},
-      {{"cert", "isue"}, "no verb 'isue'; did you mean 'issue'? gcm cert --help lists them"},
+      {{"cert", "isue"},
+       "no verb 'isue'; did you mean 'issue'? to list the verbs: gcm cert --help"},
       {{"watch", "a", "--for", "1h"}, "--for: expected a time such as 500ms, 10s or 2min"},
   };
   for (const Case& one : cases) {

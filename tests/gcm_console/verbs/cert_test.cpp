@@ -63,7 +63,7 @@ TEST_F(CertTest, CreatesACaAndAValidCertificate) {
 }
 
 TEST_F(CertTest, ADryRunListsFilesAndCreatesNone) {
-  EXPECT_EQ(Cert({"init", "--dry-run"}).out, "CA would be made in " + ca.string() + "\n");
+  EXPECT_EQ(Cert({"init", "--dry-run"}).out, "the CA would be made in " + ca.string() + "\n");
   EXPECT_EQ(json::parse(Cert({"init", "--dry-run", "--json"}).out)["dry_run"], true);
   EXPECT_FALSE(fs::exists(ca));
 
@@ -157,7 +157,7 @@ TEST_F(CertTest, RejectsAKeyFileReadableByOthers) {
 TEST_F(CertTest, ExplainsCommandLineMistakes) {
   ExpectRefused({}, program::kUsage, "a verb is missing; gcm cert --help tells more");
   ExpectRefused({"isue"}, program::kUsage,
-                "no verb 'isue'; did you mean 'issue'? gcm cert --help lists them");
+                "no verb 'isue'; did you mean 'issue'? to list the verbs: gcm cert --help");
   ExpectRefused({"issue", "a"}, program::kUsage, "--role is missing; gcm cert issue --help");
   ExpectRefused({"issue", "a", "--role", "viewer", "--proces"}, program::kUsage,
                 "no option '--proces'; did you mean '--process'? gcm cert issue --help");
@@ -192,7 +192,7 @@ TEST_F(CertTest, NeverPrintsAKey) {
       EXPECT_EQ(said.find(line), std::string::npos) << line;
     }
   }
-  EXPECT_THAT(said, HasSubstr("holds a private key"));
+  EXPECT_THAT(said, HasSubstr("contains a private key"));
 }
 
 /// openssl(1) has the last word.

@@ -357,7 +357,7 @@ TEST_F(EventsTest, MistakesAreExplained) {
   refused({"hall/crier/Voice", "--count", "0"}, program::kUsage, "--count");
   refused({"hall/crier/Voice.Fel"}, program::kNotFound, "did you mean 'Fell'?");
   refused({"hall/crier/Voice.Cry"}, program::kUsage, "'hall/crier/Voice.Cry' is a command");
-  refused({"hall/crier"}, program::kUsage, "or for all its interfaces 'hall/crier/**'");
+  refused({"hall/crier"}, program::kUsage, "or, for all interfaces in it, give 'hall/crier/**'");
   refused({"hall/crier/state"}, program::kNotFound, "'hall/crier/state' has no events");
   refused({"nowhere/**"}, program::kNotFound, "no event matches 'nowhere/**'");
 }

@@ -140,7 +140,7 @@ TEST_F(LifecycleVerbsTest, ExplainsMistakes) {
   const auto desk = StartEmpty("desk");
   ASSERT_TRUE(EventuallySays({"ls"}, "desk\talive")) << desk->err();
   EXPECT_EQ(Gcm({"load", "counter"}).err,
-            "gcm: there are several processes: give one of desk, robot\n");
+            "gcm: there are several processes; give one of these: desk, robot\n");
 }
 
 TEST_F(LifecycleVerbsTest, ReadsAConfigurationOnlyFromARegularFile) {

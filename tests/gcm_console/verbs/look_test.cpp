@@ -42,8 +42,8 @@ TEST_F(LookTest, StatusShowsProcessesConnectionsAndProblems) {
   EXPECT_EQ(Gcm({"status"}).err, "gcm: 2 processes, 1 connection; all is well\n");
   ASSERT_EQ(Gcm({"suspend", "robot/arm"}).exit_code, program::kOk);
   EXPECT_EQ(Gcm({"status"}).err,
-            "gcm: 2 processes, 1 connection; nothing is wrong, but some connected components do "
-            "not run: robot/arm\n");
+            "gcm: 2 processes, 1 connection; no problem was found, but some connected components "
+            "do not run: robot/arm\n");
 
   robot->Signal(SIGKILL);
   ASSERT_TRUE(EventuallySays({"status"}, "process\trobot\tlost\t"));
@@ -136,7 +136,7 @@ TEST_F(LookTest, FindsByNamePatternTypeStateAndHost) {
 
   const Outcome none = Gcm({"find", "nothing-like-it"});
   EXPECT_EQ(none.exit_code, program::kNotFound);
-  EXPECT_EQ(none.err, "gcm: nothing matches 'nothing-like-it'; gcm ls -R lists all names\n");
+  EXPECT_EQ(none.err, "gcm: nothing matches 'nothing-like-it'; to list all names: gcm ls -R\n");
   const Outcome unknown = Gcm({"find", "tipe:x"});
   EXPECT_EQ(unknown.exit_code, program::kUsage);
   EXPECT_THAT(unknown.err, HasSubstr("there is no 'tipe:'; did you mean 'type'?"));
@@ -243,12 +243,10 @@ TEST_F(LookTest, VerboseNamesTheGcmItAsks) {
 TEST_F(LookTest, ExplainsCommonMistakes) {
   EXPECT_EQ(Gcm({"connect", "robot/arm/Control", "desk/teleoperation/Robot"}).err,
             "gcm: robot/arm/Control is a provided interface, but the required interface comes "
-            "first; run: "
-            "gcm connect desk/teleoperation/Robot robot/arm/Control\n");
+            "first; in the right order: gcm connect desk/teleoperation/Robot robot/arm/Control\n");
   EXPECT_EQ(Gcm({"explain", "robot/arm/Control", "desk/teleoperation/Robot"}).err,
             "gcm: robot/arm/Control is a provided interface, but the required interface comes "
-            "first; run: "
-            "gcm explain desk/teleoperation/Robot robot/arm/Control\n");
+            "first; in the right order: gcm explain desk/teleoperation/Robot robot/arm/Control\n");
   EXPECT_THAT(Gcm({"watch", "robot/arm/state"}).err,
               StartsWith("gcm: 'robot/arm/state' is a whole table: give one of its columns ("));
   const Outcome head = Shell("watch robot/arm/state.Joints.position[0] | head -1");

@@ -128,7 +128,7 @@ TEST_F(PluginAgeTest, EachVerbWarnsOfARewrittenPluginFile) {
   const Outcome doctor = Gcm({"doctor"});
   EXPECT_EQ(doctor.exit_code, program::kRefused);
   EXPECT_THAT(doctor.out, AllOf(HasSubstr("BAD  plug-in robot ageing"), HasSubstr(again.substr(2)),
-                                HasSubstr("fix: restart the process to use it")));
+                                HasSubstr("fix: restart the process to use the new file")));
   const Outcome status = Gcm({"status"});
   EXPECT_THAT(status.out, HasSubstr("plug-in\trobot ageing\tchanged\tprocess 'robot' runs " + of));
   EXPECT_THAT(status.err, HasSubstr("see gcm doctor"));
@@ -145,7 +145,7 @@ TEST_F(PluginAgeTest, DoctorWarnsAlsoForAnUnreachableProcess) {
   EXPECT_EQ(doctor.exit_code, program::kRefused);
   EXPECT_THAT(doctor.out, testing::ContainsRegex("BAD  process robot .*does not answer at"));
   EXPECT_THAT(doctor.out, AllOf(HasSubstr("BAD  plug-in robot ageing"),
-                                HasSubstr("fix: restart the process to use it")));
+                                HasSubstr("fix: restart the process to use the new file")));
 }
 
 TEST_F(PluginAgeTest, ShowReportsAChangeThatAnotherVerbFound) {
@@ -197,7 +197,7 @@ TEST_F(PluginAgeTest, APlanChecksTheLoadedCodeNotTheFile) {
   EXPECT_THAT(planned.err, HasSubstr("gcm: process 'robot' runs " + file.string() + " of 20"));
   const Outcome applied = Gcm({"apply", write("Ageing")});
   EXPECT_EQ(applied.exit_code, program::kOk) << applied.err;
-  EXPECT_THAT(applied.err, HasSubstr("restart the process to use it"));
+  EXPECT_THAT(applied.err, HasSubstr("restart the process to use the new file"));
   EXPECT_EQ(RowsOf("new", 1), 200U);
 }
 
@@ -214,7 +214,8 @@ TEST_F(PluginAgeTest, ReportsAMissingPluginFile) {
   StartOld();
   fs::remove(file);
 
-  EXPECT_THAT(Gcm({"load", "ageing"}).err, HasSubstr("; the file is missing: restore it before"));
+  EXPECT_THAT(Gcm({"load", "ageing"}).err,
+              HasSubstr("; the file is missing: restore the plug-in file before"));
   EXPECT_EQ(RowsOf("old", 1), 200U);
 
   fs::copy_file(kBuilt / "1" / "ageing.so", file);

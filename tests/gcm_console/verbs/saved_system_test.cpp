@@ -197,10 +197,8 @@ TEST_F(SavedSystemTest, ApplyRestoresTheSystemAfterAllProcessesWereKilled) {
   const Outcome applied = Gcm({"apply", file});
 
   EXPECT_EQ(applied.exit_code, program::kOk) << applied.out << applied.err;
-  EXPECT_THAT(
-      applied.err,
-      HasSubstr("gcm: 12 steps done, 0 failed, 0 not executed, 2 objects untouched; undo it "
-                "with: gcm undo 12\n"));
+  EXPECT_THAT(applied.err, HasSubstr("gcm: 12 steps done, 0 failed, 0 not executed, 2 objects "
+                                     "untouched; to undo these steps: gcm undo 12\n"));
   EXPECT_TRUE(EventuallyTrue([&] { return ContentHash() == hash; }))
       << before << "became" << Gcm({"tree"}).out;
   EXPECT_EQ(Gcm({"tree"}).out, before);
@@ -219,12 +217,13 @@ TEST_F(SavedSystemTest, ApplyPrintsItsUndoCommand) {
   const Outcome applied = Gcm({"apply", file, "--yes"});
 
   ASSERT_EQ(applied.exit_code, program::kOk) << applied.out << applied.err;
-  EXPECT_THAT(applied.err, testing::EndsWith("; undo it with: gcm undo 2\n"));
+  EXPECT_THAT(applied.err, testing::EndsWith("; to undo these steps: gcm undo 2\n"));
   const Outcome undone = Gcm({"undo", "2"});
   EXPECT_EQ(undone.exit_code, program::kOk) << undone.err;
   EXPECT_TRUE(EventuallyTrue([&] { return Gcm({"tree"}).out == before; }))
       << before << "became" << Gcm({"tree"}).out;
-  EXPECT_THAT(Gcm({"apply", file, "--dry-run"}).err, testing::Not(HasSubstr("undo it with")));
+  EXPECT_THAT(Gcm({"apply", file, "--dry-run"}).err,
+              testing::Not(HasSubstr("to undo these steps")));
 }
 
 TEST_F(SavedSystemTest, RemovingARunningComponentNeedsConfirmation) {
@@ -234,9 +233,10 @@ TEST_F(SavedSystemTest, RemovingARunningComponentNeedsConfirmation) {
   const Outcome refused = Gcm({"apply", file});
   EXPECT_EQ(refused.exit_code, program::kRefused);
   EXPECT_EQ(refused.out, "! disconnect desk/teleoperation/Robot -> robot/arm/Control\n");
-  EXPECT_THAT(refused.err, HasSubstr("nothing was done, because the steps with ! stop, disconnect "
-                                     "or remove something that works; to confirm this: gcm apply " +
-                                     file + " --yes"));
+  EXPECT_THAT(refused.err,
+              HasSubstr("nothing was done, because the steps marked with ! stop, disconnect or "
+                        "remove something that works; to execute these steps, too: gcm apply " +
+                        file + " --yes"));
   EXPECT_EQ(Gcm({"diff", file}).out,
             "+ connection desk/teleoperation/Robot -> robot/arm/Control\n");
 
@@ -250,8 +250,7 @@ TEST_F(SavedSystemTest, ApplyReportsMissingProcessesAndNeedsKeepGoing) {
   robot->Signal(SIGKILL);
   ASSERT_TRUE(EventuallySays({"ls"}, "robot\tlost"));
   const std::string missing =
-      "process 'robot' with 2 components is not available; start it: lcm "
-      "--name robot";
+      "process 'robot' with 2 components is not available; start this process: lcm --name robot";
 
   const Outcome refused = Gcm({"apply", file});
   EXPECT_EQ(refused.exit_code, program::kRefused);
@@ -347,7 +346,7 @@ TEST_F(SavedSystemTest, RejectsABadFileWithLineAndColumn) {
                            ": line 2, column 45: processes[0].components[0]: unknown key "
                            "'preiod'; did you mean 'period'?\n");
     EXPECT_THAT(Gcm({verb, InHome("future.json")}).err,
-                HasSubstr("file is version 99, this program reads 1"));
+                HasSubstr("the file has version 99, but this program reads version 1"));
     EXPECT_EQ(Gcm({verb, InHome("none.json")}).exit_code, program::kNotFound);
   }
 }
@@ -377,7 +376,7 @@ TEST_F(SavedSystemTest, APlanFindsImpossibleComponentsBeforeStoppingAnything) {
     EXPECT_EQ(plan.out, "");
     EXPECT_THAT(plan.err, HasSubstr("robot/arm cannot be created as the file says: "));
     EXPECT_THAT(plan.err, HasSubstr(sentence));
-    EXPECT_THAT(plan.err, HasSubstr("; it stays as it is\n"));
+    EXPECT_THAT(plan.err, HasSubstr("; this component is not changed\n"));
     Gcm({"apply", InHome("bad.json"), "--yes", "--keep-going"});
     EXPECT_EQ(ContentHash(), before);
   }
@@ -439,11 +438,11 @@ TEST_F(SavedSystemTest, UndoSkipsStepsOfAnEarlierRun) {
 
   const Outcome refused = Gcm({"undo"});
   EXPECT_EQ(refused.exit_code, program::kRefused);
-  EXPECT_THAT(refused.err, testing::MatchesRegex(
-                               "gcm: cannot undo step 1 .disconnect desk/supervisor/Robot "
-                               "robot/arm/Control, by gcm disconnect of .* at .*: process 'desk' "
-                               "was restarted since; to skip it and undo the step before "
-                               "it: gcm undo --skip\n"));
+  EXPECT_THAT(refused.err,
+              testing::MatchesRegex(
+                  "gcm: cannot undo step 1 .disconnect desk/supervisor/Robot robot/arm/Control, by "
+                  "gcm disconnect of .* at .*: process 'desk' was restarted since; to skip this "
+                  "step and undo the step before it: gcm undo --skip\n"));
   const Outcome skipped = Gcm({"undo", "--skip"});
 
   EXPECT_THAT(skipped.err, HasSubstr("gcm: skipped and not undone: step 1 (disconnect"));

@@ -96,7 +96,8 @@ TEST_F(SetVerbTest, ADryRunChecksEverythingAndChangesNothing) {
 TEST_F(SetVerbTest, RefusesToConfigureAnActiveComponent) {
   ASSERT_EQ(Gcm({"start", "robot/arm"}).exit_code, program::kOk);
   const std::string refusal =
-      "gcm: component 'arm' is active; stop it first to configure it again: gcm stop robot/arm\n";
+      "gcm: component 'arm' is active; stop it first to configure it again: gcm stop "
+      "robot/arm\n";
   for (const Program::Words& words : {Program::Words{"noise", "0"}, {"noise", "0", "--dry-run"}}) {
     const Outcome refused = Set(words);
     EXPECT_EQ(refused.err, refusal);
@@ -131,7 +132,7 @@ TEST_F(SetVerbTest, ExplainsEachMistake) {
   const Mistake mistakes[] = {
       {{"nois", "0"}, "robot/arm: no parameter 'nois'; did you mean 'noise'?", program::kNotFound},
       {{"home[9]", "0"},
-       "'home' has 7 elements, from 0 on; there is no element 9",
+       "'home' has 7 elements, numbered from 0; there is no element 9",
        program::kNotFound},
       {{"noise.x", "0"}, "'noise' is float64 and has no fields", program::kNotFound},
       {{"home[", "0"}, "'home[' does not name a parameter", program::kUsage},

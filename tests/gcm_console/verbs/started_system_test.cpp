@@ -178,7 +178,8 @@ TEST_F(StartedSystemTest, KillAndForgetByGlobNeedConfirmation) {
         {"/bin/sh", "-c", "printf '" + answer + "\\n' | script -qec \"" + line + "\" /dev/null"});
   };
   EXPECT_EQ(Gcm({"kill", "*", "--dry-run"}).out, "desk\twould be ended\nrobot\twould be ended\n");
-  EXPECT_EQ(Gcm({"kill", "x*"}).err, "gcm: no process matches 'x*'; gcm ls lists all processes\n");
+  EXPECT_EQ(Gcm({"kill", "x*"}).err,
+            "gcm: no process matches 'x*'; to list all processes: gcm ls\n");
   EXPECT_EQ(Gcm({"kill", "x*"}).exit_code, program::kNotFound);
 
   const Outcome declined = type("kill '*'", "n");
@@ -223,7 +224,8 @@ TEST_F(StartedSystemTest, StartedProcessesOutliveTheGcm) {
   EXPECT_EQ(Gcm({"apply", File()}).out, "");
   const Outcome refused = Gcm({"kill", "robot"});
   EXPECT_EQ(refused.exit_code, program::kRefused);
-  EXPECT_THAT(refused.err, HasSubstr("was not started by this GCM: end it where it was started"));
+  EXPECT_THAT(refused.err,
+              HasSubstr("was not started by this GCM: end the process where it was started"));
   EXPECT_THAT(refused.err, HasSubstr("by: kill " + std::to_string(robot)));
 }
 

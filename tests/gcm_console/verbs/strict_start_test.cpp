@@ -52,8 +52,7 @@ TEST_F(StrictStartTest, StrictStartNamesTheUnconnectedInterface) {
   ASSERT_EQ(Gcm({"apply", File("", "constructed")}).exit_code, program::kOk);
   const std::string reason =
       "gcm: desk/teleoperation: component 'teleoperation' is not started, because it would wait "
-      "for "
-      "Robot: not connected; connect that first\n";
+      "for Robot: not connected; make these connections first\n";
 
   for (const Program::Words& words : {Program::Words{"start", "desk/teleoperation", "--strict"},
                                       {"start", "desk/teleoperation", "--strict", "--dry-run"}}) {
@@ -107,8 +106,8 @@ TEST_F(StrictStartTest, AnLcmObeysItsStrictFile) {
   desk = StartLcm("desk", file);
   ASSERT_TRUE(EventuallyTrue([this] {
     return desk->err().find(
-               "component 'teleoperation' is not started, because it would wait for "
-               "Robot: not connected; connect that first") != std::string::npos;
+               "component 'teleoperation' is not started, because it would wait for Robot: not "
+               "connected; make these connections first") != std::string::npos;
   })) << desk->err();
   EXPECT_TRUE(EventuallySays({"ls", "desk"}, "teleoperation\tconstructed\t"));
 }

@@ -48,7 +48,7 @@ TEST_F(UndoSkipTest, ADryRunListsSkippedAndUndoneSteps) {
   ASSERT_TRUE(EventuallySays({"ls"}, "desk\tlost"));
   const Outcome waits = Gcm({"undo", "--skip", "--dry-run"});
   EXPECT_EQ(waits.exit_code, program::kRefused);
-  EXPECT_THAT(waits.err, HasSubstr("try again when it is back"));
+  EXPECT_THAT(waits.err, HasSubstr("try again when the process is back"));
   desk = StartLcm("desk", demo);
   ASSERT_TRUE(EventuallySays({"ls", "desk/supervisor"}, "-> robot/arm/Control\n"));
 

@@ -33,12 +33,12 @@ TEST_F(UnhealthyTest, ReportsAFullMailboxUntilItRecovers) {
   Outcome ill;
   ASSERT_TRUE(EventuallyTrue([&] {
     ill = Gcm({"explain", kDesk});
-    return ill.out.find("calls found the mailbox full") != std::string::npos;
+    return ill.out.find("calls were refused, because the mailbox was full") != std::string::npos;
   })) << ill.out
       << ill.err;
   EXPECT_EQ(ill.exit_code, program::kRefused);
   EXPECT_THAT(ill.out, HasSubstr("  6 BAD the connection is made, but "));
-  EXPECT_THAT(ill.out, HasSubstr("fix: find the component that is too slow: gcm top\n"));
+  EXPECT_THAT(ill.out, HasSubstr("fix: to find the component that is too slow: gcm top\n"));
   const json document = json::parse(Gcm({"explain", kDesk, "--json"}).out);
   EXPECT_EQ(document["connected"], true);
   EXPECT_EQ(document["steps"][5]["verdict"], "bad");

@@ -68,7 +68,7 @@ TEST_F(WireVerbsTest, MatchReportsAmbiguousInterfacesAndConnectsTheRest) {
   const Outcome unclear = Gcm({"connect", "--match", "desk/**", "robot/**"});
   EXPECT_EQ(unclear.exit_code, program::kNotFound);
   EXPECT_EQ(unclear.err,
-            "gcm: desk/teleoperation/Robot: 3 interfaces fit equally well: robot/arm/Control, "
+            "gcm: desk/teleoperation/Robot: 3 interfaces match equally well: robot/arm/Control, "
             "robot/second/Control, robot/third/Control\n");
 
   const Outcome unfit = Gcm({"--json", "connect", "--match", "desk/**", "desk/old_arm/*"});
@@ -77,9 +77,8 @@ TEST_F(WireVerbsTest, MatchReportsAmbiguousInterfacesAndConnectsTheRest) {
   EXPECT_EQ(result["path"], kTeleoperation);
   EXPECT_EQ(result["done"], false);
   EXPECT_EQ(result["reason"],
-            "no interface that matches 'desk/old_arm/*' can be connected to it; look with: gcm "
-            "candidates "
-            "desk/teleoperation/Robot");
+            "no interface that matches 'desk/old_arm/*' can be connected to this required "
+            "interface; to list the possible interfaces: gcm candidates desk/teleoperation/Robot");
 
   EXPECT_EQ(Gcm({"connect", "--match", "dusk/**", "robot/**"}).exit_code, program::kNotFound);
   EXPECT_EQ(Gcm({"connect", "--match", "desk/**", "robot/**", "--replace"}).exit_code,

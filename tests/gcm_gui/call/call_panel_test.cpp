@@ -342,7 +342,7 @@ TEST_F(CallPanelTest, ShowsWhenACommandExpires) {
   panel_.show();
   const auto* expiry = panel_.findChild<QLabel*>("call.expiry");
   EXPECT_TRUE(expiry->isVisible());
-  EXPECT_EQ(expiry->text(), "Ends unless called again within 100 ms");
+  EXPECT_EQ(expiry->text(), "The action ends unless the command is called again within 100 ms");
 
   ShowStop();
 

@@ -52,7 +52,8 @@ TEST_F(FormDefaultsTest, ReportsThatItsValuesAreNotCurrent) {
 
   calls_.value(Error{ErrorCode::kTimeout, "no answer"});
 
-  EXPECT_EQ(Status(), "Not the current values: GetJoints does not report them");
+  EXPECT_EQ(Status(),
+            "These are not the current values: GetJoints does not report the current values");
 }
 
 }  // namespace

@@ -61,8 +61,8 @@ TEST_F(DiagnosisFlowTest, ARefusedConnectionStaysRedAndCanBeRetried) {
   ASSERT_TRUE(Eventually([&] { return Text("why.verdict") == "fails at step 1 of 7"; }))
       << Text("why.verdict").toStdString();
   EXPECT_TRUE(Text("why.history").startsWith("refused at ")) << Text("why.history").toStdString();
-  EXPECT_TRUE(
-      Text("why.fix").startsWith("fix: it may be stopped, hang, or have lost its connection"))
+  EXPECT_TRUE(Text("why.fix").startsWith(
+      "fix: the process may be stopped, may hang, or may have lost its connection"))
       << Text("why.fix").toStdString();
   EXPECT_TRUE(Text("why.leftovers").startsWith("left over: "));
   KeepPictures(window(), "why-refused");

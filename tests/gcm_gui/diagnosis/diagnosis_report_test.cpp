@@ -35,9 +35,9 @@ TEST_F(DiagnosisReportTest, TheTextMatchesTheConsole) {
 }
 
 TEST_F(DiagnosisReportTest, CopiesTheCommandOfAFix) {
-  EXPECT_EQ(CommandOfFix("list the interfaces that fit: gcm candidates a/b/C"),
+  EXPECT_EQ(CommandOfFix("to list the compatible interfaces: gcm candidates a/b/C"),
             "gcm candidates a/b/C");
-  EXPECT_EQ(CommandOfFix("start it again"), "start it again");
+  EXPECT_EQ(CommandOfFix("start the component again"), "start the component again");
 }
 
 TEST_F(DiagnosisReportTest, PrefersTheRefusedThenTheConnectedThenTheBestProvider) {

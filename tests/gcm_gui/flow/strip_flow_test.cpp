@@ -77,7 +77,7 @@ TEST_F(StripFlow, TheConsoleExplainsVerbsThatNeedATerminal) {
   EXPECT_TRUE(Says("this is already gcm shell"));
   ASSERT_TRUE(IsDone());
   Type("serve");
-  EXPECT_TRUE(Says("start it in a terminal"));
+  EXPECT_TRUE(Says("start gcm serve in a terminal"));
   ASSERT_TRUE(IsDone());
   Type("run -");
   EXPECT_TRUE(Says("this console has no standard input"));

@@ -66,7 +66,7 @@ TEST_F(PlotLayoutTest, RejectsABadLayoutWithAReason) {
 
   for (const auto& [layout, reason] :
        {std::pair{"{", "not JSON"}, std::pair{R"({"version": 7, "plots": []})", "version 7"},
-        std::pair{R"({"version": 1, "plots": []})", "no plot in it"},
+        std::pair{R"({"version": 1, "plots": []})", "the file contains no plot"},
         std::pair{R"({"version": 1, "plots": [{"window": -1, "curves": []}]})", "plot 1"},
         std::pair{R"({"version": 1, "plots": [{"window": 1, "curves": [{}]}]})", "plot 1"}}) {
     const auto told = ShowLayout(panel_, layout);

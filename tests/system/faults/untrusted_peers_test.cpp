@@ -193,9 +193,9 @@ TEST_P(UntrustedPeers, AnotherProtocolVersionIsRefusedWithAReason) {
       EXPECT_TRUE(Eventually([&] { return listener->refusal().has_value(); }));
       const tendon::Error refusal = listener->refusal().value_or(tendon::Error{});
       EXPECT_EQ(refusal.code, tendon::ErrorCode::kIncompatible);
-      EXPECT_THAT(refusal.message,
-                  HasSubstr("speaks protocol " + std::to_string(kOurs) + ", this program " +
-                            std::to_string(version) + ": update "));
+      EXPECT_THAT(refusal.message, HasSubstr("speaks protocol version " + std::to_string(kOurs) +
+                                             ", but this program speaks version " +
+                                             std::to_string(version) + ": update "));
       (*link)->Close();
     }
   }

@@ -134,9 +134,10 @@ std::optional<Result<std::string>> Read(const std::filesystem::path& file) {
   struct stat status {};
   if (fstat(descriptor.get(), &status) != 0) return Denied(file, errno);
   if (status.st_uid != geteuid() || (status.st_mode & 077U) != 0 || !S_ISREG(status.st_mode)) {
-    return Error{ErrorCode::kDenied, file.string() +
-                                         " must belong to you, and only you may read it (mode "
-                                         "0600): remove it, then start again"};
+    return Error{ErrorCode::kDenied,
+                 file.string() +
+                     " must belong to your user, and only your user may read it (mode 0600): "
+                     "remove this file, then start the program again"};
   }
   std::array<char, 256> content{};
   const auto size = read(descriptor.get(), content.data(), content.size());
@@ -196,9 +197,10 @@ Result<std::string> ReadUnchanged(const fs::path& file,
     auto text = read();
     if (StampOf(file) == before) return text;
   }
-  return Error{ErrorCode::kFailed, file.string() +
-                                       ": changes while it is read; try again when it "
-                                       "is completely written"};
+  return Error{
+      ErrorCode::kFailed,
+      file.string() +
+          ": the file changes while it is read; try again when the file is completely written"};
 }
 
 Result<std::string> ReadOrMakePrivateFile(const std::filesystem::path& file,

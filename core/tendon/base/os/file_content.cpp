@@ -67,7 +67,8 @@ Result<std::array<std::uint64_t, 2>> ReadBytes(
     const std::function<Result<void>(std::span<const std::byte>)>& take) {
   const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> hash(XXH3_createState(),
                                                                       &XXH3_freeState);
-  if (hash == nullptr) return Error{ErrorCode::kFailed, "there is not enough memory to read it"};
+  if (hash == nullptr)
+    return Error{ErrorCode::kFailed, "there is not enough memory to read the file"};
   XXH3_128bits_reset(hash.get());
   std::vector<std::byte> part(kBytesAtOnce);
   while (size > 0) {
@@ -107,7 +108,7 @@ Result<FileContent> ReadContent(const fs::path& file,
     return FileContent{.file = fs::absolute(file, ignored), .stamp = *before, .hash = *hash};
   }
   return Error{ErrorCode::kFailed,
-               "changes while it is read; try again when it is completely written"};
+               "changes while it is read; try again when the file is completely written"};
 }
 
 FileWatch::State FileWatch::Check() {

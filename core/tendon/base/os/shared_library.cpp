@@ -190,14 +190,15 @@ Error Explained(const std::string& words) {
   if (const auto at = words.find(kSymbol); at != words.npos) {
     std::string symbol = words.substr(at + kSymbol.size());
     symbol.resize(std::min(symbol.size(), symbol.find_first_of(" ,")));
-    return {ErrorCode::kFailed, "a library that it needs has no symbol " + Readable(symbol) +
+    return {ErrorCode::kFailed, "a library that this library needs has no symbol " +
+                                    Readable(symbol) +
                                     "; link the library that has the symbol, and build the plug-in "
                                     "again with this version of Tendon"};
   }
   if (const auto at = words.find(kMissing); at != words.npos) {
     return {ErrorCode::kFailed,
-            "a library that it needs is missing: " + Printable(words.substr(0, at), 256) +
-                "; install it, or add its folder to LD_LIBRARY_PATH"};
+            "a library that this library needs is missing: " + Printable(words.substr(0, at), 256) +
+                "; install the missing library, or add its folder to LD_LIBRARY_PATH"};
   }
   return {ErrorCode::kFailed,
           "expected a library that can be loaded, but " + Printable(words, 512)};

@@ -40,10 +40,11 @@ std::vector<GcmLink::MovedProcess> Moves(const ProcessAddresses& before,
 
 Error PauseError(std::chrono::nanoseconds pause) {
   const auto tenths = std::chrono::duration_cast<std::chrono::milliseconds>(pause).count() / 100;
-  return {ErrorCode::kUnreachable, "this program was stopped for " + std::to_string(tenths / 10) +
-                                       "." + std::to_string(tenths % 10) +
-                                       " s, so the other processes closed its connections; "
-                                       "it reconnects, but has missed all events meanwhile"};
+  return {ErrorCode::kUnreachable,
+          "this program was stopped for " + std::to_string(tenths / 10) + "." +
+              std::to_string(tenths % 10) +
+              " s, so the other processes closed their connections to this program; this program "
+              "reconnects, but it has missed all events of that time"};
 }
 
 }  // namespace
@@ -342,7 +343,7 @@ Error GcmLink::NoGcm() const {
   if (lost_ && lost_->code != ErrorCode::kUnreachable && lost_->code != ErrorCode::kTimeout) {
     return *lost_;
   }
-  return tendon::NoGcm(options_.address, lost_ ? lost_->message : "it does not answer");
+  return tendon::NoGcm(options_.address, lost_ ? lost_->message : "no program answers");
 }
 
 template <typename Call>

@@ -105,7 +105,7 @@ Result<ProcessLinks::SharedChannel> ProcessLinks::TryOpen(const std::string& pro
   if (!channel) return Error{channel.error().code, who + ": " + channel.error().message};
   if ((*channel)->peer().instance == there->instance) return channel;
   (*channel)->Close();
-  return Error{ErrorCode::kUnreachable, who + ": another program listens there"};
+  return Error{ErrorCode::kUnreachable, who + ": another program listens at this address"};
 }
 
 void ProcessLinks::OnChannelClosed(const Channel* channel) {

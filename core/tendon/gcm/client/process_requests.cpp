@@ -17,12 +17,12 @@ Error CallError(const std::string& command, Status status) {
   const std::string words = command + ": " + std::string(ToString(status));
   switch (status.code()) {
     case Status::kNotActive:
-      return {ErrorCode::kFailed, words + "; start its component first"};
+      return {ErrorCode::kFailed, words + "; start the component of this command first"};
     case Status::kQueueFull:
       return {ErrorCode::kFailed,
               words +
-                  "; its component executes the calls too slowly: try again; if it fails each "
-                  "time, check that Run() of the component calls ProcessQueuedCommands()"};
+                  "; the component executes its calls too slowly: try again; if the call fails "
+                  "each time, check that Run() of the component calls ProcessQueuedCommands()"};
     case Status::kTimeout:
     case Status::kOutcomeUnknown:
       return {ErrorCode::kTimeout, words};

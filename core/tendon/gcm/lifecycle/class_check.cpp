@@ -63,7 +63,7 @@ SystemFile::Process Feasible(const SystemFile::Process& process, const SystemInd
     }
     obstacles.push_back(process.name + "/" + component.name +
                         " cannot be created as the file says: " + checked.error().message +
-                        (now == nullptr ? "" : "; it stays as it is"));
+                        (now == nullptr ? "" : "; this component is not changed"));
     if (now != nullptr) feasible.components.push_back(*now);
   }
   return feasible;
@@ -113,10 +113,10 @@ Result<void> CheckCreation(const message::Classes& known, const message::Lifecyc
   }
   if (found.empty()) {
     const std::string where = order.library.empty() ? " that is loaded" : " in " + order.library;
-    const std::string next =
-        order.library.empty()
-            ? "; load the plug-in that has this class, or give the plug-in as its library"
-            : "";
+    const std::string next = order.library.empty()
+                                 ? "; load the plug-in that has this class, or give the name of "
+                                   "that plug-in as the library of the component"
+                                 : "";
     const auto* loaded = FindNamed(known.loaded, order.library);
     const std::string old = loaded == nullptr || loaded->state == PluginState::kCurrent
                                 ? ""
@@ -128,7 +128,8 @@ Result<void> CheckCreation(const message::Classes& known, const message::Lifecyc
   if (found.size() > 1) {
     return Error{ErrorCode::kInvalid, "the libraries '" + found[0]->library + "' and '" +
                                           found[1]->library + "' both have a class '" +
-                                          order.class_name + "'; give the library that you mean"};
+                                          order.class_name +
+                                          "'; give the name of the library to use"};
   }
   return CheckConfiguration(*found.front(), order.configuration);
 }
@@ -140,7 +141,7 @@ Result<void> CheckConfiguration(const ClassDescription& of, const std::string& c
   if (!schema) return Error{schema.error().code, what + schema.error().message};
   if (schema->is_none()) {
     return Error{ErrorCode::kInvalid,
-                 what + "it takes no configuration, got " + Printable(configuration, 64)};
+                 what + "this class takes no configuration, got " + Printable(configuration, 64)};
   }
   const auto merged = ComponentRegistry::MergeConfiguration(of.defaults, configuration);
   const auto body = merged ? FromJson(*schema, *merged) : merged.error();

@@ -174,9 +174,10 @@ LifecycleOrders::Done<None> LifecycleOrders::Claim(const Path& path, Done<None> 
   if (path.second.empty()) return done;
   if (!busy_.emplace(path, false).second) {
     Answer(std::move(done),
-           Result<None>(Error{ErrorCode::kFailed, path.first + "/" + path.second +
-                                                      " is being changed by another request; try "
-                                                      "again when that is done"}));
+           Result<None>(Error{
+               ErrorCode::kFailed,
+               path.first + "/" + path.second +
+                   " is being changed by another request; try again when that request is done"}));
     return nullptr;
   }
   return [locked = locked_, path, done = std::move(done)](Result<None> result) {
@@ -244,10 +245,11 @@ void LifecycleOrders::SendAll(std::vector<LifecycleOrder> orders, SteadyTime unt
   }
   const auto patience = PatienceWithin(PatienceOf(first.patience), until - SteadyClock().Now());
   if (!patience) {
-    return Answer(std::move(done),
-                  Result<None>(Error{ErrorCode::kTimeout,
-                                     "the time limit of the request was reached before it could " +
-                                         std::string(ToString(first.verb)) + " " + PathOf(first)}));
+    return Answer(
+        std::move(done),
+        Result<None>(Error{ErrorCode::kTimeout,
+                           "the time limit of the request was reached before the GCM could " +
+                               std::string(ToString(first.verb)) + " " + PathOf(first)}));
   }
   first.patience = *patience;
   orders.erase(orders.begin());

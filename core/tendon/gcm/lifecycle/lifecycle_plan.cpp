@@ -61,9 +61,10 @@ Result<void> CheckTarget(const Catalogue& catalogue, const LifecycleOrder& order
   const ProcessDescription& process = (*entry)->process;
   if (auto present = RequirePresent(process); !present) return present;
   if (order.instance != 0 && order.instance != process.instance) {
-    return Error{ErrorCode::kFailed, "process '" + process.name +
-                                         "' was restarted meanwhile: nothing was done; check it "
-                                         "and try again"};
+    return Error{
+        ErrorCode::kFailed,
+        "process '" + process.name +
+            "' was restarted meanwhile: nothing was done; check the process and try again"};
   }
   if (order.verb == LifecycleVerb::kLoad || order.verb == LifecycleVerb::kCreate) return {};
   const auto component = LookUpComponent(catalogue, order.process, order.component);
@@ -125,7 +126,7 @@ Result<std::vector<Path>> LookUpComponents(const Catalogue& catalogue, const std
   }
   if (!all.empty()) return all;
   return Error{ErrorCode::kNotFound,
-               "no component matches '" + pattern + "'; gcm ls -R lists all names"};
+               "no component matches '" + pattern + "'; to list all names: gcm ls -R"};
 }
 
 bool LeavesAsItWas(const HistoryEntry& step) {

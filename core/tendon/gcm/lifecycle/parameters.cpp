@@ -114,7 +114,7 @@ Result<Part> Enter(const Part& part, const Step& step, const std::string& where)
       return Part{schema.element(), &(*part.value)[*step.index]};
     }
     return Error{ErrorCode::kNotFound, "'" + where + "' has " + std::to_string(part.value->size()) +
-                                           " elements, from 0 on; there is no element " +
+                                           " elements, numbered from 0; there is no element " +
                                            std::to_string(*step.index)};
   }
   if (schema.kind() != Kind::kStructure) {

@@ -36,7 +36,7 @@ Error CannotUndo(const message::HistoryEntry& step, const Error& why) {
 
 Error CannotUndoNow(const message::HistoryEntry& step, const std::string& why) {
   const std::string joint = why.ends_with("?") ? " " : "; ";
-  const std::string next = "to skip it and undo the step before it: gcm undo --skip";
+  const std::string next = "to skip this step and undo the step before it: gcm undo --skip";
   return CannotUndo(step, {ErrorCode::kFailed, why + joint + next});
 }
 
@@ -71,9 +71,8 @@ Result<void> CheckUndoOf(const Catalogue& catalogue, const message::History& his
   if (!owner) return CannotUndoNow(step, owner.error().message);
   if (const auto present = RequirePresent((*owner)->process); !present) {
     return CannotUndo(step, {ErrorCode::kFailed, present.error().message +
-                                                     "; try again when it is "
-                                                     "back, or forget it: gcm "
-                                                     "forget " +
+                                                     "; try again when the process is back; or, to "
+                                                     "remove it from the catalogue: gcm forget " +
                                                      process});
   }
   if ((*owner)->process.instance != step.instance) {

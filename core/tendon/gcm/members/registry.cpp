@@ -128,7 +128,7 @@ void Registry::Enter(const message::Join& join, const std::string& link, std::in
 Result<void> Registry::Report(SessionToken session, message::Report report) {
   const Member* member = Find(session);
   if (member == nullptr)
-    return Error{ErrorCode::kDenied, "a report of a membership that has ended"};
+    return Error{ErrorCode::kDenied, "the report belongs to a membership that has ended"};
   Result<void> result;
   for (CatalogueChange& change : report.changes) {
     if (auto taken = Sanitize(change, member->name); !taken) {

@@ -91,7 +91,7 @@ Result<void> Sanitize(ConnectionDescription& connection, const std::string& proc
   if (auto checked = CheckEnd(connection.provided, process); !checked) return checked;
   if (connection.required.process != process) {
     return Invalid("a connection of " + ToString(connection.required) +
-                   " belongs to that process, not to '" + process + "'");
+                   " must be reported by the process of that interface, not by '" + process + "'");
   }
   connection.reason = Printable(connection.reason);
   return {};

@@ -35,8 +35,8 @@ Error NothingToUndo() { return {ErrorCode::kFailed, "there is nothing to undo"};
 Error MayComeBack(const message::HistoryEntry& step) {
   return {ErrorCode::kFailed, WholeText(step) + " is not skipped, because process '" +
                                   ProcessOf(step) +
-                                  "' is lost, but may come back, and then the step can be undone; "
-                                  "if the process never comes back: gcm forget " +
+                                  "' is lost, and the step can still be undone if the process "
+                                  "comes back; if the process never comes back: gcm forget " +
                                   ProcessOf(step)};
 }
 
@@ -131,7 +131,7 @@ Result<message::HistoryEntry> ConnectionOrders::Newest(const message::StepSelect
   if (!step) return NothingToUndo();
   if (which.id == 0 || which.id == step->id) return *step;
   return Error{ErrorCode::kFailed, "step " + std::to_string(which.id) +
-                                       " is not the newest any more; the newest is " +
+                                       " is not the newest step any more; the newest step is " +
                                        WholeText(*step) + "; see: gcm history"};
 }
 
@@ -214,9 +214,10 @@ template <typename T>
 ConnectionOrders::Done<T> ConnectionOrders::Claim(const InterfaceName& required, Done<T> done) {
   if (!busy_.insert(required).second) {
     Answer(std::move(done),
-           Result<T>(Error{ErrorCode::kFailed, ToString(required) +
-                                                   " is being changed by another request; "
-                                                   "try again when that is done"}));
+           Result<T>(Error{
+               ErrorCode::kFailed,
+               ToString(required) +
+                   " is being changed by another request; try again when that request is done"}));
     return nullptr;
   }
   return [locked = locked_, required, done = std::move(done)](Result<T> result) {
@@ -361,8 +362,8 @@ void ConnectionOrders::MakeAgain(const message::HistoryEntry& step, const Done<N
       const auto* now = orders.parts_.registry.catalogue().FindConnection(wire.required);
       if (!made && (now == nullptr || now->provided != wire.provided)) {
         answers->outcome = Error{ErrorCode::kFailed,
-                                 "it was created again, but not started, because its connections "
-                                 "could not be restored: " +
+                                 "the component was created again, but not started, because its "
+                                 "connections could not be restored: " +
                                      made.error().message};
       }
       if (--answers->missing == 0) orders.Answer(done, answers->outcome);
@@ -477,12 +478,12 @@ void ConnectionOrders::ReplaceOrder::OnRestored(ConnectionOrders& orders,
                    restored->reason;
     return Fail(orders, why);
   }
-  why.message +=
-      restored.error().code == ErrorCode::kTimeout
-          ? "; it is not known yet whether " + required + " is still connected to " + provided +
-                "; see: gcm show " + required
-          : "; " + required + " is not connected to " + provided +
-                " any more, and could not be connected to it again: " + restored.error().message;
+  why.message += restored.error().code == ErrorCode::kTimeout
+                     ? "; it is not known yet whether " + required + " is still connected to " +
+                           provided + "; see: gcm show " + required
+                     : "; " + required + " is not connected to " + provided +
+                           " any more, and this connection could not be made again: " +
+                           restored.error().message;
   const auto* now = orders.parts_.registry.catalogue().FindConnection(former.required);
   if (now != nullptr) return Fail(orders, why);
   orders.Record({.verb = "disconnect", .wire = former, .who = who_}, why, done_);

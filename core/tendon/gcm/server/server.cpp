@@ -258,10 +258,10 @@ void Server::Join(const Request& request) {
   if (const std::string name = Printable(join->process.name, 64); peer != name) {
     audit_.Write(peer, LogLevel::kWarning, who + ": join as '" + name + "': refused");
     return request.responder->Refuse(
-        {ErrorCode::kDenied,
-         "'" + peer + "' cannot join as process '" + name +
-             "': with TLS, it needs a certificate with this name (gcm cert issue " + name +
-             " --role operator --process)"});
+        {ErrorCode::kDenied, "'" + peer + "' cannot join as process '" + name +
+                                 "': with TLS, the certificate of a process must have the name of "
+                                 "the process (gcm cert issue " +
+                                 name + " --role operator --process)"});
   }
   Locked([&] {
     SessionToken& session = request.peer.session;
@@ -418,7 +418,7 @@ void Server::TakePlanLock(const Request& request) {
                         : Error{ErrorCode::kFailed,
                                 "nothing was done, because a plan of " + plan_lock_.who +
                                     " has been running since " + WallTimeText(plan_lock_.since) +
-                                    "; try again when that is done"});
+                                    "; try again when that plan is done"});
   });
 }
 

@@ -74,13 +74,15 @@ fs::path LcmLauncher::FileOf(const std::string& process, const std::string& endi
 Result<std::shared_ptr<StartedProcess>> LcmLauncher::Start(const Order& order) {
   if (launch_.program.empty()) {
     return Error{ErrorCode::kFailed,
-                 "this GCM cannot start processes; start it by hand: lcm --name " + order.process};
+                 "this GCM cannot start processes; to start this process yourself: lcm --name " +
+                     order.process};
   }
   std::error_code reason;
   if (!fs::is_regular_file(launch_.program, reason)) {
-    return Error{ErrorCode::kFailed, "there is no " + launch_.program.string() +
-                                         ": a GCM starts the lcm in the folder of its own program; "
-                                         "install it there"};
+    return Error{ErrorCode::kFailed,
+                 "there is no " + launch_.program.string() +
+                     ": a GCM starts the program lcm from the folder that contains the program of "
+                     "the GCM; install lcm in that folder"};
   }
   fs::create_directories(folder_, reason);
   fs::permissions(folder_, fs::perms::owner_all, reason);

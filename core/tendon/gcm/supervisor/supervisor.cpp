@@ -131,7 +131,8 @@ Result<void> Supervisor::CheckStart(const std::string& process) const {
   const auto& program = child->second.program;
   const std::string pid = program ? " as pid " + std::to_string(program->pid()) : "";
   return Error{ErrorCode::kExists, Quoted(process) + " was already started" + pid +
-                                       ", but has not joined; end it first: gcm kill " + process};
+                                       ", but has not joined; to end the process: gcm kill " +
+                                       process};
 }
 
 Result<void> Supervisor::CheckKill(const std::string& process) const {
@@ -148,8 +149,9 @@ Result<void> Supervisor::CheckKill(const std::string& process) const {
   if (!entry) return entry.error();
   const ProcessDescription& description = (*entry)->process;
   if (!IsPresent(description)) return Refused(process, "is already gone");
-  return Refused(process, "was not started by this GCM: end it where it was started, or on host " +
-                              description.host + " by: kill " + std::to_string(description.pid));
+  return Refused(process,
+                 "was not started by this GCM: end the process where it was started, or on host " +
+                     description.host + " by: kill " + std::to_string(description.pid));
 }
 
 void Supervisor::Kill(const std::string& process, milliseconds patience, Done done) {
@@ -269,7 +271,7 @@ void Supervisor::OnExamined(const std::string& process, const ProcessLog& log) {
   const std::string place = "; its log: " + log.path;
   const bool is_faulty = !child.fault.empty();
   if (child.is_unwanted || !child.is_known) {
-    const std::string why = is_faulty ? child.fault + ", so it was ended again"
+    const std::string why = is_faulty ? child.fault + ", so the GCM has ended it"
                                       : child.end.how + " before it had joined";
     const std::string words = log.last_lines.empty() ? "" : "; its last output: " + log.last_lines;
     Answer(child.done,
@@ -289,9 +291,10 @@ void Supervisor::ScheduleRestart(const std::string& process, Child& child, const
   const SteadyTime now = parts_.clock.Now();
   const auto pause = child.schedule.PauseAfter(child.begin, now);
   if (!pause) {
-    return Drop(process, how + "; it is not restarted, because it has failed " +
-                             std::to_string(RestartSchedule::kMostFailures) +
-                             " times within a minute; when the fault is repaired: gcm apply");
+    return Drop(process,
+                how + "; it is not restarted, because it has failed " +
+                    std::to_string(RestartSchedule::kMostFailures) +
+                    " times within a minute; to start it when the fault is repaired: gcm apply");
   }
   Report(process, how + "; it is restarted in " + Milliseconds(*pause));
   if (child.is_changed || !child.system) child.system = SystemWith(process);

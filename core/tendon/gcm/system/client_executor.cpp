@@ -208,10 +208,11 @@ Result<void> ClientExecutor::StartSuspended(const PlanStep& step) {
   const auto done = started ? ExecuteLifecycleOrder(LifecycleVerb::kSuspend, step) : started;
   if (done) return done;
   const auto stopped = ExecuteLifecycleOrder(LifecycleVerb::kStop, step);
-  const std::string before = "it could not be suspended: " + done.error().message;
+  const std::string before = "the component could not be suspended: " + done.error().message;
   if (stopped) return Error{done.error().code, before + "; it was stopped instead"};
   return Error{done.error().code,
-               before + "; it may still run, because it does not stop: " + stopped.error().message};
+               before + "; the component may still run, because it could not be stopped: " +
+                   stopped.error().message};
 }
 
 }  // namespace tendon

@@ -72,7 +72,7 @@ class ComponentManagerReader {
       ReadManager(FileObject(json, "", {"components", "connections"}));
     } else {
       for (const std::string& key : OtherKeys(json, {"component-manager"})) {
-        LeaveOut(Printable(key, 64), "it is not inside \"component-manager\"");
+        LeaveOut(Printable(key, 64), "the key is not inside \"component-manager\"");
       }
       ReadManager(FileObject(*inner, "component-manager", {"components", "connections"}));
     }
@@ -123,7 +123,9 @@ class ComponentManagerReader {
     if (is_periodic) component.period = argument.Period("Period");
     for (const char* key : {"IsHardRealTime", "NewThread", "StateTableSize"}) {
       if (argument.Find(key) == nullptr) continue;
-      LeaveOut(argument.Place(key), "the class decides this, or use \"thread\" in the system file");
+      LeaveOut(
+          argument.Place(key),
+          "the class of the component sets this; to change it, use \"thread\" in the system file");
     }
     if (object.Find("configure-parameter") != nullptr) ReadParameter(object, component);
     return component;
@@ -138,7 +140,9 @@ class ComponentManagerReader {
     for (const std::string& key : OtherKeys(json, keys)) {
       const std::string near = DidYouMean(key, keys);
       LeaveOut(place + "." + Printable(key, 64),
-               "only the class can read it; write its content into \"configuration\"" + near);
+               "only the class of the component can read this key; write the value into "
+               "\"configuration\"" +
+                   near);
     }
     std::ranges::move(OtherKeys(json, keys), std::back_inserter(keys));
     return {json, place, keys};
@@ -203,7 +207,7 @@ Result<ImportedSystem> ParseComponentManagerFile(std::string_view text, const st
                                                  const std::string& process) {
   if (auto checked = CheckName("process", process); !checked) return checked.error();
   if (text.size() > SystemFile::kMaxSize) {
-    return Error{ErrorCode::kInvalid, source + ": is larger than 16 MB"};
+    return Error{ErrorCode::kInvalid, source + ": the file is larger than 16 MB"};
   }
   return file::ReadText<ImportedSystem>(WithoutComments(text), source, [&](const Json& json) {
     return ComponentManagerReader(source, process).Read(json);

@@ -123,7 +123,8 @@ std::string ConfigurationText(const Json& configuration, const std::string& plac
 
 void CheckLibrary(const std::string& library, const std::string& place) {
   const std::string shown = "library '" + Printable(library, 64) + "' ";
-  if (library.empty()) Refuse(place, "library name is empty; if there is none, leave the key out");
+  if (library.empty())
+    Refuse(place, "library name is empty; if there is no library, leave the key out");
   if (library.find('/') != library.npos || library.find('\\') != library.npos ||
       library.find("..") != library.npos) {
     Refuse(place, shown +

@@ -164,10 +164,11 @@ class Planner {
     const auto is_program =
         std::all_of(process.components.begin(), process.components.end(), IsMadeByItsProgram);
     const bool is_own = is_program && !process.components.empty();
-    plan_.obstacles.push_back("process '" + process.name + "' with " +
-                              Counted(process.components.size(), "component", "components") +
-                              " is not available; start " +
-                              (is_own ? "its program" : "it: lcm --name " + process.name));
+    plan_.obstacles.push_back(
+        "process '" + process.name + "' with " +
+        Counted(process.components.size(), "component", "components") +
+        " is not available; start " +
+        (is_own ? "the program of this process" : "this process: lcm --name " + process.name));
   }
 
   [[nodiscard]] PlanStep StepOf(Kind kind, const ComponentPath& path,
@@ -196,8 +197,8 @@ class Planner {
   void PlanRemoval(const ComponentPath& path, const SystemFile::Component& now) {
     if (IsMadeByItsProgram(now)) {
       plan_.obstacles.push_back(TextOf(path) +
-                                " is not in the file, but its own program created it, and only "
-                                "that program can remove it");
+                                " is not in the file, but the program of the process created the "
+                                "component, and only that program can remove it");
       return;
     }
     if (IsRunning(now.state)) PlanStop(Kind::kStop, path, now);
@@ -208,8 +209,9 @@ class Planner {
 
   void PlanCreation(const ComponentPath& path, const SystemFile::Component& component) {
     if (IsMadeByItsProgram(component)) {
-      plan_.obstacles.push_back(TextOf(path) +
-                                " does not exist, and only its own program can create it");
+      plan_.obstacles.push_back(
+          TextOf(path) +
+          " does not exist, and only the program of the process can create this component");
       missing_.insert(path);
       return;
     }
@@ -230,22 +232,23 @@ class Planner {
     if (!is_another && IsSameJson(component.configuration, now.configuration)) {
       const bool has_periods = component.period > 0.0 && now.period > 0.0;
       if (has_periods && component.period != now.period) {
-        plan_.obstacles.push_back(TextOf(path) + " does not have the period of the file (" +
-                                  ChangesOf(component, now) +
-                                  "), because its class sets the period; save the file again, or "
-                                  "change the period in the configuration if it has one there");
+        plan_.obstacles.push_back(
+            TextOf(path) + " does not have the period of the file (" + ChangesOf(component, now) +
+            "), because the class of the component sets the period; save the file again, or, if "
+            "the configuration contains a period, change it in the configuration");
       }
       return PlanState(path, component, now.state);
     }
     if (IsMadeByItsProgram(component) || IsMadeByItsProgram(now)) {
       const std::string changes = ChangesOf(now, component);
       plan_.obstacles.push_back(
-          TextOf(path) +
-          (changes.empty()
-               ? " runs after a component that will be removed or created again, so it must be "
-                 "created again too, and only its own program can do this; stop that program first"
-               : " cannot be changed to match the file, because its own program creates it: " +
-                     changes));
+          TextOf(path) + (changes.empty()
+                              ? " runs after a component that will be removed or created again, so "
+                                "this component must be created again too, and only the program of "
+                                "the process can do this; stop that program first"
+                              : " cannot be changed to match the file, because the program of the "
+                                "process creates the component: " +
+                                    changes));
       return;
     }
     if (is_another) {
@@ -366,9 +369,10 @@ class Planner {
       names += (names.empty() ? "" : ", ") + required.name;
     }
     if (names.empty()) return;
-    lacks_.emplace(path, "a connection for " + names +
-                             ", and the file is strict; add it to the file's connections, or leave "
-                             "out \"strict\"");
+    lacks_.emplace(
+        path,
+        "a connection for " + names +
+            ", and the file is strict; add the connection to the file, or leave out \"strict\"");
   }
 
   void AddStops() {

@@ -418,7 +418,7 @@ std::string FlawText(const NumberLiteral& word) {
     case NumberFlaw::kFraction:
       return "write a whole number";
     case NumberFlaw::kLimits:
-      return "that number is too large or too small for the type";
+      return "the number is too large or too small for the type";
     case NumberFlaw::kNoNumber:
       return "write a number in digits";
   }

@@ -167,7 +167,7 @@ Result<std::string> ToJson(const Schema& schema, std::span<const std::byte> body
   };
   Printer printer(body);
   if (!printer.Print(schema)) return malformed("expected " + printer.expected() + ", found none");
-  if (!printer.is_at_end()) return malformed("there is more data after its end");
+  if (!printer.is_at_end()) return malformed("there is more data after the end of the value");
   return printer.Take();
 }
 

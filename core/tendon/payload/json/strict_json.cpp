@@ -199,7 +199,7 @@ class StrictReader final : public nlohmann::json_sax<Json> {
 Result<Json> ReadStrictly(std::string_view text, Integers integers, FineNumbers* fine) {
   if (text.starts_with("\xef\xbb\xbf")) {
     return Error{ErrorCode::kInvalid,
-                 "begins with a byte-order mark; save it as UTF-8 without one"};
+                 "begins with a byte-order mark; save the text as UTF-8 without this mark"};
   }
   if (text.find_first_not_of(" \t\r\n") == text.npos) return Error{ErrorCode::kInvalid, "is empty"};
   StrictReader reader(text, integers, fine);

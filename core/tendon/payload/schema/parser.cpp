@@ -58,7 +58,8 @@ class Parser {
     const auto length = Number<std::uint32_t>();
     if (failed() || !Expect(']')) return {};
     if (length == 0) return Fail("an array has at least one element");
-    if (length > kMaxValue / element.schema.minimum_size()) return Fail("values of over 2 GiB");
+    if (length > kMaxValue / element.schema.minimum_size())
+      return Fail("a value of this type would exceed 2 GiB");
     return {Schema::Array(std::move(element.schema), length), height};
   }
 
@@ -73,7 +74,7 @@ class Parser {
       const std::string_view help = Help();
       const auto range = FieldRange();
       const std::string_view field = Identifier("a field's name or '}'");
-      if (!names.insert(field).second) Fail("a second field of this name");
+      if (!names.insert(field).second) Fail("two fields have this name");
       Expect(':');
       if (failed()) return {};
       Parsed parsed = ParseType(depth + 1);
@@ -81,7 +82,7 @@ class Parser {
       if (range && !parsed.schema.holds_numbers()) Fail("only a number can have a range");
       height = std::max(height, parsed.height);
       size += parsed.schema.minimum_size();
-      if (size > kMaxValue) return Fail("values of over 2 GiB");
+      if (size > kMaxValue) return Fail("a value of this type would exceed 2 GiB");
       fields.push_back({std::string(field), std::string(unit), std::move(parsed.schema),
                         std::string(help), range});
     }
@@ -99,8 +100,8 @@ class Parser {
       const std::string_view enumerator = Identifier("an enumerator's name or '}'");
       Expect('=');
       const auto value = Number<std::int32_t>();
-      if (!names.insert(enumerator).second) Fail("a second enumerator of this name");
-      if (!values.insert(value).second) Fail("a second enumerator of this value");
+      if (!names.insert(enumerator).second) Fail("two enumerators have this name");
+      if (!values.insert(value).second) Fail("two enumerators have this value");
       enumerators.push_back({std::string(enumerator), value});
     }
     if (enumerators.empty()) Fail("an enum has at least one enumerator");

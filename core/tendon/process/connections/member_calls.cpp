@@ -41,7 +41,7 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>,
     if (!line_) return execute();
     if (line_->Post(execute, call->argument.size())) return;
     responder->Refuse({ErrorCode::kFailed, "too many calls of '" + description_.name + "' of " +
-                                               interface_ + " are waiting: call it again later"});
+                                               interface_ + " are waiting: try again later"});
   }
 
   /// Network thread: answers the calls that have ended.

@@ -115,7 +115,7 @@ void PeerLinks::CloseOutdated() {
     if (instance || !link->channel()->is_open()) continue;
     if (!IsSilent(*link)) continue;  // the process answers; only the GCM has lost it
     link->channel()->CutOff("has not answered for " + std::to_string(Rounded(link->silence())) +
-                            " ms, and its GCM has lost it");
+                            " ms, and the GCM has lost this process");
   }
 }
 

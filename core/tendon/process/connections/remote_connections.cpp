@@ -37,7 +37,7 @@ Result<ConnectionId> RemoteConnections::Enter(const message::Wire& wire, const D
                      (stands ? std::string(" is already connected")
                              : " waits to be connected to " +
                                    ToString(known->second.description.provided) + " already") +
-                     "; disconnect it first"};
+                     "; end that connection first"};
   }
   const ConnectionId id = context_.process.NewConnectionId();
   Entry& entry = entries_[id];
@@ -97,7 +97,7 @@ void RemoteConnections::Try(ConnectionId id) {
   if (!is_there) {  // UpdatePeers() tries again
     if (is_first) {
       Postpone(id, "process '" + process +
-                       "' is not available; the connection is made when it joins" +
+                       "' is not available; the connection is made when this process joins" +
                        DidYouMean(process, peers_.names()));
     }
     return;

@@ -113,7 +113,7 @@ Result<void> ServedConnections::CheckListeners(const Client& client, Use use) co
   return Error{ErrorCode::kFailed,
                "process '" + context_.name + "' has " + std::to_string(is_own ? own : all) +
                    " listeners to its events" + (is_own ? " from this client" : "") +
-                   " already, which is the limit: end some of them"};
+                   " already, which is the limit: end some of these listeners"};
 }
 
 Result<ProvidedInterface*> ServedConnections::LookUp(const InterfaceName& provided) const {

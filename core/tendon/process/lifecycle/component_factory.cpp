@@ -113,7 +113,7 @@ Result<std::string> ComponentFactory::LibraryOf(const std::string& class_name) c
   }
   return Error{ErrorCode::kInvalid, "the libraries '" + libraries[0] + "' and '" + libraries[1] +
                                         "' both have a class '" + class_name +
-                                        "'; give the library that you mean"};
+                                        "'; give the name of the library to use"};
 }
 
 Error ComponentFactory::NoLoader() const {

@@ -10,8 +10,8 @@ Result<void> CheckBase(const message::LifecycleOrder& order, const std::string& 
   if (is_for_any || order.based_on == BaseOf(now)) return {};
   const std::string path = order.process + "/" + order.component;
   return Error{ErrorCode::kFailed, "the configuration of " + path + " was changed meanwhile" + by +
-                                       ": nothing was done; check it with gcm show " + path +
-                                       ", and try again"};
+                                       ": nothing was done; to see the configuration: gcm show " +
+                                       path + "; then try again"};
 }
 
 }  // namespace tendon

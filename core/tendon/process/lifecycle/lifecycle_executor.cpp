@@ -154,7 +154,7 @@ LifecycleExecutor::Outcome LifecycleExecutor::Execute(const TimedOrder& given) {
       return Remove(given);
     default:
       return Error{ErrorCode::kInvalid,
-                   "this LCM does not know this order, because it is older than its GCM"};
+                   "this LCM does not know this order, because this LCM is older than its GCM"};
   }
 }
 
@@ -366,10 +366,10 @@ Result<ComponentDescription> LifecycleExecutor::FindOfClass(const std::string& c
                                          "' runs after it; remove that component first"};
   }
   if (!found->class_name.empty()) return found;
-  return Error{ErrorCode::kFailed, "component '" + component + "' cannot be " + what +
-                                       " remotely, because the program of process '" +
-                                       parts_.process +
-                                       "' created it itself; it can only be started and stopped"};
+  return Error{ErrorCode::kFailed,
+               "component '" + component + "' cannot be " + what +
+                   " remotely, because the program of process '" + parts_.process +
+                   "' created the component itself; it can only be started and stopped"};
 }
 
 Result<ComponentDescription> LifecycleExecutor::Find(const std::string& component) const {

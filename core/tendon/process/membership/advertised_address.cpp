@@ -117,9 +117,10 @@ std::string GcmWords(const std::string& address) {
 
 Error NoGcm(const std::string& address, const std::string& reason) {
   if (os::IsNoRouteError(reason)) {
-    return {ErrorCode::kUnreachable, "no route to the GCM at " + address + ": " + reason +
-                                         "; add a route on that host, or give an address of "
-                                         "the GCM that it can reach"};
+    return {
+        ErrorCode::kUnreachable,
+        "no route to the GCM at " + address + ": " + reason +
+            "; add a route on that host, or give an address of the GCM that this host can reach"};
   }
   return {ErrorCode::kUnreachable, "no GCM at " + address + " (" + Briefly(reason) +
                                        "); start one with: gcm serve" + GcmWords(address)};

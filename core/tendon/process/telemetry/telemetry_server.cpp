@@ -122,12 +122,12 @@ Result<void> TelemetryServer::HasRoomFor(const Source& source, const message::Su
   std::size_t count = 0;
   for (const TableFeed& feed : feeds_) count += feed.SubscriptionsOf(viewer);
   if (count >= kMostSubscriptions) {
-    return Error{ErrorCode::kFailed,
-                 "process '" + context_.name + "' allows a viewer at most " +
-                     std::to_string(kMostSubscriptions) + " subscriptions, and " +
-                     viewer.peer().name +
-                     " already has this number: end some of them, or request several " +
-                     "columns of a table in one subscription"};
+    return Error{
+        ErrorCode::kFailed,
+        "process '" + context_.name + "' allows a viewer at most " +
+            std::to_string(kMostSubscriptions) + " subscriptions, and " + viewer.peer().name +
+            " already has this number: end some of these subscriptions, or request several " +
+            "columns of a table in one subscription"};
   }
   const auto feed =
       std::ranges::find_if(feeds_, [&](const TableFeed& one) { return one.IsOf(*source.table); });
@@ -135,12 +135,12 @@ Result<void> TelemetryServer::HasRoomFor(const Source& source, const message::Su
   const std::size_t cells = feed->CellsFor(viewer, source.columns, wanted.rows);
   const std::size_t most = kMostReadings * std::max<std::size_t>(1, source.table->columns().size());
   if (cells <= most) return {};
-  return Error{ErrorCode::kFailed, "the subscriptions of " + viewer.peer().name + " to " +
-                                       context_.name + "/" + wanted.component + "/" + wanted.table +
-                                       " would read " + std::to_string(cells) +
-                                       " values of each row, but at most " + std::to_string(most) +
-                                       " are allowed for one viewer: end some of them, or use the "
-                                       "same columns and the same period for several"};
+  return Error{ErrorCode::kFailed,
+               "the subscriptions of " + viewer.peer().name + " to " + context_.name + "/" +
+                   wanted.component + "/" + wanted.table + " would read " + std::to_string(cells) +
+                   " values of each row, but at most " + std::to_string(most) +
+                   " are allowed for one viewer: end some of these subscriptions, or use the same "
+                   "columns and the same period for several"};
 }
 
 /// Checks that a topic can carry these rows. Called with the mutex held.

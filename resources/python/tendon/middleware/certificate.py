@@ -47,9 +47,9 @@ def chosen_credentials(certificate: str | os.PathLike[str] | None,
     folder = authority or os.environ.get("TENDON_CA") or _usual_authority()
     chosen = Credentials(Path(file).absolute(), Path(folder).absolute())
     _require(chosen.certificate, "make one with: gcm cert issue")
-    _require(chosen.key, "it belongs beside its certificate")
-    _require(chosen.authority / "ca.crt", "name the folder of the CA")
-    _require(chosen.authority / "crl.pem", "copy it from the CA")
+    _require(chosen.key, "the key must be in the same folder as the certificate")
+    _require(chosen.authority / "ca.crt", "give the folder of the CA")
+    _require(chosen.authority / "crl.pem", "copy this file from the CA")
     if stat.S_IMODE(chosen.key.stat().st_mode) & 0o077:
         raise Denied(f"{chosen.key} can be read by others: chmod 600 {chosen.key}")
     return chosen
@@ -74,8 +74,8 @@ def holder_of(text: str) -> Shown:
             found.setdefault(kind, []).append(value.decode())
         (name,), (role,) = found[_COMMON_NAME], found[_UNIT]
     except (ValueError, KeyError, IndexError, StopIteration):
-        raise Invalid("its certificate is not one of Tendon: it has not exactly one name and "
-                      "one role") from None
+        raise Invalid("its certificate is not a certificate of Tendon: such a certificate has one "
+                      "name and one role") from None
     return Shown(name, role)
 
 

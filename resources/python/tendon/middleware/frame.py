@@ -73,5 +73,5 @@ def read_replies(body: bytes) -> list[tuple[int, bytes]]:
         replies.append((request, bytes(rest[_REPLY.size:_REPLY.size + size])))
         rest = rest[_REPLY.size + size:]
     if rest or not replies or len(body) > MAX_REPLIES_SIZE:
-        raise Invalid("no batch of answers")
+        raise Invalid("the body is not a batch of answers")
     return replies

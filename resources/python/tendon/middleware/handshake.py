@@ -55,15 +55,15 @@ def loopback_cookie() -> int:
         status = os.fstat(descriptor)
         if (status.st_uid != os.geteuid() or status.st_mode & 0o077
                 or not stat.S_ISREG(status.st_mode)):
-            raise Denied(f"{file} must belong to you, and only you may read it (mode 0600): remove "
-                         "it, then start again")
+            raise Denied(f"{file} must belong to your user, and only your user may read it "
+                         "(mode 0600): remove this file, then start the program again")
         text = opened.read(MAX_COOKIE)
     try:
         cookie = int(text, 16)
     except ValueError:
         cookie = 0
     if not 0 < cookie < 1 << 64:
-        raise Invalid(f"{file} is damaged: remove it, then start again")
+        raise Invalid(f"{file} is damaged: remove this file, then start the program again")
     return cookie
 
 
@@ -127,12 +127,13 @@ class Opener:
         itself checks that it is the certificate of a process."""
         if shown.name != name:
             raise Denied(f"{self._address} calls itself '{name}', but shows the certificate of "
-                         f"'{shown.name}': do not trust it")
+                         f"'{shown.name}': do not trust that program")
         if shown.role != "operator":
             raise Denied(f"{self._address} has the certificate of a viewer, but only operators may "
                          f"give orders: issue '{name}' a certificate with --role operator")
         if self._wanted not in ("", name):
-            raise Unreachable(f"at {self._address} is '{name}', not '{self._wanted}'")
+            raise Unreachable(f"the process at {self._address} is '{name}', but "
+                              f"'{self._wanted}' was expected")
 
     def _proof(self, role: int, acceptor: dict[str, Any]) -> bytes:
         if self._cookie == 0:
@@ -143,8 +144,8 @@ class Opener:
 
     def _versions_differ(self, its: int) -> Error:
         behind = "this program" if its > PROTOCOL_VERSION else self._address
-        return Incompatible(f"{self._address} speaks protocol {its}, this program "
-                            f"{PROTOCOL_VERSION}: update {behind}")
+        return Incompatible(f"{self._address} speaks protocol version {its}, but this program "
+                            f"speaks version {PROTOCOL_VERSION}: update {behind}")
 
 
 # The content of a proof. Each part is preceded by its size, so that no bytes can move from one part to the next.

@@ -12,8 +12,8 @@ try:
     import Ice
 except ModuleNotFoundError as missing:
     raise ModuleNotFoundError(
-        "this Python has no Ice, over which tendon talks: run one that has python3-zeroc-ice, as "
-        "/usr/bin/python3 has once tools/setup has run", name="Ice") from missing
+        "this Python has no module Ice, which tendon needs: use a Python with python3-zeroc-ice, "
+        "such as /usr/bin/python3 after tools/setup", name="Ice") from missing
 
 from ..errors import Denied, Error, Failed, Invalid, TimedOut, Unreachable
 from .address import Address, parse_address
@@ -88,7 +88,7 @@ class Network:
         deadline = time.monotonic() + timeout
         with self._lock:
             if self._is_closed:
-                raise Failed("this system is closed; connect() anew")
+                raise Failed("this system is closed; call connect() again")
             self._last_number += 1
             number = self._last_number
         opening = None
@@ -262,7 +262,7 @@ def _peer_of(connection: Any) -> str:
 def _why_not_opened(why: Any, address: Address, timeout: float,
                     credentials: Credentials | None) -> Error:
     if credentials is not None and isinstance(why, Ice.SecurityException):
-        return Denied(f"{address} is not trusted: {why.reason.strip()}; the CA is that of "
+        return Denied(f"{address} is not trusted: {why.reason.strip()}; the CA is in "
                       f"{credentials.authority}")
     if credentials is not None and isinstance(why, (Ice.ConnectionLostException,
                                                     Ice.ProtocolException)):

@@ -127,7 +127,8 @@ class Link:
                 frame = incoming.get(timeout=max(0.0, deadline - time.monotonic()))
             except queue.Empty:
                 raise TimedOut(f"{self._link.peer_address} accepted the connection but did not "
-                               "answer in time: check that it is a program of Tendon") from None
+                               "answer in time: check that a program of Tendon listens "
+                               "at this address") from None
             if frame is None:
                 raise self._reason or Unreachable(f"{self._link.peer_address} is not connected")
             answer = opener.take(*frame)

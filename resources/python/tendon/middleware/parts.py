@@ -106,4 +106,5 @@ class PartSender:
             if self._reason is not None:
                 raise self._reason
             if not has_room:
-                raise TimedOut("the peer does not keep up: it takes no more of a large message")
+                raise TimedOut("the peer reads too slowly: it does not accept more of a "
+                               "large message")

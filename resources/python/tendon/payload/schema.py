@@ -66,8 +66,8 @@ class Schema:
             raise Invalid(
                 f"these {len(body)} bytes are not a valid {self.type_name}: {error}") from None
         if not reader.at_end:
-            raise Invalid(f"these {len(body)} bytes are not a valid {self.type_name}: there is more "
-                          "data after its end")
+            raise Invalid(f"these {len(body)} bytes are not a valid {self.type_name}: there is "
+                          "more data after the end of the value")
         return value
 
     def write(self, writer: Writer, value: Any, unit: str) -> None:

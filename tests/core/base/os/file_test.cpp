@@ -147,8 +147,10 @@ TEST_F(FileTest, RefusesAFileThatKeepsChanging) {
   });
 
   ASSERT_FALSE(read);
-  EXPECT_EQ(read.error().message,
-            file_.string() + ": changes while it is read; try again when it is completely written");
+  EXPECT_EQ(
+      read.error().message,
+      file_.string() +
+          ": the file changes while it is read; try again when the file is completely written");
 }
 
 }  // namespace

@@ -67,10 +67,11 @@ TEST(ClassCheck, ReportsAChangedPlugInFileForAMissingClass) {
       known, {.process = "robot", .component = "one", .class_name = "Gripper", .library = "arms"});
 
   ASSERT_FALSE(checked);
-  EXPECT_THAT(checked.error().message,
-              testing::MatchesRegex("process 'robot' has no class 'Gripper' in arms; process "
-                                    "'robot' runs /opt/arms.so of .*; the file was written again "
-                                    "at .*: restart the process to use it"));
+  EXPECT_THAT(
+      checked.error().message,
+      testing::MatchesRegex(
+          "process 'robot' has no class 'Gripper' in arms; process 'robot' runs /opt/arms.so of "
+          ".*; the file was written again at .*: restart the process to use the new file"));
 }
 
 TEST(ClassCheck, APlanNotesOutdatedPlugIns) {

@@ -81,7 +81,7 @@ TEST_F(LifecyclePlan, AGlobMatchesComponentsOfPresentProcesses) {
   EXPECT_EQ(Found("robot"),
             "'robot' does not name a component: expected process/component, or a pattern such as "
             "process/*");
-  EXPECT_EQ(Found("robot/x*"), "no component matches 'robot/x*'; gcm ls -R lists all names");
+  EXPECT_EQ(Found("robot/x*"), "no component matches 'robot/x*'; to list all names: gcm ls -R");
 
   ProcessDescription robot = test::ProcessNamed("robot", 2);
   robot.state = ProcessState::kLost;

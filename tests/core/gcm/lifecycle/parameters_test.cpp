@@ -98,7 +98,7 @@ TEST(Parameters, AnErrorNamesThePlaceAndTheExpectation) {
   EXPECT_EQ(Told("", "gain.velocity.x", "1"),
             "no parameter 'velocity' in 'gain'; there is p, limits");
   EXPECT_EQ(Told("", "joints[1].name", "x"),
-            "'joints' has 1 elements, from 0 on; there is no element 1");
+            "'joints' has 1 elements, numbered from 0; there is no element 1");
   EXPECT_EQ(Told("", "gain[0]", "1"), "'gain' is servo.Gain and has no elements");
   EXPECT_NE(Told("", "mode", "onn").find("mode: "), std::string::npos) << Told("", "mode", "onn");
   EXPECT_EQ(Told("", "gain.p", "true"),

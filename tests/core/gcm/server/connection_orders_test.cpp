@@ -89,8 +89,8 @@ TEST_P(ConnectionOrders, AProcessDyingBeforeItsReplyIsAnError) {
   EXPECT_EQ(made.error().code, ErrorCode::kUnreachable) << made.error().message;
   ASSERT_FALSE(second);
   EXPECT_EQ(second.error().message,
-            "desk/teleoperation/Robot is being changed by another request; try again when that is "
-            "done");
+            "desk/teleoperation/Robot is being changed by another request; try again when that "
+            "request is done");
   EXPECT_TRUE(Steps(*client_).empty());
 }
 

@@ -101,15 +101,14 @@ TEST_P(Replacing, AnAbsentProviderReplacesNoActiveConnection) {
       Replace(*client_, {"robbot", "arm", "Control"}).error(),
       (Error{
           ErrorCode::kNotFound,
-          "desk/teleoperation/Robot stays connected to robot/arm/Control, because "
-          "its replacement must be available first: no process 'robbot'; did you mean 'robot'?"}));
+          "desk/teleoperation/Robot stays connected to robot/arm/Control, because the new provided "
+          "interface must be available first: no process 'robbot'; did you mean 'robot'?"}));
   ASSERT_TRUE(spare->Leave());
   EXPECT_EQ(Replace(*client_, kSpare).error(),
             (Error{ErrorCode::kFailed,
-                   "desk/teleoperation/Robot stays connected to robot/arm/Control, because "
-                   "its replacement must be available first: process 'spare' has left "
-                   "(deregistered); start it "
-                   "again first"}));
+                   "desk/teleoperation/Robot stays connected to robot/arm/Control, because the new "
+                   "provided interface must be available first: process 'spare' has left "
+                   "(deregistered); start it again first"}));
 
   EXPECT_EQ(Connection(), before);
   EXPECT_EQ(desk_->orders().size(), 1U);
@@ -136,11 +135,11 @@ TEST_P(Replacing, AnUndoNeedingALostProcessKeepsTheConnection) {
   const auto undone = Undo(*client_);
 
   ASSERT_FALSE(undone);
-  EXPECT_THAT(undone.error().message,
-              testing::HasSubstr(
-                  "): desk/teleoperation/Robot stays connected to "
-                  "robot/arm/Control, because its replacement must be available first: process "
-                  "'spare' has left (deregistered); start it again first; "));
+  EXPECT_THAT(
+      undone.error().message,
+      testing::HasSubstr("): desk/teleoperation/Robot stays connected to robot/arm/Control, "
+                         "because the new provided interface must be available first: process "
+                         "'spare' has left (deregistered); start it again first; "));
   EXPECT_TRUE(IsConnectedTo(kControl));
   EXPECT_FALSE(Steps(*client_).back().undone);
 }
@@ -203,7 +202,7 @@ TEST_P(Replacing, AFailedRestoreIsRecordedAsADisconnect) {
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().message,
             "teleoperation is busy; desk/teleoperation/Robot is not connected to robot/arm/Control "
-            "any more, and could not be connected to it again: teleoperation is busy");
+            "any more, and this connection could not be made again: teleoperation is busy");
   EXPECT_FALSE(Connection());
   const auto steps = Steps(*client_);
   ASSERT_EQ(steps.size(), 2U);

@@ -32,7 +32,8 @@ class UndoOrders : public test::DeskAndRobot {
     return undone ? "undone" : undone.error().message;
   }
 
-  static constexpr const char* kNext = "to skip it and undo the step before it: gcm undo --skip";
+  static constexpr const char* kNext =
+      "to skip this step and undo the step before it: gcm undo --skip";
 };
 
 INSTANTIATE_TEST_SUITE_P(Over, UndoOrders, testing::Values("loopback", "tcp"),
@@ -105,7 +106,8 @@ TEST_P(UndoOrders, UndoesNothingInARestartedProcess) {
   ASSERT_TRUE(EventuallyTrue([&] { return StateOf("desk") == ProcessState::kLost; }));
   EXPECT_THAT(WhyNot(), HasSubstr("): process 'desk' is lost"));
   EXPECT_THAT(PassOver().error().message,
-              HasSubstr("is not skipped, because process 'desk' is lost, but may come back"));
+              HasSubstr("is not skipped, because process 'desk' is lost, and the step can still be "
+                        "undone if the process comes back"));
 
   desk_ = Join("desk", {test::Teleoperation()});
 

@@ -153,7 +153,8 @@ TEST_F(LcmLauncherTest, ReportsAMissingProgramOrAddress) {
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().message,
             "there is no " + (home_.path() / "lcm").string() +
-                ": a GCM starts the lcm in the folder of its own program; install it there");
+                ": a GCM starts the program lcm from the folder that contains the program of the "
+                "GCM; install lcm in that folder");
 
   home_.Write("lcm", "no program");
   const auto refused = launcher.Start({.process = "robot"});
@@ -162,7 +163,7 @@ TEST_F(LcmLauncherTest, ReportsAMissingProgramOrAddress) {
 
   LcmLauncher without({}, "127.0.0.1:1", home_.path());
   EXPECT_EQ(without.Start({.process = "robot"}).error().message,
-            "this GCM cannot start processes; start it by hand: lcm --name robot");
+            "this GCM cannot start processes; to start this process yourself: lcm --name robot");
 }
 
 }  // namespace

@@ -65,7 +65,8 @@ TEST_F(SupervisorTest, ReportsProcessesThatCannotBeStarted) {
   const auto taken = Order(ProcessVerb::kStart);
   EXPECT_THAT(TextOf(taken), testing::StartsWith("process 'robot' is already running: host "));
   const auto alien = Order(ProcessVerb::kKill);
-  EXPECT_THAT(TextOf(alien), HasSubstr("was not started by this GCM: end it where it was started"));
+  EXPECT_THAT(TextOf(alien),
+              HasSubstr("was not started by this GCM: end the process where it was started"));
 }
 
 TEST_F(SupervisorTest, EndsAProcessThatNeverJoins) {
@@ -85,10 +86,9 @@ TEST_F(SupervisorTest, EndsAProcessThatNeverJoins) {
   Locked([this] { launcher_->process()->end = kKilled; });
 
   ASSERT_TRUE(IsAnswered(answer));
-  EXPECT_EQ(
-      answer->text,
-      "process 'robot' has not joined within 5000 ms, so it was ended again; its last output: "
-      "alas; its log: robot.log");
+  EXPECT_EQ(answer->text,
+            "process 'robot' has not joined within 5000 ms, so the GCM has ended it; its last "
+            "output: alas; its log: robot.log");
 }
 
 TEST_F(SupervisorTest, RestartsAFailedProcessWithItsComponents) {
@@ -154,8 +154,7 @@ TEST_F(SupervisorTest, GivesUpAfterRepeatedFailures) {
   ASSERT_TRUE(Comes([this] { return ReasonNow().find("not restarted") != std::string::npos; }));
   EXPECT_EQ(Reason(),
             "was ended by SIGKILL; its log: robot.log; it is not restarted, because it has failed "
-            "5 times "
-            "within a minute; when the fault is repaired: gcm apply");
+            "5 times within a minute; to start it when the fault is repaired: gcm apply");
   clock_.Advance(1h);
   Tick();
   EXPECT_EQ(launcher_->starts(), 5U);

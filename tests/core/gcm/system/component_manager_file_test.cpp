@@ -141,8 +141,8 @@ TEST(ComponentManagerFile, ReportsClassSpecificKeysAsLeftOut) {
   EXPECT_EQ(imported->file.FindComponent("robot", "streamerMTML")->period, 0.01);
   ASSERT_EQ(imported->left_out.size(), 4U);
   EXPECT_EQ(imported->left_out[0],
-            "components[0].constructor-arg.Arg is left out: only the class can read it; write its "
-            "content into \"configuration\"");
+            "components[0].constructor-arg.Arg is left out: only the class of the component can "
+            "read this key; write the value into \"configuration\"");
   EXPECT_THAT(imported->left_out[1], HasSubstr("did you mean 'Name'?"));
 }
 

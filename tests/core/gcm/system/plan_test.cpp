@@ -225,11 +225,10 @@ TEST(Plan, AProgramsOwnFollowerBlocksRecreation) {
   SystemFile wanted = SystemOf(builder.catalogue(), "x").file;
   wanted.processes[0].components[0].configuration = R"({"noise":1})";
 
-  EXPECT_THAT(
-      MakePlan(builder.catalogue(), wanted).obstacles,
-      ElementsAre(
-          "robot/own runs after a component that will be removed or created again, so it must be "
-          "created again too, and only its own program can do this; stop that program first"));
+  EXPECT_THAT(MakePlan(builder.catalogue(), wanted).obstacles,
+              ElementsAre("robot/own runs after a component that will be removed or created again, "
+                          "so this component must be created again too, and only the program of "
+                          "the process can do this; stop that program first"));
 }
 
 TEST(Plan, StopsFirstAndClientsBeforeServers) {
@@ -372,8 +371,8 @@ TEST(Plan, ListsTheProcessesToStart) {
   EXPECT_THAT(plan.steps, IsEmpty());
   EXPECT_THAT(plan.obstacles,
               ElementsAre("process 'desk' with 1 component is not available; start its program",
-                          "process 'robot' with 2 components is not available; start it: lcm "
-                          "--name robot"));
+                          "process 'robot' with 2 components is not available; start this process: "
+                          "lcm --name robot"));
 }
 
 TEST(Plan, WaitsForAStartingProcess) {
@@ -406,12 +405,14 @@ TEST(Plan, ReportsDifferencesWithoutAPossibleStep) {
   const Plan plan = MakePlan(builder.catalogue(), wanted);
 
   ASSERT_EQ(plan.obstacles.size(), 4U) << testing::PrintToString(plan.obstacles);
-  EXPECT_THAT(plan.obstacles[0],
-              HasSubstr("robot/own is not in the file, but its own program created it"));
+  EXPECT_THAT(
+      plan.obstacles[0],
+      HasSubstr(
+          "robot/own is not in the file, but the program of the process created the component"));
   EXPECT_THAT(plan.obstacles[1], HasSubstr("robot/arm does not have the period of the file "
                                            "(period 0.002 s -> 0.001 s)"));
-  EXPECT_THAT(plan.obstacles[2],
-              HasSubstr("robot/absent does not exist, and only its own program can create it"));
+  EXPECT_THAT(plan.obstacles[2], HasSubstr("robot/absent does not exist, and only the program of "
+                                           "the process can create this component"));
   EXPECT_THAT(plan.obstacles[3], HasSubstr("missing write command 'MoveTo'"));
   EXPECT_EQ(plan.refusal, ErrorCode::kFailed);  // it is not the ends alone
 }
@@ -438,9 +439,8 @@ TEST_F(StrictPlan, RefusesToStartUnconnectedComponents) {
   EXPECT_THAT(plan.steps, IsEmpty());
   EXPECT_THAT(
       plan.obstacles,
-      ElementsAre("desk/teleoperation is not started, because it lacks a connection for Robot, "
-                  "and the file is strict; add it to the file's connections, or leave out "
-                  "\"strict\""));
+      ElementsAre("desk/teleoperation is not started, because it lacks a connection for Robot, and "
+                  "the file is strict; add the connection to the file, or leave out \"strict\""));
 }
 
 TEST_F(StrictPlan, StartsThemIfTheFileIsNotStrict) {

@@ -125,27 +125,27 @@ TEST_F(PluginTest, ReportsAPlugInForAnotherMachine) {
 
 TEST_F(PluginTest, NamesAMissingDependency) {
   EXPECT_EQ(Refusal("missing_dependency"),
-            "a library that it needs is missing: libtest_plugin_gone.so; install it, or add "
-            "its folder to LD_LIBRARY_PATH");
+            "a library that this library needs is missing: libtest_plugin_gone.so; install the "
+            "missing library, or add its folder to LD_LIBRARY_PATH");
 }
 
 TEST_F(PluginTest, NamesAMissingSymbol) {
   EXPECT_EQ(Refusal("missing_symbol"),
-            "a library that it needs has no symbol lamp::SwitchOn(int); link the library that has "
-            "the symbol, and build the plug-in again with this version of Tendon");
+            "a library that this library needs has no symbol lamp::SwitchOn(int); link the library "
+            "that has the symbol, and build the plug-in again with this version of Tendon");
 }
 
 TEST_F(PluginTest, RefusesALibraryWithoutEntryPoint) {
   EXPECT_EQ(Refusal("no_entry"),
-            "expected the function TendonRegisterComponents, found none; it is not a plug-in "
+            "expected the function TendonRegisterComponents, found none; the file is not a plug-in "
             "with components");
 }
 
 TEST_F(PluginTest, NamesBothBinaryInterfacesIfTheyDiffer) {
   const std::string ours = DescribePluginAbi(TendonPluginAbi());
   EXPECT_EQ(Refusal("other_abi"), "expected " + ours +
-                                      ", found tendon 7.2, C++ ABI 1011 with old strings; build it "
-                                      "again against this version");
+                                      ", found tendon 7.2, C++ ABI 1011 with old strings; build "
+                                      "the plug-in again against this version of Tendon");
   EXPECT_THAT(Refusal("no_abi"), HasSubstr("expected the function TendonPluginAbi, found none"));
 }
 
@@ -176,7 +176,7 @@ TEST_F(PluginTest, ReportsAPlugInThatNeverFinishesLoading) {
 
   ASSERT_FALSE(loaded);
   EXPECT_THAT(loaded.error().message,
-              HasSubstr("can be loaded, but it has not finished after 200 ms"));
+              HasSubstr("can be loaded, but loading it has not finished after 200 ms"));
 }
 
 TEST_F(PluginTest, QuotesAnExceptionOfTheRegistration) {

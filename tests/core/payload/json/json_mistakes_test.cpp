@@ -25,7 +25,8 @@ TEST(FromJson, ReportsThePositionOfInvalidJson) {
   EXPECT_EQ(error("{} // done").substr(0, 41), "this is not valid JSON: line 1, column 4:");
   EXPECT_EQ(error("{'x': 1}").substr(0, 41), "this is not valid JSON: line 1, column 2:");
   EXPECT_EQ(error("\xef\xbb\xbf{}"),
-            "this is not valid JSON: begins with a byte-order mark; save it as UTF-8 without one");
+            "this is not valid JSON: begins with a byte-order mark; save the text as UTF-8 without "
+            "this mark");
 }
 
 TEST(FromJson, AcceptsEmptyTextOnlyForNone) {

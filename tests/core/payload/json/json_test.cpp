@@ -209,7 +209,7 @@ TEST(ToJson, ExplainsAnInvalidBody) {
   EXPECT_EQ(error(SchemaOf<bool>(), {std::byte{2}}),
             "these 1 bytes are not a valid bool: expected bool, found none");
   EXPECT_EQ(error(SchemaOf<double>(), std::vector<std::byte>(9)),
-            "these 9 bytes are not a valid float64: there is more data after its end");
+            "these 9 bytes are not a valid float64: there is more data after the end of the value");
 }
 
 TEST(ToJson, AcceptsEveryBodyThatDecodeAccepts) {

@@ -99,7 +99,7 @@ TEST(NumberLiteral, ARefusalSuggestsACorrection) {
                          {"12 %", "write the number alone, without '%'"},
                          {"fast", "write a number in digits"},
                          {"1,2,3", "write a number in digits"},
-                         {"1e999", "that number is too large or too small for the type"}}) {
+                         {"1e999", "the number is too large or too small for the type"}}) {
     EXPECT_EQ(FlawText(Real(typed)), text) << typed;
   }
   EXPECT_EQ(FlawText(Integer("1.5")), "write a whole number");

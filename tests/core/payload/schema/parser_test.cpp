@@ -45,13 +45,13 @@ TEST(SchemaParse, ErrorsNamePositionAndExpectation) {
   EXPECT_EQ(SchemaErrorOf("struct a.B {\n  x: bool\n"),
             "schema line 3 column 1: expected a field's name or '}'");
   EXPECT_EQ(SchemaErrorOf("struct a.B {\n  x: bool\n  x: bool\n}"),
-            "schema line 3 column 4: a second field of this name");
+            "schema line 3 column 4: two fields have this name");
   EXPECT_EQ(SchemaErrorOf("struct a.B {\n  x: bool in \x01\n}"),
             "schema line 2 column 10: expected a unit");
   EXPECT_EQ(SchemaErrorOf("enum a.B {\n}"),
             "schema line 2 column 2: an enum has at least one enumerator");
   EXPECT_EQ(SchemaErrorOf("enum a.B {\n  x = 1\n  y = 1\n}"),
-            "schema line 3 column 8: a second enumerator of this value");
+            "schema line 3 column 8: two enumerators have this value");
   EXPECT_EQ(SchemaErrorOf("enum a.B {\n  x = 2147483648\n}"),
             "schema line 2 column 7: expected a number of 32 bits");
   EXPECT_EQ(SchemaErrorOf("float64[0]"),
@@ -69,11 +69,12 @@ TEST(SchemaParse, RefusesATextTruncatedAtAnyByte) {
 }
 
 TEST(SchemaParse, RefusesValuesOfGigabytes) {
-  EXPECT_EQ(SchemaErrorOf("float64[4294967295]"), "schema line 1 column 20: values of over 2 GiB");
+  EXPECT_EQ(SchemaErrorOf("float64[4294967295]"),
+            "schema line 1 column 20: a value of this type would exceed 2 GiB");
   EXPECT_EQ(SchemaErrorOf("bool[65536][65536][65536][65536]"),
-            "schema line 1 column 19: values of over 2 GiB");
+            "schema line 1 column 19: a value of this type would exceed 2 GiB");
   EXPECT_EQ(SchemaErrorOf("struct a.B {\n x: bool[2147483648]\n y: bool\n}"),
-            "schema line 3 column 9: values of over 2 GiB");
+            "schema line 3 column 9: a value of this type would exceed 2 GiB");
 }
 
 TEST(SchemaParse, IsBoundedInDepth) {

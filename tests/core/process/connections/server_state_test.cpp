@@ -116,7 +116,7 @@ class ServerState : public NetworkTest {
   }
   static std::string IsFaulted(const std::string& name, const tendon::Component& component) {
     return "component '" + name + "' is faulted: " + component.fault() +
-           "; it is connected again when that component is started";
+           "; the connection is made again when that component is started";
   }
   bool IsNotActive() { return user->change() == Status(Status::kNotActive); }
 

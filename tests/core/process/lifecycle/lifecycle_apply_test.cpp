@@ -159,7 +159,7 @@ TEST_P(LifecycleApply, StopsAComponentThatCannotBeSuspended) {
   const auto made = executor.Execute(plan.steps[0]);
 
   ASSERT_FALSE(made);
-  EXPECT_THAT(made.error().message, testing::StartsWith("it could not be suspended: "));
+  EXPECT_THAT(made.error().message, testing::StartsWith("the component could not be suspended: "));
   EXPECT_THAT(made.error().message, testing::EndsWith("; it was stopped instead"));
   EXPECT_EQ(robot_->Find("arm")->state(), tendon::ComponentState::kFinished);
 }

@@ -111,8 +111,7 @@ TEST_P(Lifecycle, ForwardsARefusalOfTheProcess) {
             "component 'lamp' is constructed and not active; there is nothing to stop");
   EXPECT_EQ(Reason(Order(LifecycleVerb::kRemove, "plant")),
             "component 'plant' cannot be removed remotely, because the program of process 'robot' "
-            "created "
-            "it itself; it can only be started and stopped");
+            "created the component itself; it can only be started and stopped");
   EXPECT_THAT(Reason(Order(LifecycleVerb::kStart, "lam")),
               HasSubstr("no component 'robot/lam'; did you mean 'lamp'?"));
 
@@ -171,12 +170,12 @@ TEST_P(Lifecycle, ASlowPlugInBlocksNothingElse) {
 TEST_P(Lifecycle, RefusesAnOrderForAnEarlierInstance) {
   ASSERT_EQ(Reason(Create("Lamp", "lamp")), "");
 
-  EXPECT_EQ(Reason(Execute(*client_, {.verb = LifecycleVerb::kStart,
-                                      .process = "robot",
-                                      .instance = robot_->instance() + 1,
-                                      .component = "lamp"})),
-            "process 'robot' was restarted meanwhile: nothing was done; check it and try "
-            "again");
+  EXPECT_EQ(
+      Reason(Execute(*client_, {.verb = LifecycleVerb::kStart,
+                                .process = "robot",
+                                .instance = robot_->instance() + 1,
+                                .component = "lamp"})),
+      "process 'robot' was restarted meanwhile: nothing was done; check the process and try again");
 
   EXPECT_EQ(robot_->Find("lamp")->state(), ComponentState::kConstructed);
 }
@@ -262,11 +261,11 @@ TEST_P(Lifecycle, TheSecondOfTwoConflictingChangesIsRefused) {
   const std::string seen = Known("lamp").configuration;
 
   EXPECT_EQ(change(seen, R"({"brightness": 0.5})"), "");
-  EXPECT_THAT(change(seen, R"({"brightness": 0.75})"),
-              testing::MatchesRegex(
-                  "the configuration of robot/lamp was changed meanwhile by test at "
-                  "....-..-.. ..:..:..: nothing was done; check it with gcm show robot/lamp, and "
-                  "try again"));
+  EXPECT_THAT(
+      change(seen, R"({"brightness": 0.75})"),
+      testing::MatchesRegex(
+          "the configuration of robot/lamp was changed meanwhile by test at ....-..-.. ..:..:..: "
+          "nothing was done; to see the configuration: gcm show robot/lamp; then try again"));
 
   EXPECT_EQ(Known("lamp").configuration, R"({"brightness":0.5})");
   EXPECT_THAT(Steps(), testing::ElementsAre("create lamp", "configure lamp"));
@@ -340,8 +339,8 @@ TEST(LifecycleExecutor, RefusesAnOrderBasedOnAnotherConfiguration) {
   ASSERT_EQ(obey({.verb = LifecycleVerb::kCreate, .class_name = "Lamp", .library = "lamps"}), "");
 
   EXPECT_EQ(configure(R"({"brightness":0.25})"),
-            "the configuration of robot/lamp was changed meanwhile: nothing was done; check it "
-            "with gcm show robot/lamp, and try again");
+            "the configuration of robot/lamp was changed meanwhile: nothing was done; to see the "
+            "configuration: gcm show robot/lamp; then try again");
   EXPECT_EQ(configure(""), "");
   EXPECT_THAT(configure(""), HasSubstr("changed meanwhile"));
   executor.Stop();

@@ -89,8 +89,8 @@ TEST_P(LifecycleUndo, AnUnconnectableComponentIsRestoredButNotStarted) {
   ASSERT_TRUE(robot_->Remove("lamp").ok());
   ASSERT_TRUE(EventuallyTrue([&] { return Known("lamp").name.empty(); }));
 
-  EXPECT_THAT(Undone(), testing::HasSubstr("it was created again, but not started, because its "
-                                           "connections could not be restored"));
+  EXPECT_THAT(Undone(), testing::HasSubstr("the component was created again, but not started, "
+                                           "because its connections could not be restored"));
 
   EXPECT_EQ(robot_->Find("switch")->state(), ComponentState::kConstructed);
 }
@@ -238,9 +238,10 @@ TEST_P(LifecycleUndo, UndoesOnlyTheRequestedStep) {
       3 * kLong, [&](auto handler) { client_->Undo(handler, 1); });
 
   ASSERT_FALSE(undone);
-  EXPECT_THAT(undone.error().message,
-              testing::HasSubstr(
-                  "step 1 is not the newest any more; the newest is step 2 (start robot/lamp"));
+  EXPECT_THAT(
+      undone.error().message,
+      testing::HasSubstr(
+          "step 1 is not the newest step any more; the newest step is step 2 (start robot/lamp"));
   EXPECT_EQ(Known("lamp").state, ComponentState::kActive);
 }
 

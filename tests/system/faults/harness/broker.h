@@ -63,7 +63,7 @@ class BrokerTest : public FaultTest {
   }
 
   [[nodiscard]] bool HasNoBroker() const {
-    return broker_->err().find("is not installed: ") != std::string::npos;
+    return broker_->err().find("is not installed; ") != std::string::npos;
   }
 
   void Watch(const std::shared_ptr<tendon::RowSink>& sink) {
