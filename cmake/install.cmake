@@ -1,6 +1,6 @@
 # The files that `cmake --install` installs, such that find_package(tendon COMPONENTS core network ice eigen) finds
-# them. Each part is a separate install component: core, network, ice, eigen, programs, plugins, gui, python. The
-# target `installed` builds all of these parts and no tests.
+# them. Each part is a separate install component: core, network, ice, eigen, hdf5, programs, plugins, gui,
+# python. The target `installed` builds all of these parts and no tests.
 include(CMakePackageConfigHelpers)
 
 set(package lib/cmake/tendon)
@@ -23,6 +23,12 @@ foreach(name core network ice)
   endif()
 endforeach()
 install_library(eigen)
+
+if(TARGET tendon_hdf5)
+  set_target_properties(tendon_hdf5 PROPERTIES INSTALL_RPATH $ORIGIN/..)
+  install(TARGETS tendon_hdf5 LIBRARY DESTINATION lib/tendon COMPONENT hdf5)
+  add_dependencies(installed tendon_hdf5)
+endif()
 
 foreach(program lcm gcm tendon-probe)
   set_target_properties(${program} PROPERTIES INSTALL_RPATH $ORIGIN/../lib)

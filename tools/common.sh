@@ -6,6 +6,8 @@ TENDON_ROOT=$(cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.." &
 TENDON_CACHE=${XDG_CACHE_HOME:-${HOME:-/tmp}/.cache}/tendon
 # shellcheck disable=SC2034  # read by the scripts that source this file
 QWT_CACHE=$TENDON_CACHE/qwt-6.3.0
+# shellcheck disable=SC2034  # the same as in tests/core/recording/CMakeLists.txt
+ORACLE_CACHE=$TENDON_CACHE/recording-oracle
 
 # say SENTENCE...: each on a line of its own.
 say() { printf '%s\n' "$@"; }

@@ -57,7 +57,10 @@ std::vector<Library> LibrariesInUse() {
                                     {"{fmt}", {}, "MIT", {"fmt"}},
                                     {"JSON for Modern C++", {}, "MIT", {"nlohmann-json"}},
                                     {"CLI11", {}, "BSD-3-Clause", {"cli11"}},
-                                    {"xxHash", {}, "BSD-2-Clause", {"xxhash"}}};
+                                    {"xxHash", {}, "BSD-2-Clause", {"xxhash"}},
+                                    {"Zstandard", {}, "BSD-3-Clause", {"zstd"}},
+                                    {"LZ4", {}, "BSD-2-Clause", {"lz4"}},
+                                    {"zlib", {}, "Zlib", {"zlib"}}};
   all.insert(all.end(), others.begin(), others.end());
   return all;
 }

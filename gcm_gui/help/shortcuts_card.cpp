@@ -49,7 +49,7 @@ std::vector<KeyGroup> OfViews() {
   return {
       {Words::tr("Everywhere"),
        {{Words::tr("Tab, Shift+Tab"), Words::tr("To the next part, to the previous part")},
-        {Words::tr("Alt+S, P, G, V, H"), Words::tr("The menus")},
+        {Words::tr("Alt+S, P, R, G, V, H"), Words::tr("The menus")},
         {Words::tr("Esc"), Words::tr("Leaves the connect mode, a card, a field")}}},
       {Words::tr("In the graph"),
        {{Words::tr("Arrows"), Words::tr("Select the next component")},

@@ -17,7 +17,7 @@ MAX_FUNCTION_LINES = 60
 
 # Folders of core/tendon from the bottom up. A folder may include those of the rows below its own.
 CORE_ROWS = (("base",), ("lockfree", "payload"), ("state",), ("interface",), ("task",), ("manager",))
-NETWORK_ROWS = (("security",), ("middleware",), ("proxy",), ("process",), ("gcm",))
+NETWORK_ROWS = (("security",), ("middleware",), ("proxy",), ("process",), ("gcm",), ("recording",))
 ROWS = (*CORE_ROWS, *NETWORK_ROWS, ("ice",))
 ALL_OF_CORE = "core/tendon/tendon.h"
 HEIGHT = {folder: height for height, row in enumerate(ROWS) for folder in row}
@@ -41,6 +41,8 @@ OPERATING_SYSTEM = re.compile(
     r"|execinfo|syslog|windows|winsock2|io)\.h$")
 ICE_HOMES = ("core/tendon/ice", "tests/core/ice", "tests/benchmarks/remote")
 QT_HOMES = ("gcm_gui", "tests/gcm_gui", "tests/system", "tests/benchmarks/window")
+# Components that also use tendon::network: a recorder is a viewer of its own process.
+NETWORK_COMPONENTS = ("components/recorder",)
 ATOMIC_HOMES = ("core/tendon/lockfree", "core/tendon/state", "core/tendon/base/os")
 
 INCLUDE = re.compile(r'\s*#\s*include\s*[<"]([^>"]+)[>"]')
@@ -62,6 +64,7 @@ INSTALLED = re.compile(r"FILE_SET HEADERS BASE_DIRS \S+\s+FILES\s+([\w/.\s]+)")
 FOLDER_PAGE = "docs/architecture.md"
 DESCRIBED = ("core/tendon", "gcm_gui", "gcm_console")
 NAMES_PARENT = re.compile(r"### .*`([\w/]+)`$")
+NAMES_LAYER = re.compile(r"  (\w+) {2,}\S")  # in README.md
 NAMES_FOLDER = re.compile(r"\| `([\w/]+)` \|")
 # The page with the folders that have no counterpart between tests/ and the code.
 TEST_PAGE = "tests/README.md"
@@ -161,7 +164,7 @@ def parts_include_what_they_may(file):
 
 
 def components_need_core_alone(file):
-    if file.part != "components" or file.is_test:
+    if file.part != "components" or file.is_test or file.is_under(*NETWORK_COMPONENTS):
         return
     for include in file.includes:
         in_core = include.target == ALL_OF_CORE or any(include.is_of(f"core/tendon/{folder}") for folder in CORE)
@@ -402,6 +405,22 @@ def folders_are_described(files):
             yield f"{page.path}:1: {folder} has no line; say what belongs there"
 
 
+def readme_names_the_layers(files):
+    """The tree in README.md has a line for each layer, and only for layers."""
+    page = next((file for file in files if file.path == "README.md"), None)
+    if page is None:
+        return
+    layers = {match[1] for file in files if (match := re.match(r"core/tendon/(\w+)/", file.path))}
+    named = {}
+    for number, line in enumerate(page.lines, 1):
+        if match := NAMES_LAYER.match(line):
+            named[match[1]] = number
+    for layer in sorted(set(named) - layers):
+        yield f"README.md:{named[layer]}: there is no folder core/tendon/{layer}"
+    for layer in sorted(layers - set(named)):
+        yield f"README.md:1: the tree has no line for core/tendon/{layer}"
+
+
 def tests_mirror_the_code(files):
     """The tests of core/tendon/state are in tests/core/state. The page names the folders without a counterpart."""
     page = next((file for file in files if file.path == TEST_PAGE), None)
@@ -519,7 +538,7 @@ FILE_RULES = (
     tests_have_plain_names, nothing_is_left_over, scripts_are_narrow, functions_are_short)
 TREE_RULES = (types_have_names_of_their_own, joined_sources_share_no_names, helpers_hide_no_declared_functions,
               folders_of_a_layer_have_no_cycle, installed_headers_include_no_internal_ones, folders_are_built,
-              folders_are_described, tests_mirror_the_code)
+              folders_are_described, readme_names_the_layers, tests_mirror_the_code)
 
 
 def folders_of(root):

@@ -177,6 +177,11 @@ BROKEN = {
          PAGE + ":5", "there is no folder gcm_gui/graph with code"),
         ({PAGE: describes("plot", "plot"), "gcm_gui/plot/a.h": include()}, PAGE + ":5", "has a line already"),
     ],
+    "readme_names_the_layers": [
+        ({"README.md": "core/tendon/\n  base    errors\n", "core/tendon/base/a.h": include(),
+          "core/tendon/state/a.h": include()}, "README.md:1", "no line for core/tendon/state"),
+        ({"README.md": "core/tendon/\n  base    errors\n"}, "README.md:2", "there is no folder core/tendon/base"),
+    ],
     "tests_mirror_the_code": [
         ({TEST_PAGE: "", "tests/core/odd/a_test.cpp": ""}, TEST_PAGE + ":1", "tests/core/odd has no counterpart"),
         ({TEST_PAGE: "", "core/tendon/state/a.h": include(), "tests/core/a_test.cpp": ""},
@@ -276,6 +281,10 @@ KEPT = {
         {PAGE: describes("plot", "plot/canvas") + "## Threads\n| `network` | sends |\n",
          "gcm_gui/main.cpp": "", "gcm_gui/plot/a.h": include(), "gcm_gui/plot/canvas/a.h": include(),
          "lcm/main.cpp": "", "tests/gcm_gui/help/a_test.cpp": ""},
+    ],
+    "readme_names_the_layers": [
+        {"README.md": "core/tendon/\n  base    errors\ncomponents/   more\n", "core/tendon/base/a.h": include(),
+         "core/tendon/tendon.h": include()},
     ],
     "tests_mirror_the_code": [
         {TEST_PAGE: "| `tests/system`, `lcm` | both |\n| `core/tendon/state/a.h` | `tests/odd` |\n",

@@ -40,7 +40,8 @@ INSTANTIATE_TEST_SUITE_P(
     Each, PluginTest,
     testing::Values(Plugin{"arm_supervisor", "ArmSupervisor"}, Plugin{"counter", "Counter"},
                     Plugin{"counter", "CounterClient"}, Plugin{"host_monitor", "HostMonitor"},
-                    Plugin{"legacy_arm", "LegacyArm"}, Plugin{"simulated_arm", "SimulatedArm"},
+                    Plugin{"legacy_arm", "LegacyArm"}, Plugin{"recorder", "Recorder"},
+                    Plugin{"simulated_arm", "SimulatedArm"},
                     Plugin{"teleoperation", "Teleoperation"}),
     [](const auto& test) { return test.param.library + test.param.class_name; });
 

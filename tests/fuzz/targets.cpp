@@ -12,6 +12,7 @@
 #include <cstring>
 
 #include "promise.h"
+#include "read_recording.h"
 #include "typed_decode.h"
 
 namespace fuzz {
@@ -97,10 +98,10 @@ void ReadFrames(Bytes bytes) {
 }  // namespace
 
 std::span<const Target> Targets() {
-  static constexpr std::array kTargets{Target{"frame", ReadFrames}, Target{"json", ReadJson},
-                                       Target{"schema_decode", DecodeBySchema},
-                                       Target{"schema_text", ReadSchema},
-                                       Target{"typed_decode", DecodeTyped}};
+  static constexpr std::array kTargets{
+      Target{"frame", ReadFrames},        Target{"json", ReadJson},
+      Target{"recording", ReadRecording}, Target{"schema_decode", DecodeBySchema},
+      Target{"schema_text", ReadSchema},  Target{"typed_decode", DecodeTyped}};
   return kTargets;
 }
 

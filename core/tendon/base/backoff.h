@@ -29,4 +29,8 @@ class Backoff {
   std::chrono::milliseconds last_{0};  // the last pause, without jitter; 0 if there was none
 };
 
+/// The pauses before another attempt to reach a process, or the GCM, whose link is lost.
+inline constexpr Backoff kLinkRetry{std::chrono::milliseconds(100), std::chrono::milliseconds(2000),
+                                    0.5};
+
 }  // namespace tendon

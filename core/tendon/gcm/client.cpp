@@ -38,26 +38,6 @@ Result<ProcessDescription> FindReachable(const Catalogue& catalogue, const std::
   return (*entry)->process;
 }
 
-/// Returns the descriptions of the requested events from the catalogue, in the order of the
-/// request.
-Result<std::vector<MemberDescription>> LookUpEvents(const Catalogue& catalogue,
-                                                    const EventSubscription& wanted) {
-  const auto provided = LookUpProvided(catalogue, wanted.provided);
-  if (!provided) return provided.error();
-  std::vector<MemberDescription> events;
-  for (const std::string& name : wanted.events) {
-    const auto& known = (*provided)->events;
-    const auto event =
-        std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.name == name; });
-    if (event == known.end()) {
-      return Error{ErrorCode::kNotFound,
-                   "there is no event " + ToString(wanted.provided) + "." + name};
-    }
-    events.push_back(*event);
-  }
-  return events;
-}
-
 /// The error for a path without a member. `path` was parsed before, so it is printable.
 Error NoCommand(const std::string& path) {
   return {ErrorCode::kInvalid,

@@ -188,6 +188,24 @@ Result<MemberDescription> LookUpCommand(const Catalogue& catalogue, const Path& 
                   NamesIn(commands));
 }
 
+Result<std::vector<MemberDescription>> LookUpEvents(const Catalogue& catalogue,
+                                                    const EventSubscription& wanted) {
+  const auto provided = LookUpProvided(catalogue, wanted.provided);
+  if (!provided) return provided.error();
+  std::vector<MemberDescription> events;
+  for (const std::string& name : wanted.events) {
+    const auto& known = (*provided)->events;
+    const auto event =
+        std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.name == name; });
+    if (event == known.end()) {
+      return Error{ErrorCode::kNotFound,
+                   "there is no event " + ToString(wanted.provided) + "." + name};
+    }
+    events.push_back(*event);
+  }
+  return events;
+}
+
 bool TakesArgument(const Signature& signature) {
   const CommandKind kind = signature.kind;
   return kind == CommandKind::kWrite || kind == CommandKind::kQualifiedRead ||

@@ -3,12 +3,14 @@
 #include <tendon/base/path.h>
 #include <tendon/base/result.h>
 #include <tendon/gcm/catalogue.h>
+#include <tendon/gcm/event_sink.h>
 #include <tendon/gcm/gcm_messages.h>
 #include <tendon/process/membership_messages.h>
 
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// Functions that search a catalogue for names that people have typed. If a comment does not name
 /// another code, errors have the code kNotFound, say what is missing, and suggest similar names.
@@ -27,7 +29,11 @@ Result<const RequiredDescription*> LookUpRequired(const Catalogue& catalogue,
 /// Finds a command. A column of a state table counts as a read command.
 Result<MemberDescription> LookUpCommand(const Catalogue& catalogue, const Path& path);
 
-/// Returns true if a call of a member with this signature has an argument.
+/// Returns the descriptions of the events, in the order of the request.
+Result<std::vector<MemberDescription>> LookUpEvents(const Catalogue& catalogue,
+                                                    const EventSubscription& wanted);
+
+/// Returns true if a call or an event of a member with this signature has an argument.
 [[nodiscard]] bool TakesArgument(const Signature& signature);
 
 /// Checks against the catalogue whether a connection can be made, and returns the order for the LCM

@@ -11,6 +11,7 @@
 #include <concepts>
 #include <functional>
 #include <memory>
+#include <string>
 #include <utility>
 
 namespace tendon {
@@ -100,6 +101,15 @@ class Offer {
   void Disable() noexcept { enabled_.Set(false); }
   [[nodiscard]] const Flag& enabled() const noexcept { return enabled_; }
 
+  /// Declares that each call is refused. Consoles show `sentence`, which says why; the status of
+  /// other calls is that of the command. Interfaces connect all the same.
+  Offer& SetRefusal(std::string sentence) {
+    refusal_ = std::move(sentence);
+    return *this;
+  }
+  /// Empty if calls are not refused.
+  [[nodiscard]] const std::string& refusal() const { return refusal_; }
+
   /// Sets the component; called by its interface. The component must outlive all commands.
   void SetComponent(const ComponentAccess* component) { component_ = component; }
 
@@ -134,6 +144,7 @@ class Offer {
   Overflow overflow_ = Overflow::kRefuse;
   ColumnSource source_;
   bool reads_table_only_ = false;
+  std::string refusal_;
   Flag enabled_{true};
   const ComponentAccess* component_ = nullptr;
 };

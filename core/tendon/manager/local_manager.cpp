@@ -61,6 +61,8 @@ Error NotReplaced(const std::string& component, const std::string& why) {
 
 }  // namespace
 
+ManagerClient::~ManagerClient() = default;
+
 ConnectionCounts CountsOf(const Connection& connection) {
   return {.age = SteadyClock().Now() - connection.made(),
           .taken = connection.taken(),
@@ -106,6 +108,7 @@ Component& LocalManager::Add(std::unique_ptr<Component> component, ComponentOrig
 LocalManager::Entry LocalManager::MakeEntry(std::unique_ptr<Component> component,
                                             ComponentOrigin origin) {
   component->Seal();
+  if (auto* client = dynamic_cast<ManagerClient*>(component.get())) client->OnAdding(*this);
   // The component may be destroyed by a thread that waits for its state and does not hold the lock.
   // The lock is needed, because the destructor also changes the tasks that run after this one.
   const auto destroy = [this](Component* one) {
@@ -369,6 +372,10 @@ Result<ProvidedInterface*> LocalManager::FindProvided(const InterfaceName& name)
 
 std::unique_lock<std::recursive_mutex> LocalManager::Lock() const {
   return std::unique_lock(mutex_);
+}
+
+std::unique_lock<std::recursive_mutex> LocalManager::TryLock() const {
+  return std::unique_lock(mutex_, std::try_to_lock);
 }
 
 void LocalManager::NotifyChanged() const {

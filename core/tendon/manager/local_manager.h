@@ -43,6 +43,22 @@ struct RunSettings {
 /// Returns the counts of a local connection.
 [[nodiscard]] ConnectionCounts CountsOf(const Connection& connection);
 
+class LocalManager;
+
+/// A component that works on all components of its manager, such as a recorder, also derives from
+/// this class.
+class ManagerClient {
+ public:
+  ManagerClient() = default;
+  ManagerClient(const ManagerClient&) = delete;
+  ManagerClient& operator=(const ManagerClient&) = delete;
+  virtual ~ManagerClient();
+
+  /// Called once, before the component is added. If it throws a ConfigurationError, the component
+  /// is not added. The manager outlives the component.
+  virtual void OnAdding(LocalManager& manager) = 0;
+};
+
 /// The local component manager (LCM): owns components of one process and the connections between
 /// them. A process may have several managers. The class Process is a LocalManager with a network.
 ///
@@ -171,6 +187,8 @@ class LocalManager {
   /// Locks the components and connections of the manager: other threads can neither read nor change
   /// them. The holder of the lock may call the public functions.
   [[nodiscard]] std::unique_lock<std::recursive_mutex> Lock() const;
+  /// Locks like Lock(), but does not wait. Returns an empty lock if another thread holds it.
+  [[nodiscard]] std::unique_lock<std::recursive_mutex> TryLock() const;
   /// Sets a function that is called after every change of components, states or connections. It is
   /// called in the thread that made the change, for example in the thread of a component that
   /// becomes faulted. It must be quick and must not call this object. After the return, the former

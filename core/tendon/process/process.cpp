@@ -4,6 +4,7 @@
 #include <tendon/process/connections/remote_connections.h>
 #include <tendon/process/context.h>
 #include <tendon/process/lifecycle/lifecycle_executor.h>
+#include <tendon/process/local_access.h>
 #include <tendon/process/membership/advertised_address.h>
 #include <tendon/process/membership/membership.h>
 #include <tendon/process/process.h>
@@ -94,6 +95,7 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
     if (membership_) membership_->Leave();
     connections_.Close(deadline);
     listener_.reset();
+    if (local_access_) local_access_->Close();
     services_.connections.Close(deadline);
   }
 
@@ -104,6 +106,10 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
   }
   [[nodiscard]] const Membership* membership() const { return membership_.get(); }
   [[nodiscard]] RemoteConnections& connections() { return connections_; }
+
+  void ForwardLog(LogLevel level, std::string_view source, std::string_view text) {
+    if (membership_) membership_->ForwardLog(level, source, text);
+  }
 
   void OnChanged() {
     if (membership_) membership_->ReportSoon();
@@ -128,6 +134,26 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
                        connection->state != ConnectionState::kFailed;
     if (!is_it || std::erase(ordered_, wire) == 0) return {};
     return connection->id;
+  }
+
+  std::shared_ptr<LocalAccess> OpenLocalAccess() {
+    const auto lock = process_.Lock();
+    if (local_access_) return local_access_;
+    auto access = std::make_shared<LocalAccess>(context_.name, context_.hello.instance,
+                                                [this](ProcessContent& content) {
+                                                  const auto held = process_.TryLock();
+                                                  if (held.owns_lock()) content = this->content();
+                                                  return held.owns_lock();
+                                                });
+    const auto choose = [this] { return std::make_shared<PeerSession>(services_); };
+    const Hello hello{.instance = context_.hello.instance,
+                      .name = context_.name,
+                      .session = 0,
+                      .cookie = context_.hello.cookie};
+    const auto listens = access->Listen(Channel::Acceptor(hello, choose));
+    if (!listens) throw ConfigurationError(listens.error());
+    local_access_ = std::move(access);
+    return local_access_;
   }
 
   void ForgetOrder(const InterfaceName& required) {
@@ -279,6 +305,7 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
   std::string address_;  // the announced address
   std::unique_ptr<Membership> membership_;
   std::unique_ptr<Listener> listener_;
+  std::shared_ptr<LocalAccess> local_access_;  // made on demand
 };
 
 Process::Process(std::string name, ProcessOptions options) {
@@ -325,6 +352,10 @@ Result<void> Process::WaitUntilJoined(std::chrono::milliseconds timeout) const {
 
 bool Process::is_joined() const {
   return parts_->membership() != nullptr && parts_->membership()->is_joined();
+}
+
+void Process::ForwardLog(LogLevel level, std::string_view source, std::string_view text) {
+  parts_->ForwardLog(level, source, text);
 }
 
 Result<ConnectionId> Process::Connect(const InterfaceName& required,
@@ -379,6 +410,8 @@ std::vector<ConnectionDescription> Process::connections() const {
 }
 
 std::vector<ComponentProxy> Process::proxies() const { return parts_->context().proxies.all(); }
+
+std::shared_ptr<LocalAccess> Process::OpenLocalAccess() { return parts_->OpenLocalAccess(); }
 
 void Process::OnRemoving(const Component& component) { parts_->RemoveComponent(component.name()); }
 

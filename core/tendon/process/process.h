@@ -1,16 +1,19 @@
 #pragma once
 
+#include <tendon/base/log.h>
 #include <tendon/manager/local_manager.h>
 #include <tendon/middleware/middleware.h>
 
 #include <chrono>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tendon {
 
 class ComponentLoader;
+class LocalAccess;
 struct ComponentProxy;
 
 inline constexpr std::uint16_t kDefaultGcmPort = 10705;
@@ -70,6 +73,10 @@ class Process final : public LocalManager {
   Result<void> WaitUntilJoined(std::chrono::milliseconds timeout) const;
   [[nodiscard]] bool is_joined() const;
 
+  /// Sends a record to the GCM as if `source`, a component of this process, had logged it. For
+  /// programs with several processes, and replays; Log() sends a record as that of each process.
+  void ForwardLog(LogLevel level, std::string_view source, std::string_view text);
+
   /// Like LocalManager::Connect(), with these differences. A name without a process means this
   /// process. The required interface must be in this process; the provided one may be anywhere, and
   /// if its process or component is absent, the connection is pending. Blocks for at most two
@@ -87,6 +94,10 @@ class Process final : public LocalManager {
 
   /// The proxies in this process for components of other processes.
   [[nodiscard]] std::vector<ComponentProxy> proxies() const;
+
+  /// For components that use the services of this process without the network: see
+  /// process/local_access.h. The first call begins to serve them.
+  [[nodiscard]] std::shared_ptr<LocalAccess> OpenLocalAccess();
 
  private:
   class Parts;

@@ -47,7 +47,8 @@ struct RowBatch {
   LostRows lost;          ///< lost since the last batch; `viewer` is 0, because the sink counts it
   std::size_t count = 0;  ///< 0 if there is only a loss to report
   std::span<const std::uint64_t> ticks;  ///< of each row; without a period, they are consecutive
-  std::span<const std::int64_t> times;   ///< of each row, ns on the source's steady clock
+  /// The time of each row, ns on the source's steady clock, limited to 0 to 50 years.
+  std::span<const std::int64_t> times;
   /// Subtract it from a row's time to get the time on this process's steady clock, so that rows of
   /// several hosts can share one time axis. Constant within a batch. Between batches it follows the
   /// estimate by at most 500 ppm, and rows never go back in time. 0 on one host.
@@ -81,6 +82,13 @@ struct TableSubscription {
   RowChoice rows = {};  ///< every row by default
 };
 
+/// What a process holds of a table.
+struct PastRows {
+  std::uint64_t rows = 0;             ///< that were read
+  std::uint64_t lost = 0;             ///< overwritten while they were read
+  std::chrono::nanoseconds reach{0};  ///< the age of the oldest one; 0 without rows
+};
+
 /// Subscribes to state tables of any process. Rows arrive in batches of 20 to 50 ms. A subscription
 /// recovers by itself when its process comes back. Thread-safe.
 class TelemetryClient {
@@ -95,6 +103,17 @@ class TelemetryClient {
   /// Ends a subscription. When this function returns, the sink is not called any more. Must not be
   /// called from a sink.
   virtual void Unsubscribe(Id id) = 0;
+  /// Reads the rows of `table` that its process holds and that are not older than `last`, oldest
+  /// first. The sink gets OnSubscribed(), then OnRows(); after that, `done` is called, once, in a
+  /// thread of the middleware or of the client; not if the client ends before. Errors: those of
+  /// Subscribe(); a process that is older than this request refuses it.
+  virtual void ReadPast(const TableSubscription& table, std::chrono::nanoseconds last,
+                        std::shared_ptr<RowSink> sink, std::function<void(Result<PastRows>)> done) {
+    static_cast<void>(table);
+    static_cast<void>(last);
+    static_cast<void>(sink);
+    done(Error{ErrorCode::kFailed, "this client cannot read past rows"});
+  }
   /// Tries the subscriptions of a process again at once. Call it when the process has come back or
   /// has another address.
   virtual void Retry(const std::string& process) { static_cast<void>(process); }

@@ -44,6 +44,11 @@ inline constexpr auto kGetCounts =
 inline constexpr auto kGetFill =
     static_cast<MessageType>(0x209);  // request: GetFill -> MailboxFill
 
+/// Reads the rows of a state table that are written already, page by page. A process that is older
+/// than this message refuses it by its number.
+inline constexpr auto kReadRows =
+    static_cast<MessageType>(0x20e);  // request: ReadRows -> ReadRowsReply
+
 /// Names the required side of a connection. The process of the provided side also answers, but only
 /// with the capacity and the lost events of the provided side.
 struct GetCounts {
@@ -98,6 +103,27 @@ struct SubscribeReply {
   /// newest row, the first row may be older.
   std::uint64_t first_tick = 0;
   std::vector<std::string> schemas;  ///< Schema::Text() of each column, in the order of the request
+};
+
+/// Asks for past rows of one state table. The first request for a table has the epoch 0; each later
+/// one continues where the reply before has ended.
+struct ReadRows {
+  std::string component;
+  std::string table;  ///< "state" or "state-NAME"
+  std::vector<std::string> columns;
+  /// Only in the first request: the age of the oldest row that is wanted.
+  std::chrono::nanoseconds last{0};
+  std::uint64_t epoch = 0;        ///< that of the first reply
+  std::uint64_t first_tick = 0;   ///< RowsHeader::next_tick of the reply before
+  std::uint64_t rows_before = 0;  ///< rows that the viewer has received in earlier replies
+};
+
+/// The answer to ReadRows: as many rows as fit into 128 KiB, but at least one, if there is any.
+struct ReadRowsReply {
+  SubscribeReply subscribed;    ///< without a handle; its first tick is that of these rows
+  std::int64_t now = 0;         ///< ns, on the steady clock of the process
+  std::uint64_t end_tick = 0;   ///< the tick of the next row that will be written
+  std::vector<std::byte> rows;  ///< the body of a kRows
 };
 
 /// The body of kRows, little-endian. The layout lets a reader find each cell with one addition:
@@ -166,6 +192,24 @@ inline constexpr auto tendon::kPayload<tendon::message::SubscribeReply> = tendon
     tendon::Field{"epoch", &tendon::message::SubscribeReply::epoch},
     tendon::Field{"first_tick", &tendon::message::SubscribeReply::first_tick},
     tendon::Field{"schemas", &tendon::message::SubscribeReply::schemas});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::ReadRows> = tendon::Describe(
+    "tendon.ReadRows", tendon::Field{"component", &tendon::message::ReadRows::component},
+    tendon::Field{"table", &tendon::message::ReadRows::table},
+    tendon::Field{"columns", &tendon::message::ReadRows::columns},
+    tendon::Field{"last", &tendon::message::ReadRows::last},
+    tendon::Field{"epoch", &tendon::message::ReadRows::epoch},
+    tendon::Field{"first_tick", &tendon::message::ReadRows::first_tick},
+    tendon::Field{"rows_before", &tendon::message::ReadRows::rows_before});
+
+template <>
+inline constexpr auto tendon::kPayload<tendon::message::ReadRowsReply> =
+    tendon::Describe("tendon.ReadRowsReply",
+                     tendon::Field{"subscribed", &tendon::message::ReadRowsReply::subscribed},
+                     tendon::Field{"now", &tendon::message::ReadRowsReply::now, "ns"},
+                     tendon::Field{"end_tick", &tendon::message::ReadRowsReply::end_tick},
+                     tendon::Field{"rows", &tendon::message::ReadRowsReply::rows});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::RowsHeader> = tendon::Describe(

@@ -45,6 +45,7 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x20a, "watch a state table via the broker", Role::kViewer, Audit::kRefusals},  // broadcast
     {0x20b, "mirror a read command", Role::kOperator, Audit::kRefusals},  // for a connection
     {0x20d, "ask for the version", Role::kViewer, Audit::kRefusals},  // process/version_messages.h
+    {0x20e, "read past rows", Role::kViewer, Audit::kRefusals},
     // process/membership_messages.h
     {0x300, "join", Role::kOperator, Audit::kRefusals},  // logged separately
     {0x301, "report a change", Role::kOperator, Audit::kRefusals},

@@ -40,7 +40,7 @@ class RowRing {
   /// replaced. Call it only before the first row. If there is not enough memory, throws
   /// std::bad_alloc and leaves the ring unchanged.
   void Allocate(std::size_t rows, std::size_t row_words) {
-    assert(next_tick() == 0);
+    assert(is_empty());
     const std::size_t count = std::bit_ceil(rows + 1);
     const std::size_t stride = StrideFor(row_words);
     const std::size_t words = count * stride;
@@ -52,15 +52,24 @@ class RowRing {
     void* first = memory_.get();
     rows_ = static_cast<Word*>(std::align(kCacheLine, words * sizeof(Word), first, space));
   }
-  /// Returns the largest number of rows that fit into `words` words, but at least one.
+  /// Returns the first row will have this tick instead of 0. Only before the first row.
+  void SetFirstTick(std::uint64_t tick) noexcept {
+    first_ = tick;
+    next_.store(tick, std::memory_order_relaxed);
+  }
+  /// The largest number of rows that fit into `words` words, but at least one.
   [[nodiscard]] static std::size_t RowsWithin(std::size_t words, std::size_t row_words) noexcept {
     const std::size_t fit = words / StrideFor(row_words);
     return fit < 2 ? 1 : std::bit_floor(fit) - 1;
   }
 
   /// Writer: starts the next row.
-  void Begin(std::int64_t time) noexcept {
-    const std::uint64_t tick = next_.load(std::memory_order_relaxed);
+  void Begin(std::int64_t time) noexcept { BeginAt(next_.load(std::memory_order_relaxed), time); }
+  /// Writer: the same for a row of a later tick. The rows between do not exist: readers of them get
+  /// kOvertaken, because the places of these rows have other ticks. The first row cannot be later.
+  void BeginAt(std::uint64_t tick, std::int64_t time) noexcept {
+    assert(tick >= first_);
+    tick_ = tick;
     row_ = Row(tick);
     row_[kTick].store(tick, std::memory_order_relaxed);
     Atomics::Fence(std::memory_order_release);  // (A) the tick is stored before other words
@@ -78,25 +87,26 @@ class RowRing {
 
   /// Writer: makes the row the newest.
   void Publish() noexcept {
-    const std::uint64_t tick = next_.load(std::memory_order_relaxed);
-    next_.store(tick + 1, std::memory_order_release);  // (B) publishes the row
+    next_.store(tick_ + 1, std::memory_order_release);  // (B) publishes the row
   }
 
-  /// Number of rows ever written; the newest row has this number minus 1 as its tick.
+  /// The tick of the next row: the number of rows ever written, unless ticks were left out.
   [[nodiscard]] std::uint64_t next_tick() const noexcept {
     return next_.load(std::memory_order_acquire);  // pairs with (B)
   }
+  [[nodiscard]] bool is_empty() const noexcept { return next_tick() == first_; }
   /// The tick of the oldest row that can still be read, as long as the writer does not write
   /// another row.
   [[nodiscard]] std::uint64_t oldest_tick() const noexcept {
     const std::uint64_t next = next_tick();
-    return next > mask_ ? next - mask_ : 0;
+    return next - first_ > mask_ ? next - mask_ : first_;
   }
 
   /// Reader: calls `copy(words)`, which must copy words of a row with relaxed loads only. Returns
   /// kDone if all copied words belong to that row.
   template <typename Copy>
   RowResult Read(std::uint64_t tick, Copy copy) const {
+    if (tick < first_) return RowResult::kOvertaken;
     return tick < next_tick() ? ReadWritten(tick, copy) : RowResult::kNotYet;
   }
 
@@ -106,7 +116,7 @@ class RowRing {
   RowResult ReadNewest(std::uint64_t& tick, Copy copy) const {
     while (true) {
       const std::uint64_t next = next_tick();
-      if (next == 0) return RowResult::kNotYet;
+      if (next == first_) return RowResult::kNotYet;
       tick = next - 1;
       if (ReadWritten(tick, copy) == RowResult::kDone) return RowResult::kDone;
     }
@@ -122,7 +132,7 @@ class RowRing {
   RowResult Find(std::int64_t time, std::uint64_t& tick) const noexcept {
     std::uint64_t low = oldest_tick();
     std::uint64_t high = next_tick();
-    if (high == 0) return RowResult::kNotYet;
+    if (high == first_) return RowResult::kNotYet;
     bool is_found = false;
     while (low < high) {  // rows before `low` are lost or not later; those from `high` on are later
       const std::uint64_t middle = low + (high - low) / 2;
@@ -133,7 +143,7 @@ class RowRing {
       if (!is_later) is_found = !is_lost;
     }
     if (is_found) tick = low - 1;
-    return is_found ? RowResult::kDone : low == 0 ? RowResult::kNotYet : RowResult::kOvertaken;
+    return is_found ? RowResult::kDone : low == first_ ? RowResult::kNotYet : RowResult::kOvertaken;
   }
 
   /// For use in `copy`: returns the time of the row whose words are given.
@@ -170,7 +180,9 @@ class RowRing {
   std::size_t mask_ = 0;
   std::size_t stride_ = 0;
   std::size_t row_words_ = 0;
-  Word* row_ = nullptr;  // the row that the writer has begun
+  std::uint64_t first_ = 0;
+  Word* row_ = nullptr;     // the row that the writer has begun
+  std::uint64_t tick_ = 0;  // the writer's: its tick
   alignas(kSeparation) Word next_{0};
 };
 

@@ -13,6 +13,25 @@ std::uint64_t RandomEpoch() {
   return std::uint64_t{device()} << 32 | device();
 }
 
+/// A column whose variable is an encoded value.
+class EncodedColumn final : public ColumnBase {
+ public:
+  EncodedColumn(const std::vector<std::byte>& body, const Schema& schema, std::string name,
+                const CellLayout& layout)
+      : ColumnBase(std::move(name), layout, schema, payload::Remember(schema)), body_(body) {}
+
+ private:
+  std::size_t EncodeVariable(std::span<std::byte> place) const noexcept override {
+    if (body_.size() > place.size()) return 0;
+    std::ranges::copy(body_, place.begin());
+    return body_.size();
+  }
+  [[nodiscard]] const void* variable() const noexcept override { return &body_; }
+  [[nodiscard]] const std::type_info& type() const noexcept override { return typeid(body_); }
+
+  const std::vector<std::byte>& body_;
+};
+
 void LoadRow(const RowRing<>::Word* row, std::span<std::uint64_t> words) noexcept {
   for (std::size_t i = 0; i < words.size(); ++i) words[i] = row[i].load(std::memory_order_relaxed);
 }
@@ -24,7 +43,7 @@ StateTable::StateTable(std::string name) : name_(std::move(name)), epoch_(Random
 }
 
 void StateTable::SetLength(std::size_t rows) {
-  if (next_tick() > 0) {
+  if (!rows_.is_empty()) {
     throw ConfigurationError("state table '" + name_ +
                              "' holds rows already: its length cannot change; set it before the "
                              "component starts");
@@ -52,10 +71,20 @@ void StateTable::Prepare() {
   is_prepared_ = true;
 }
 
-void StateTable::Advance(SteadyTime now) noexcept {
+void StateTable::SetFirstTick(std::uint64_t tick) {
+  if (!rows_.is_empty()) {
+    throw ConfigurationError("state table '" + name_ +
+                             "' holds rows already: its first tick cannot change");
+  }
+  rows_.SetFirstTick(tick);
+}
+
+void StateTable::Advance(SteadyTime now) noexcept { AdvanceTo(next_tick(), now); }
+
+void StateTable::AdvanceTo(std::uint64_t tick, SteadyTime now) noexcept {
   Prepare();
   for (const auto& filter : filters_) filter->Apply();
-  rows_.Begin(now.time_since_epoch().count());
+  rows_.BeginAt(tick, now.time_since_epoch().count());
   for (const auto& column : columns_) {
     const CellLayout& layout = column->layout();
     rows_.Store(layout.offset,
@@ -66,7 +95,7 @@ void StateTable::Advance(SteadyTime now) noexcept {
 }
 
 bool StateTable::IsTooEarly(SteadyTime now) const noexcept {
-  return next_tick() > 0 && now - last_ < interval_;
+  return !rows_.is_empty() && now - last_ < interval_;
 }
 
 const ColumnBase* StateTable::Find(std::string_view name) const noexcept {
@@ -121,6 +150,14 @@ void StateTable::CheckColumn(const std::string& name, const void* variable,
                                column->name() + "' of state table '" + name_ + "' already");
     }
   }
+}
+
+void StateTable::AddEncoded(const std::vector<std::byte>& body, const Schema& schema,
+                            std::string name, std::size_t capacity) {
+  CheckColumn(name, &body, typeid(body), capacity);
+  const CellLayout layout{
+      .offset = row_words_, .words = (capacity + 7) / 8 + 1, .bytes = capacity, .is_dynamic = true};
+  Append(std::make_unique<EncodedColumn>(body, schema, std::move(name), layout));
 }
 
 void StateTable::Append(std::unique_ptr<ColumnBase> column) {

@@ -55,6 +55,12 @@ class StateTable {
     AddColumn<T>(variable, std::move(name), {.bytes = capacity, .is_dynamic = true});
   }
 
+  /// Makes `body` a column of a type that is known only at run time: before each row it must hold a
+  /// CDR body of `schema`. A body that is empty, or has more than `capacity` bytes, is left out of
+  /// its row. Errors are those of Add().
+  void AddEncoded(const std::vector<std::byte>& body, const Schema& schema, std::string name,
+                  std::size_t capacity);
+
   /// Makes `output` a column. `filter(input, output)`, which must be noexcept, computes `output`
   /// from `input` just before each row, in the writer's thread. Filters run in the order in which
   /// they were added, so a filter may use the result of an earlier one. `name` and `capacity` have
@@ -86,6 +92,12 @@ class StateTable {
   /// Encodes every variable into a new row, which becomes the newest. Allocates nothing after
   /// Prepare(), which it calls itself if needed.
   void Advance(SteadyTime now) noexcept;
+  /// The first row will have this tick instead of 0: for copies of other tables. Throws
+  /// ConfigurationError if there are rows.
+  void SetFirstTick(std::uint64_t tick);
+  /// Like Advance(), but the row has this tick, which is not below next_tick(), and is that of
+  /// SetFirstTick() for the first row. The rows between count as overwritten.
+  void AdvanceTo(std::uint64_t tick, SteadyTime now) noexcept;
   /// Called by a task after its cycle. Calls Advance(), unless AdvanceOnlyByHand() was called or
   /// the shortest interval has not passed.
   void AdvanceAfterCycle(SteadyTime now) noexcept {
@@ -99,7 +111,8 @@ class StateTable {
   /// A random number that distinguishes the ticks of this table from the ticks of an earlier table
   /// with the same name.
   [[nodiscard]] std::uint64_t epoch() const noexcept { return epoch_; }
-  /// Number of rows written; the newest row has this number minus 1 as its tick.
+  /// Number of rows written, unless the table is a copy (SetFirstTick()); the newest row has this
+  /// number minus 1 as its tick.
   [[nodiscard]] std::uint64_t next_tick() const noexcept { return rows_.next_tick(); }
   /// The tick of the oldest row that can still be read.
   [[nodiscard]] std::uint64_t oldest_tick() const noexcept { return rows_.oldest_tick(); }

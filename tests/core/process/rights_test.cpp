@@ -18,11 +18,11 @@ using Types = std::set<MessageType>;
 
 /// What a viewer may send.
 const Types kLooks = {
-    message::kPing,      message::kGetSchemas, message::kSubscribe,  message::kUnsubscribe,
-    message::kRowTaken,  message::kRenew,      message::kWatch,      message::kHistory,
-    message::kWatchLog,  message::kGetClasses, message::kListen,     message::kCloseInterface,
-    message::kHealth,    message::kGetCounts,  message::kGetFill,    message::kJoinTopic,
-    message::kGetBroker, message::kGetProgram, message::kGetChildren};
+    message::kPing,      message::kGetSchemas, message::kSubscribe, message::kUnsubscribe,
+    message::kRowTaken,  message::kRenew,      message::kWatch,     message::kHistory,
+    message::kWatchLog,  message::kGetClasses, message::kListen,    message::kCloseInterface,
+    message::kHealth,    message::kGetCounts,  message::kGetFill,   message::kJoinTopic,
+    message::kGetBroker, message::kGetProgram, message::kReadRows,  message::kGetChildren};
 
 /// What an operator may send besides.
 const Types kActs = {

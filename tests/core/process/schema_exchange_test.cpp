@@ -50,7 +50,7 @@ TEST(SchemaCache, LimitsItsTypesAndWarnsOnce) {
   EXPECT_TRUE(FindSchema(Type("number.Two").fingerprint()));
   EXPECT_FALSE(FindSchema(Type("number.Three").fingerprint()));
   EXPECT_FALSE(FindSchema(Type("number.Four").fingerprint()));
-  EXPECT_THAT(warnings.values(), testing::ElementsAre(testing::HasSubstr("2, of ")));
+  EXPECT_THAT(warnings.values(), testing::ElementsAre(testing::HasSubstr("(2 types with ")));
 }
 
 TEST(SchemaCache, LimitsTheLengthOfTexts) {

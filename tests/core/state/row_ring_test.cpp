@@ -49,6 +49,40 @@ TEST_F(RowRingTest, KeepsAtLeastTheRequestedRows) {
   }
 }
 
+TEST_F(RowRingTest, TheFirstTickIsNotZeroIfItIsSet) {
+  ring_.SetFirstTick(13);
+  std::uint64_t tick = 0;
+  EXPECT_EQ(ring_.next_tick(), 13U);
+  EXPECT_EQ(ring_.ReadNewest(tick, [](auto) {}), RowResult::kNotYet);
+  EXPECT_EQ(ring_.Find(0, tick), RowResult::kNotYet);
+  EXPECT_EQ(Read(ring_, 13, words_), RowResult::kNotYet);
+
+  Write(ring_, 77, 0);
+
+  EXPECT_EQ(ring_.oldest_tick(), 13U);
+  EXPECT_EQ(Read(ring_, 13, words_), RowResult::kDone);
+  EXPECT_EQ(words_[0], 77U);
+  EXPECT_EQ(Read(ring_, 0, words_), RowResult::kOvertaken) << "its memory was never written";
+  EXPECT_EQ(Read(ring_, 12, words_), RowResult::kOvertaken);
+}
+
+TEST_F(RowRingTest, TicksThatAreLeftOutAreLostRows) {
+  for (std::uint64_t tick = 0; tick < 3; ++tick) Write(ring_, tick, 0);
+  ring_.BeginAt(6, 0);
+  ring_.Store(0, Words{6, 6, 6});
+  ring_.Publish();
+
+  EXPECT_EQ(ring_.next_tick(), 7U);
+  for (const std::uint64_t left_out : {3U, 4U, 5U}) {
+    EXPECT_EQ(Read(ring_, left_out, words_), RowResult::kOvertaken) << left_out;
+  }
+  EXPECT_EQ(Read(ring_, 2, words_), RowResult::kDone);
+  EXPECT_EQ(words_[0], 2U);
+  std::uint64_t tick = 0;
+  EXPECT_EQ(ring_.ReadNewest(tick, [](auto) {}), RowResult::kDone);
+  EXPECT_EQ(tick, 6U);
+}
+
 TEST_F(RowRingTest, DistinguishesFutureFromLostRows) {
   for (std::uint64_t tick = 0; tick < 20; ++tick) Write(ring_, tick, 0);
 

@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <string>
+#include <vector>
 
 namespace tendon {
 namespace {
@@ -273,6 +274,33 @@ TEST_F(StateTableTest, ALaterFittingValueIsPresent) {
   EXPECT_EQ(table_.Find(report_).ReadNewest(report), Status::kDone);
   EXPECT_EQ(report, report_);
   EXPECT_EQ(table_.Find(report_).absent(), 1U);
+}
+
+TEST_F(StateTableTest, AnEncodedColumnHoldsBodiesOfATypeThatIsKnownAtRunTimeOnly) {
+  std::vector<std::byte> body;
+  table_.AddEncoded(body, SchemaOf<Report>(), "Report", 40);
+  table_.SetFirstTick(5);
+  const ColumnBase& column = *table_.columns()[0];
+  EXPECT_EQ(column.fingerprint(), FingerprintOf<Report>());
+  std::vector<std::uint64_t> row(table_.row_words());
+  std::int64_t time = 0;
+  std::uint64_t tick = 0;
+  EXPECT_EQ(table_.CopyNewestRow(tick, row, time), RowResult::kNotYet);
+
+  Encode(report_, body);
+  table_.AdvanceTo(5, TimeOf(1));
+  ASSERT_EQ(table_.CopyNewestRow(tick, row, time), RowResult::kDone);
+  EXPECT_EQ(tick, 5U);
+  EXPECT_THAT(table_.cell(row, 0), testing::ElementsAreArray(body));
+
+  body.resize(41);
+  table_.AdvanceTo(9, TimeOf(2));
+  ASSERT_EQ(table_.CopyNewestRow(tick, row, time), RowResult::kDone);
+  EXPECT_EQ(tick, 9U);
+  EXPECT_THAT(table_.cell(row, 0), IsEmpty()) << "the value is larger than the capacity";
+  EXPECT_EQ(column.absent(), 1U);
+  EXPECT_EQ(table_.CopyRow(7, row, time), RowResult::kOvertaken);
+  EXPECT_THAT(Refusal([&] { table_.SetFirstTick(0); }), HasSubstr("holds rows already"));
 }
 
 TEST_F(StateTableTest, ACycleWritesARowUnlessAdvancedByHand) {

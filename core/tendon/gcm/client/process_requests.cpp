@@ -72,9 +72,26 @@ void ProcessRequests::Call(const Path& path, const MemberDescription& command,
   if (Answers(order->signature.kind)) needed.push_back(order->signature.out);
   FetchSchemas(path.process, needed,
                [self = shared_from_this(), order](const Result<void>& fetched) {
-                 if (!fetched) return order->handler(fetched.error());
-                 self->Send(order);
+                 if (fetched) return self->Send(order);
+                 if (fetched.error().code != ErrorCode::kNotFound) {
+                   return order->handler(fetched.error());
+                 }
+                 self->AskForRefusal(order, fetched.error());
                });
+}
+
+/// A process that does not know the types of its own command, such as a replay, cannot execute it;
+/// its answer to a call without an argument says why.
+void ProcessRequests::AskForRefusal(const std::shared_ptr<const Order>& order, const Error& why) {
+  const Path& path = order->path;
+  const message::CallMember call{path.component, path.interface, path.member, {}, timeout_ * 3 / 4};
+  links_->WithChannel(
+      path.process, [self = shared_from_this(), order, why, call](const auto& channel) {
+        if (!channel) return order->handler(channel.error());
+        Ask<message::CallMemberReply>(
+            *self->timer_, *channel, message::kCallMember, call, self->timeout_,
+            [order, why](const auto& called) { order->handler(called ? why : called.error()); });
+      });
 }
 
 void ProcessRequests::GetSchema(const std::string& process, Fingerprint fingerprint,

@@ -56,6 +56,7 @@ class ProcessRequests final : public std::enable_shared_from_this<ProcessRequest
                     const message::Schemas& schemas);
   [[nodiscard]] std::optional<Schema> Find(Fingerprint fingerprint) const;
   void Send(const std::shared_ptr<const Order>& order);
+  void AskForRefusal(const std::shared_ptr<const Order>& order, const Error& why);
   [[nodiscard]] Result<std::string> Read(const Order& order,
                                          const message::CallMemberReply& called) const;
 

@@ -181,6 +181,10 @@ Result<std::shared_ptr<MemberCalls::Target>> MemberCalls::Make(const message::Ca
     return Error{ErrorCode::kNotFound, ToString(name) + " has no command '" + call.member + "'" +
                                            DidYouMean(call.member, known)};
   }
+  if (!offer->refusal().empty()) {
+    return Error{ErrorCode::kFailed,
+                 ToString(name) + "." + call.member + " is refused: " + offer->refusal()};
+  }
   auto target = std::make_shared<Target>(*offer, **provided, ToString(name),
                                          LineFor(*offer, **provided, call));
   const std::scoped_lock lock(mutex_);

@@ -37,6 +37,7 @@ void PeerSession::OnAllowedRequest(const SharedChannel& channel, const FrameHead
   if (type == message::kSubscribe || type == message::kJoinTopic) {
     return Subscribe(type, channel, body, std::move(responder));
   }
+  if (type == message::kReadRows) return ReadRows(body, std::move(responder));
   if (type == message::kMirror) return Mirror(channel, body, std::move(responder));
   ChannelHandler::OnRequest(channel, header, body, std::move(responder));
 }
@@ -185,6 +186,14 @@ void PeerSession::Subscribe(MessageType type, const SharedChannel& channel, Body
       [&telemetry = services_.telemetry, type, channel](const auto& wanted, const auto& answer) {
         if (type == message::kJoinTopic) return telemetry.JoinTopic(channel, wanted, *answer);
         telemetry.Subscribe(channel, wanted, *answer);
+      });
+}
+
+void PeerSession::ReadRows(Body body, Responder responder) {
+  Post<message::ReadRows>(
+      body, std::move(responder),
+      [&telemetry = services_.telemetry](const auto& wanted, const auto& answer) {
+        telemetry.ReadRows(wanted, *answer);
       });
 }
 

@@ -88,6 +88,7 @@ class PeerSession final : public GuardedHandler {
   void CallMember(Body body, Responder responder);
   /// Subscribes directly or through a topic, depending on `type`.
   void Subscribe(MessageType type, const SharedChannel& channel, Body body, Responder responder);
+  void ReadRows(Body body, Responder responder);
   void Mirror(const SharedChannel& channel, Body body, Responder responder);
 
   Services& services_;

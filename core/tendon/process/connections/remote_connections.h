@@ -61,7 +61,7 @@ class RemoteConnections final : private PeerListener {
     std::uint64_t attempt = 0;     // the newest attempt; outcomes of earlier ones are ignored
     bool is_opening = false;       // an attempt has no outcome yet
     std::uint64_t refused_by = 0;  // the instance of the process that refused it
-    Backoff backoff{std::chrono::milliseconds(100), std::chrono::milliseconds(2000), 0.25};
+    Backoff backoff = kLinkRetry;
     std::shared_ptr<PeerLink> link;
     std::uint32_t handle = 0;  // the number that this end has issued
     std::shared_ptr<ProvidedInterfaceProxy> proxy;

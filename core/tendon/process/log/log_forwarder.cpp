@@ -8,12 +8,16 @@ namespace tendon {
 LogForwarder::LogForwarder(std::shared_ptr<NetworkThread> network)
     : network_(std::move(network)),
       tap_([this](LogLevel level, std::string_view source, std::string_view text) {
-        if (queue_.Add(level, source, text)) network_->Notify();
+        Add(level, source, text);
       }) {
   network_->Add(*this);
 }
 
 LogForwarder::~LogForwarder() { network_->Remove(*this); }
+
+void LogForwarder::Add(LogLevel level, std::string_view source, std::string_view text) {
+  if (queue_.Add(level, source, text)) network_->Notify();
+}
 
 void LogForwarder::SetChannel(std::shared_ptr<Channel> channel) {
   {

@@ -23,7 +23,9 @@ class LogForwarder final : private NetworkJob {
   explicit LogForwarder(std::shared_ptr<NetworkThread> network);
   ~LogForwarder() override;
 
-  /// Sets the channel to the joined GCM; null while there is no GCM. Any thread.
+  /// Sets sends a record, as if it had been logged.
+  void Add(LogLevel level, std::string_view source, std::string_view text);
+  /// Any thread: the channel to the joined GCM; null while there is no GCM. Any thread.
   void SetChannel(std::shared_ptr<Channel> channel);
   /// Sends the queued records that the link accepts; nothing is sent afterwards. Any thread.
   void Finish();

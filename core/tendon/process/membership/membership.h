@@ -70,6 +70,11 @@ class Membership final : private NetworkJob {
   Result<void> WaitUntilJoined(std::chrono::milliseconds timeout) const;
   [[nodiscard]] bool is_joined() const;
 
+  /// Sends a log record that this program did not log itself. Any thread.
+  void ForwardLog(LogLevel level, std::string_view source, std::string_view text) {
+    log_.Add(level, source, text);
+  }
+
   /// Reports changes soon. Call it after a change. Any thread.
   void ReportSoon();
   /// On the worker: reports the changes since the last report.
@@ -104,7 +109,7 @@ class Membership final : private NetworkJob {
   // Used only on the worker.
   std::shared_ptr<Channel> candidate_;  // channel of a join request without an answer
   ProcessContent reported_;
-  Backoff backoff_{std::chrono::milliseconds(100), std::chrono::milliseconds(2000), 0.5};
+  Backoff backoff_ = kLinkRetry;
   std::string logged_;
   std::string warned_;
 

@@ -1,4 +1,5 @@
 #include <tendon/process/telemetry/make_telemetry_client.h>
+#include <tendon/process/telemetry/past_rows_reading.h>
 #include <tendon/process/telemetry/row_source.h>
 
 #include <map>
@@ -25,7 +26,8 @@ class ChannelTelemetryClient final : public TelemetryClient {
     auto subscription = std::make_shared<RowSubscription>(wanted, std::move(sink));
     const std::scoped_lock lock(mutex_);
     subscriptions_[++last_id_] = subscription;
-    worker_->Post([this, subscription] { SourceOf(*subscription).Add(subscription); });
+    worker_->Post(
+        [this, subscription] { SourceOf(subscription->wanted().process).Add(subscription); });
     return last_id_;
   }
 
@@ -35,8 +37,17 @@ class ChannelTelemetryClient final : public TelemetryClient {
     lock.unlock();
     if (!node) return;
     node.mapped()->End();
+    worker_->Post([this, subscription = node.mapped()] {
+      SourceOf(subscription->wanted().process).Remove(subscription);
+    });
+  }
+
+  void ReadPast(const TableSubscription& table, std::chrono::nanoseconds last,
+                std::shared_ptr<RowSink> sink,
+                std::function<void(Result<PastRows>)> done) override {
+    auto reading = std::make_shared<PastRowsReading>(table, last, std::move(sink), std::move(done));
     worker_->Post(
-        [this, subscription = node.mapped()] { SourceOf(*subscription).Remove(subscription); });
+        [this, reading = std::move(reading)] { SourceOf(reading->process()).ReadPast(reading); });
   }
 
   void Retry(const std::string& process) override {
@@ -48,8 +59,7 @@ class ChannelTelemetryClient final : public TelemetryClient {
 
  private:
   /// Returns the source for a subscription, and creates it if needed. Called on the worker.
-  RowSource& SourceOf(const RowSubscription& subscription) {
-    const std::string& process = subscription.wanted().process;
+  RowSource& SourceOf(const std::string& process) {
     auto& source = sources_[process];
     if (!source) source = std::make_shared<RowSource>(access_, worker_, pulse_, process);
     return *source;

@@ -37,6 +37,26 @@ void RowSource::Remove(const std::shared_ptr<RowSubscription>& subscription) {
   if (items_.empty()) Close();
 }
 
+void RowSource::ReadPast(const std::shared_ptr<PastRowsReading>& reading) {
+  const auto opened = Open();
+  opened ? AskForPastRows(channel_, reading) : reading->Fail(opened.error());
+}
+
+void RowSource::AskForPastRows(const std::shared_ptr<Channel>& channel,
+                               const std::shared_ptr<PastRowsReading>& reading) {
+  tendon::Ask<message::ReadRowsReply>(
+      *worker_, channel, message::kReadRows, reading->NextRequest(), kSourceAnswerTimeout,
+      [self = shared_from_this(), channel, reading](const Result<message::ReadRowsReply>& page) {
+        if (!page) return reading->Fail(page.error());
+        if (reading->Take(*page, self->clock())) self->AskForPastRows(channel, reading);
+      });
+}
+
+ClockOffset RowSource::clock() {
+  const std::scoped_lock lock(mutex_);
+  return clock_;
+}
+
 void RowSource::Retry() {
   backoff_.Reset();
   RestoreAll();

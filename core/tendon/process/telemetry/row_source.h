@@ -7,6 +7,7 @@
 #include <tendon/process/broadcast_messages.h>
 #include <tendon/process/clock_offset.h>
 #include <tendon/process/telemetry/make_telemetry_client.h>
+#include <tendon/process/telemetry/past_rows_reading.h>
 #include <tendon/process/telemetry/row_subscription.h>
 #include <tendon/process/worker.h>
 
@@ -96,6 +97,8 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   void Add(const std::shared_ptr<RowSubscription>& subscription);
   /// Unsubscribes at the process. RowSubscription::End() must have been called before.
   void Remove(const std::shared_ptr<RowSubscription>& subscription);
+  /// Reads past rows. The channel stays open until Close().
+  void ReadPast(const std::shared_ptr<PastRowsReading>& reading);
   /// Tries to restore lost subscriptions at once.
   void Retry();
   /// Closes the channel. Call it after the worker has stopped.
@@ -128,6 +131,10 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   void RestoreAll();
   Result<void> Open();
   void MeasureClock();
+  /// Any thread.
+  void AskForPastRows(const std::shared_ptr<Channel>& channel,
+                      const std::shared_ptr<PastRowsReading>& reading);
+  [[nodiscard]] ClockOffset clock();
   void Ask(Item& item);
   void RequestRows(Item& item);
   /// The address of the broker, if it exists and supports this subscription; otherwise empty.

@@ -4,7 +4,6 @@
 #include <utility>
 
 namespace tendon {
-namespace {
 
 std::vector<std::uint32_t> CellSizes(const StateTable& table,
                                      const std::vector<std::size_t>& columns) {
@@ -15,8 +14,6 @@ std::vector<std::uint32_t> CellSizes(const StateTable& table,
   }
   return sizes;
 }
-
-}  // namespace
 
 bool Includes(const RowAcknowledgements& acknowledgements, const std::shared_ptr<Channel>& channel,
               std::uint32_t handle) {

@@ -40,6 +40,10 @@ struct RowViewer {
 /// be sent.
 void ReportEnd(const RowViewer& viewer, const Error& reason);
 
+/// The bytes of a cell of each of these columns; 0 if they differ from row to row.
+[[nodiscard]] std::vector<std::uint32_t> CellSizes(const StateTable& table,
+                                                   const std::vector<std::size_t>& columns);
+
 /// The viewers of one stream or topic. The type `Viewer`, which is RowViewer or derived from it,
 /// holds the state of one viewer.
 ///

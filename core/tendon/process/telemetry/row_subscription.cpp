@@ -110,16 +110,15 @@ void RowSubscription::ReadStamps(const RowBatchReader& reader) {
   times_.clear();
   for (std::size_t row = 0; row < reader.header().rows; ++row) {
     ticks_.push_back(reader.tick(row));
-    times_.push_back(reader.time(row));
+    const SteadyTime time(std::chrono::nanoseconds(reader.time(row)));
+    times_.push_back(ClockOffset::Sensible(time).time_since_epoch().count());
   }
 }
 
 std::chrono::nanoseconds RowSubscription::Correction(const ClockOffset& clock) {
   constexpr std::chrono::seconds kMost(1);  // a larger step back is a jump, not a correction
   if (times_.empty()) return {};
-  const auto time_at = [](std::int64_t time) {
-    return ClockOffset::Sensible(SteadyTime(std::chrono::nanoseconds(time)));
-  };
+  const auto time_at = [](std::int64_t time) { return SteadyTime(std::chrono::nanoseconds(time)); };
   const SteadyTime first = time_at(times_.front());
   std::chrono::nanoseconds offset = clock.SlewedAt(first);
   if (newest_ && first - offset < *newest_ && *newest_ - (first - offset) < kMost) {

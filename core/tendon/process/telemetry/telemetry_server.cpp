@@ -19,7 +19,15 @@ std::vector<std::string> ListedNames(const List& list) {
   return names;
 }
 
-/// Returns the newest value of one column, without a handle.
+/// Returns the first row that is not older than `last`; the oldest one if all are younger.
+std::uint64_t FirstTick(const StateTable& table, std::chrono::nanoseconds last, SteadyTime now) {
+  if (table.next_tick() == 0) return 0;  // it may still be allocating its memory
+  std::uint64_t before = 0;
+  const bool is_found = table.FindRow(now - last, before) == RowResult::kDone;
+  return is_found ? before + 1 : table.oldest_tick();
+}
+
+/// The newest value of one column, without a handle.
 message::MirroredColumn NewestOf(const StateTable& table, std::size_t column) {
   message::MirroredColumn newest;
   newest.capacity = static_cast<std::uint32_t>(table.columns()[column]->layout().bytes);
@@ -79,6 +87,47 @@ void TelemetryServer::Subscribe(const std::shared_ptr<Channel>& channel,
   if (!responder.TryReply(EncodeBody(subscribed), lane)) return;
   feed.Add(source->columns, wanted.rows, channel, subscribed.handle, lane);
   context_.network->Notify();
+}
+
+void TelemetryServer::ReadRows(const message::ReadRows& wanted, Responder& responder) const {
+  constexpr std::size_t kMostBytes = std::size_t{128} << 10U;
+  const auto structure = context_.process.LockStructure();
+  const auto source = LookUp(message::Subscribe{
+      .component = wanted.component, .table = wanted.table, .columns = wanted.columns, .rows = {}});
+  if (!source) return responder.Refuse(source.error());
+  if (wanted.last.count() < 0) {
+    return responder.Refuse({ErrorCode::kInvalid, "the age of past rows must not be below zero"});
+  }
+  const StateTable& table = *source->table;
+  const bool is_first = wanted.epoch == 0;
+  if (!is_first && wanted.epoch != table.epoch()) {
+    return responder.Refuse({ErrorCode::kFailed, context_.name + "/" + wanted.component + "/" +
+                                                     wanted.table + " was replaced meanwhile"});
+  }
+  const SteadyTime now = SteadyClock().Now();
+  message::ReadRowsReply reply{.subscribed = Describe(*source),
+                               .now = now.time_since_epoch().count(),
+                               .end_tick = table.next_tick(),
+                               .rows = {}};
+  std::uint64_t tick = is_first ? FirstTick(table, wanted.last, now) : wanted.first_tick;
+  reply.subscribed.first_tick = tick;
+  RowBatchWriter batch(CellSizes(table, source->columns));
+  std::vector<std::uint64_t> row(table.row_words());
+  std::uint64_t lost = 0;
+  while (tick < reply.end_tick && batch.size() < kMostBytes) {
+    std::int64_t time = 0;
+    if (table.CopyRow(tick, row, time) != RowResult::kDone) {
+      const std::uint64_t next = std::clamp(table.oldest_tick(), tick + 1, reply.end_tick);
+      lost += next - std::exchange(tick, next);
+      continue;
+    }
+    batch.BeginRow(tick++, time);
+    for (const std::size_t column : source->columns) batch.AddCell(table.cell(row, column));
+  }
+  const auto body =
+      batch.Finish({.rows_before = wanted.rows_before, .lost_table = lost, .next_tick = tick});
+  reply.rows.assign(body.begin(), body.end());
+  responder.Reply(EncodeBody(reply));
 }
 
 message::SubscribeReply TelemetryServer::Describe(const Source& source) {

@@ -67,6 +67,10 @@ class TelemetryServer final : public NetworkJob {
   /// a topic cannot carry.
   void JoinTopic(const std::shared_ptr<Channel>& channel, const message::Subscribe& wanted,
                  Responder& responder);
+  /// Replies with rows that are already written, at most about 128 KiB. Refusals: kNotFound with a
+  /// suggestion; kInvalid for a time below zero, or a column named twice; kFailed if the table is
+  /// not the table of the first reply.
+  void ReadRows(const message::ReadRows& wanted, Responder& responder) const;
   /// Starts to send copies of the values that read commands return. Refusals: kNotFound;
   /// kIncompatible for a command that does not return the newest value of a column; kInvalid for a
   /// command named twice.

@@ -369,10 +369,12 @@ TEST(Plan, ListsTheProcessesToStart) {
   const Plan plan = MakePlan(builder.catalogue(), wanted);
 
   EXPECT_THAT(plan.steps, IsEmpty());
-  EXPECT_THAT(plan.obstacles,
-              ElementsAre("process 'desk' with 1 component is not available; start its program",
-                          "process 'robot' with 2 components is not available; start this process: "
-                          "lcm --name robot"));
+  EXPECT_THAT(
+      plan.obstacles,
+      ElementsAre(
+          "process 'desk' with 1 component is not available; start the program of this process",
+          "process 'robot' with 2 components is not available; start this process: "
+          "lcm --name robot"));
 }
 
 TEST(Plan, WaitsForAStartingProcess) {

@@ -2,7 +2,9 @@
 #include <tendon/process/telemetry/row_batch.h>
 #include <tendon/process/telemetry/row_subscription.h>
 
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace tendon {
 namespace {
@@ -23,12 +25,14 @@ class Sink final : public RowSink {
   void OnSubscribed(const std::vector<Schema>& /*columns*/) override {}
   void OnRows(const RowBatch& batch) override {
     last = batch;
+    times.assign(batch.times.begin(), batch.times.end());
     counts.received += batch.count;
     counts.lost += batch.lost;
   }
   void OnStale(const Error& /*reason*/) override {}
 
   RowBatch last;  ///< but for its rows
+  std::vector<std::int64_t> times;
   RowCounts counts;
 };
 
@@ -279,6 +283,17 @@ TEST(RowSubscription, SwitchingToATopicDeliversNoRowTwice) {
   viewer.Send(10);
 
   EXPECT_EQ(viewer.sink->counts, (RowCounts{.received = 110}));
+}
+
+TEST(RowSubscription, LimitsImpossibleTimesOfAPeer) {
+  Viewer viewer;
+  viewer.Stand(1, 0);
+
+  viewer.Send(1, SteadyTime::min());
+  EXPECT_EQ(viewer.sink->times.front(), 0);
+  viewer.Send(1, SteadyTime::max());
+  EXPECT_EQ(SteadyTime(nanoseconds(viewer.sink->times.front())),
+            ClockOffset::Sensible(SteadyTime::max()));
 }
 
 }  // namespace

@@ -1,0 +1,92 @@
+#include <components/recorder/recorder.h>
+#include <tendon/base/log.h>
+#include <tendon/base/text.h>
+#include <tendon/process/process.h>
+
+#include <chrono>
+#include <string>
+#include <utility>
+
+namespace recorder {
+namespace {
+
+constexpr std::chrono::milliseconds kPeriod{100};
+
+}  // namespace
+
+Recorder::Recorder(std::string name, Configuration configuration)
+    : PeriodicTask(std::move(name), kPeriod), configuration_(std::move(configuration)) {
+  if (configuration_.patterns.empty()) {
+    throw tendon::ConfigurationError(
+        "'patterns' is empty, so nothing would be recorded; expected paths such as \"**\"");
+  }
+  if (configuration_.name.find('/') != std::string::npos ||
+      configuration_.name.find("..") != std::string::npos) {
+    throw tendon::ConfigurationError("'name' is '" + tendon::Printable(configuration_.name, 100) +
+                                     "'; expected the begin of a file name, without / and ..; "
+                                     "'folder' is the place of the files");
+  }
+  if (configuration_.keep > 0 && configuration_.split_size == 0 &&
+      configuration_.split_time == 0.0) {
+    throw tendon::ConfigurationError("'keep' needs 'split_size' or 'split_time'");
+  }
+  state_table().Add(state_, "State");
+  auto& control = AddProvidedInterface("Control");
+  control.AddCommandVoid(&Recorder::StartRecording, this, "Start");
+  control.AddCommandVoid(&Recorder::StopRecording, this, "Stop");
+  control.AddCommandWrite(&Recorder::SaveLast, this, "SaveLast");
+  control.AddEvent(started_, "Started");
+  control.AddEvent(stopped_, "Stopped");
+  control.AddEvent(saved_, "Saved");
+  control.AddEvent(failed_, "Failed");
+}
+
+void Recorder::OnAdding(tendon::LocalManager& manager) {
+  auto* const process = dynamic_cast<tendon::Process*>(&manager);
+  if (process == nullptr) {
+    throw tendon::ConfigurationError(
+        "component '" + name() +
+        "' can record only in a tendon::Process, but its manager is not a tendon::Process");
+  }
+  process_ = process->OpenLocalAccess();
+}
+
+void Recorder::Startup() {
+  thread_ = std::make_unique<RecordingThread>(process_, configuration_);
+  if (configuration_.record_at_start) thread_->Start();
+}
+
+void Recorder::Run() {
+  ProcessQueuedCommands();
+  state_ = thread_->state();
+  RaiseEvents();
+}
+
+void Recorder::Cleanup() {
+  thread_->Finish();
+  state_ = thread_->state();
+  RaiseEvents();
+  thread_.reset();
+}
+
+void Recorder::RaiseEvents() {
+  for (const Outcome& outcome : thread_->TakeOutcomes()) {
+    switch (outcome.kind) {
+      case Outcome::Kind::kStarted:
+        started_(outcome.text);
+        break;
+      case Outcome::Kind::kStopped:
+        stopped_(outcome.text);
+        break;
+      case Outcome::Kind::kSaved:
+        saved_(outcome.text);
+        break;
+      case Outcome::Kind::kFailed:
+        tendon::Log(tendon::LogLevel::kError, name(), outcome.text);
+        failed_(outcome.text);
+        break;
+    }
+  }
+}
+
+}  // namespace recorder

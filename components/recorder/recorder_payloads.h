@@ -1,0 +1,77 @@
+#pragma once
+
+#include <tendon/payload/payload.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// A component that records its own process.
+namespace recorder {
+
+enum class Compression : std::int32_t { kNone, kLz4, kZstd };
+
+inline constexpr double kLongestSplit = 30.0 * 24 * 3600;  // s
+
+struct RecorderConfiguration {
+  std::vector<std::string> patterns{"**"};
+  std::string folder = ".";
+  std::string name = "recording";
+  Compression compression = Compression::kZstd;
+  std::uint64_t split_size = 0;  ///< bytes; 0: no limit
+  double split_time = 0.0;       ///< s; 0: no limit
+  std::uint64_t keep = 0;        ///< files of one recording; 0: all
+  bool log = true;
+  bool record_at_start = false;
+};
+
+/// The state of a recording, or of the last one.
+struct RecorderState {
+  bool is_recording = false;
+  std::uint64_t rows = 0;
+  std::uint64_t events = 0;
+  std::uint64_t bytes = 0;      ///< of the files that are kept
+  double rate = 0.0;            ///< bytes per second, over the last second
+  std::uint64_t disk_left = 0;  ///< bytes
+  std::uint64_t lost = 0;       ///< rows, events and log records
+};
+
+}  // namespace recorder
+
+template <>
+inline constexpr auto tendon::kPayload<recorder::Compression> = tendon::DescribeEnum(
+    "recorder.Compression", tendon::Enumerator{"none", recorder::Compression::kNone},
+    tendon::Enumerator{"lz4", recorder::Compression::kLz4},
+    tendon::Enumerator{"zstd", recorder::Compression::kZstd});
+
+template <>
+inline constexpr auto tendon::kPayload<recorder::RecorderConfiguration> = tendon::Describe(
+    "recorder.RecorderConfiguration",
+    tendon::Field{"patterns", &recorder::RecorderConfiguration::patterns}.Help(
+        "Paths of this process, also with * and **, such as robot/arm/**."),
+    tendon::Field{"folder", &recorder::RecorderConfiguration::folder}.Help(
+        "Folder for the files. The folder must exist."),
+    tendon::Field{"name", &recorder::RecorderConfiguration::name}.Help(
+        "Start of the file names; the date and the time are added."),
+    tendon::Field{"compression", &recorder::RecorderConfiguration::compression},
+    tendon::Field{"split_size", &recorder::RecorderConfiguration::split_size, "B"}.Help(
+        "Size at which another file begins; 0 means no limit."),
+    tendon::Field{"split_time", &recorder::RecorderConfiguration::split_time, "s"}
+        .Within(0.0, recorder::kLongestSplit)
+        .Help("Time after which another file begins; 0 means no limit."),
+    tendon::Field{"keep", &recorder::RecorderConfiguration::keep}.Help(
+        "Number of the newest files to keep; 0 means all files."),
+    tendon::Field{"log", &recorder::RecorderConfiguration::log}.Help(
+        "Also record the log of this process."),
+    tendon::Field{"record_at_start", &recorder::RecorderConfiguration::record_at_start}.Help(
+        "Begin to record when the component starts."));
+
+template <>
+inline constexpr auto tendon::kPayload<recorder::RecorderState> = tendon::Describe(
+    "recorder.RecorderState", tendon::Field{"is_recording", &recorder::RecorderState::is_recording},
+    tendon::Field{"rows", &recorder::RecorderState::rows},
+    tendon::Field{"events", &recorder::RecorderState::events},
+    tendon::Field{"bytes", &recorder::RecorderState::bytes, "B"},
+    tendon::Field{"rate", &recorder::RecorderState::rate, "B/s"},
+    tendon::Field{"disk_left", &recorder::RecorderState::disk_left, "B"},
+    tendon::Field{"lost", &recorder::RecorderState::lost});

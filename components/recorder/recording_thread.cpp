@@ -1,0 +1,206 @@
+#include <components/recorder/recording_thread.h>
+#include <tendon/recording/save_last.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <future>
+#include <utility>
+
+namespace recorder {
+namespace {
+
+using tendon::recording::RecorderStatus;
+using namespace std::chrono_literals;
+
+constexpr double kLongestPast = 24.0 * 3600;  // s
+
+/// "20251121-154003"
+std::string TimeOfNow() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  std::tm local{};
+  localtime_r(&now, &local);
+  char text[32] = {};
+  return {text, std::strftime(text, sizeof text, "%Y%m%d-%H%M%S", &local)};
+}
+
+tendon::mcap::Compression MethodOf(Compression compression) {
+  switch (compression) {
+    case Compression::kNone:
+      return tendon::mcap::Compression::kNone;
+    case Compression::kLz4:
+      return tendon::mcap::Compression::kLz4;
+    case Compression::kZstd:
+      return tendon::mcap::Compression::kZstd;
+  }
+  return tendon::mcap::Compression::kZstd;
+}
+
+std::uint64_t LostOf(const RecorderStatus& status) {
+  std::uint64_t lost = status.losses.log;
+  for (const auto& [path, rows] : status.losses.rows) lost += rows.all();
+  for (const auto& [path, events] : status.losses.events) lost += events;
+  return lost;
+}
+
+}  // namespace
+
+RecordingThread::RecordingThread(std::shared_ptr<tendon::LocalAccess> process,
+                                 RecorderConfiguration settings)
+    : process_(std::move(process)), settings_(std::move(settings)) {}
+
+RecordingThread::~RecordingThread() { Finish(); }
+
+void RecordingThread::Start() {
+  worker_.Post([this] { StartNow(); });
+}
+
+void RecordingThread::Stop() {
+  worker_.Post([this] {
+    if (!recorder_) return Tell(Outcome::Kind::kFailed, "there is no recording to stop");
+    StopNow();
+  });
+}
+
+void RecordingThread::SaveLast(double seconds) {
+  worker_.Post([this, seconds] { SaveLastNow(seconds); });
+}
+
+void RecordingThread::Finish() {
+  const auto ended = std::make_shared<std::promise<void>>();
+  worker_.Post([this, ended] {
+    if (recorder_) StopNow();
+    ended->set_value();
+  });
+  ended->get_future().wait();
+}
+
+RecorderState RecordingThread::state() const {
+  const std::scoped_lock lock(mutex_);
+  return state_;
+}
+
+std::vector<Outcome> RecordingThread::TakeOutcomes() {
+  const std::scoped_lock lock(mutex_);
+  return std::exchange(outcomes_, {});
+}
+
+void RecordingThread::StartNow() {
+  if (recorder_) {
+    return Tell(Outcome::Kind::kFailed, "a recording is already running and writes " +
+                                            recorder_->status().file.string() +
+                                            "; stop that recording first");
+  }
+  const auto inbox = std::make_shared<tendon::recording::Inbox>();
+  system_ = std::make_shared<tendon::recording::LocalSystem>(process_, inbox);
+  auto started = tendon::recording::Recorder::Start(
+      system_, inbox,
+      {.patterns = settings_.patterns, .files = NextFile(), .has_log = settings_.log});
+  if (!started) {
+    system_.reset();
+    return Tell(Outcome::Kind::kFailed, started.error().message);
+  }
+  recorder_ = *std::move(started);
+  ++recordings_;
+  bytes_ = 0;
+  next_rate_ = tendon::SteadyClock().Now() + 1s;
+  Look();
+  Tell(Outcome::Kind::kStarted, recorder_->status().file.string());
+}
+
+void RecordingThread::StopNow() {
+  const auto stopped = recorder_->Stop();
+  const RecorderStatus status = recorder_->status();
+  {
+    const std::scoped_lock lock(mutex_);
+    state_.is_recording = false;
+    state_.rows = status.counts.rows;
+    state_.events = status.counts.events;
+    state_.bytes = status.counts.bytes;
+    state_.rate = 0.0;
+    state_.disk_left = status.disk_free;
+    state_.lost = LostOf(status);
+  }
+  recorder_.reset();
+  system_.reset();
+  if (!stopped) return Tell(Outcome::Kind::kFailed, stopped.error().message);
+  Tell(Outcome::Kind::kStopped, status.file.string());
+}
+
+void RecordingThread::SaveLastNow(double seconds) {
+  if (!(seconds > 0.0 && seconds <= kLongestPast)) {
+    return Tell(Outcome::Kind::kFailed, "cannot save the last " + std::to_string(seconds) +
+                                            " s: expected more than 0 and at most 86400 s");
+  }
+  const auto inbox = std::make_shared<tendon::recording::Inbox>();
+  tendon::recording::LocalSystem system(process_, inbox);
+  tendon::recording::SaveLastOptions options{
+      .patterns = settings_.patterns, .files = NextFile(), .has_log = settings_.log};
+  options.files.split_size = 0;
+  options.files.split_time = {};
+  options.last =
+      std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(seconds));
+  const auto saved = tendon::recording::SaveLast(system, inbox, std::move(options));
+  if (!saved) return Tell(Outcome::Kind::kFailed, saved.error().message);
+  for (const auto& table : saved->tables) {
+    if (table.failure) Tell(Outcome::Kind::kFailed, table.path + ": " + table.failure->message);
+  }
+  Tell(Outcome::Kind::kSaved, saved->file.string());
+}
+
+/// Ten times a second while there is a recording.
+void RecordingThread::Look() {
+  if (!recorder_) return;
+  const RecorderStatus status = recorder_->status();
+  if (status.failure) return StopNow();
+  const tendon::SteadyTime now = tendon::SteadyClock().Now();
+  {
+    const std::scoped_lock lock(mutex_);
+    state_ = {.is_recording = true,
+              .rows = status.counts.rows,
+              .events = status.counts.events,
+              .bytes = status.counts.bytes,
+              .rate = state_.is_recording ? state_.rate : 0.0,
+              .disk_left = status.disk_free,
+              .lost = LostOf(status)};
+    if (now >= next_rate_) {
+      const std::chrono::duration<double> passed = now - next_rate_ + 1s;
+      const auto more = status.counts.bytes - std::min(bytes_, status.counts.bytes);
+      state_.rate = static_cast<double>(more) / passed.count();
+      bytes_ = status.counts.bytes;
+      next_rate_ = now + 1s;
+    }
+  }
+  worker_.PostAfter(100ms, [this, recording = recordings_] {
+    if (recording == recordings_) Look();
+  });
+}
+
+void RecordingThread::Tell(Outcome::Kind kind, std::string text) {
+  const std::scoped_lock lock(mutex_);
+  outcomes_.push_back({kind, std::move(text)});
+}
+
+/// Two recordings may begin within a second.
+tendon::recording::FileOptions RecordingThread::NextFile() const {
+  const std::string name = settings_.name + "-" + TimeOfNow();
+  const std::filesystem::path folder(settings_.folder);
+  tendon::recording::FileOptions options{.file = folder / (name + ".mcap"),
+                                         .compression = MethodOf(settings_.compression),
+                                         .split_size = settings_.split_size,
+                                         .keep = settings_.keep};
+  options.split_time = std::chrono::duration_cast<std::chrono::nanoseconds>(
+      std::chrono::duration<double>(settings_.split_time));
+  // A saved file has no number, also if recordings are split.
+  std::error_code ignored;
+  const auto is_used = [&] {
+    return std::filesystem::exists(options.file, ignored) ||
+           std::filesystem::exists(tendon::recording::FileName(options, 1), ignored);
+  };
+  for (int number = 2; is_used(); ++number) {
+    options.file = folder / (name + "_" + std::to_string(number) + ".mcap");
+  }
+  return options;
+}
+
+}  // namespace recorder

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <components/recorder/recorder_payloads.h>
+#include <tendon/base/clock.h>
+#include <tendon/process/local_access.h>
+#include <tendon/process/worker.h>
+#include <tendon/recording/local_system.h>
+#include <tendon/recording/recorder.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace recorder {
+
+/// What has become of an order, or of a recording.
+struct Outcome {
+  enum class Kind { kStarted, kStopped, kSaved, kFailed };
+
+  Kind kind = Kind::kFailed;
+  std::string text;  ///< the file; for kFailed, a sentence
+};
+
+/// Makes recordings, one after the other, in a thread of its own: opening, closing and looking at
+/// the disk never delay the component.
+///
+/// Thread safety: all functions, from any thread. Only Finish() waits.
+class RecordingThread {
+ public:
+  RecordingThread(std::shared_ptr<tendon::LocalAccess> process, RecorderConfiguration settings);
+  RecordingThread(const RecordingThread&) = delete;
+  RecordingThread& operator=(const RecordingThread&) = delete;
+  /// Calls Finish().
+  ~RecordingThread();
+
+  /// Begins a recording; kFailed if there is one already.
+  void Start();
+  /// Ends the recording, and completes its file; kFailed if there is none.
+  void Stop();
+  /// Saves what the state tables hold of the last `seconds` into a file of its own.
+  void SaveLast(double seconds);
+  /// Ends the recording, if there is one, after all earlier orders, and waits for that.
+  void Finish();
+
+  [[nodiscard]] RecorderState state() const;
+  /// Since the last call, oldest first.
+  std::vector<Outcome> TakeOutcomes();
+
+ private:
+  // In the thread.
+  void StartNow();
+  void StopNow();
+  void SaveLastNow(double seconds);
+  void Look();
+  void Tell(Outcome::Kind kind, std::string text);
+  [[nodiscard]] tendon::recording::FileOptions NextFile() const;
+
+  const std::shared_ptr<tendon::LocalAccess> process_;
+  const RecorderConfiguration settings_;
+
+  // Of the thread.
+  std::shared_ptr<tendon::recording::LocalSystem> system_;
+  std::unique_ptr<tendon::recording::Recorder> recorder_;
+  std::uint64_t recordings_ = 0;
+  std::uint64_t bytes_ = 0;  // a second ago
+  tendon::SteadyTime next_rate_{};
+
+  mutable std::mutex mutex_;  // guards the members below
+  RecorderState state_;
+  std::vector<Outcome> outcomes_;
+
+  tendon::Worker worker_{"recorder"};  // last, so that its thread ends first
+};
+
+}  // namespace recorder

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <tendon/process/clock_offset.h>
+#include <tendon/process/telemetry/row_subscription.h>
+#include <tendon/process/telemetry_client.h>
+#include <tendon/process/viewer_messages.h>
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+namespace tendon {
+
+/// Reads the past rows of one table, page by page: TelemetryClient::ReadPast().
+///
+/// Thread safety: any thread, one call at a time.
+class PastRowsReading {
+ public:
+  using Done = std::function<void(Result<PastRows>)>;
+
+  PastRowsReading(TableSubscription table, std::chrono::nanoseconds last,
+                  std::shared_ptr<RowSink> sink, Done done);
+
+  [[nodiscard]] const std::string& process() const { return subscription_.wanted().process; }
+  [[nodiscard]] const message::ReadRows& NextRequest() const { return next_; }
+  /// Passes the rows of a page to the sink. Returns true if another page must be requested;
+  /// otherwise it has called `done`.
+  [[nodiscard]] bool Take(const message::ReadRowsReply& page, const ClockOffset& clock);
+  void Fail(const Error& reason) { done_(reason); }
+
+ private:
+  /// The reply of a process is untrusted.
+  [[nodiscard]] Result<void> TryTake(const message::ReadRowsReply& page, const ClockOffset& clock);
+
+  RowSubscription subscription_;
+  const Done done_;
+  message::ReadRows next_;
+  PastRows read_;
+  std::uint64_t beginning_ = 0;
+  std::uint64_t end_tick_ = 0;  // rows that are written later do not count
+};
+
+}  // namespace tendon

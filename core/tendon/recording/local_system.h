@@ -1,0 +1,68 @@
+#pragma once
+
+#include <tendon/gcm/client/event_feed.h>
+#include <tendon/gcm/client/process_links.h>
+#include <tendon/gcm/client/process_requests.h>
+#include <tendon/process/local_access.h>
+#include <tendon/process/log/scoped_log_sink.h>
+#include <tendon/recording/system_access.h>
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+namespace tendon::recording {
+
+/// The process in which this code runs, without a GCM and without the network: its components and
+/// connections, their rows and events, and its log. Rows are read as for any viewer: the components
+/// never wait.
+///
+/// Threads: five, which wait most of the time. They must end before the process does.
+class LocalSystem final : public SystemAccess {
+ public:
+  /// Waits for up to 200 ms while the process is busy with a request; later, revision() finds its
+  /// components. The listener gets the catalogue and its changes, in the thread that calls
+  /// revision(), and the log, in the threads that log. `timeout` is that of a request.
+  LocalSystem(std::shared_ptr<LocalAccess> process, std::shared_ptr<GcmListener> listener,
+              std::chrono::milliseconds timeout = std::chrono::seconds(2));
+  ~LocalSystem() override;
+
+  /// Looks at the process first: about 10 us for each component. If the process is busy with a
+  /// request, the answer is that of the last look.
+  std::uint64_t revision() override;
+  [[nodiscard]] Catalogue catalogue() const override;
+  /// kFailed if the process was busy at each look.
+  [[nodiscard]] std::optional<Error> WhyUnknown() override;
+  TelemetryClient& telemetry() override { return *telemetry_; }
+  GcmClient::ListenerId Listen(const EventSubscription& events,
+                               std::shared_ptr<EventSink> sink) override;
+  void StopListening(GcmClient::ListenerId id) override;
+  Result<Schema> FindSchema(const std::string& process, Fingerprint type) override;
+  void Resync() override;
+  /// Only new records: the process keeps no earlier ones.
+  void WatchLog() override;
+
+ private:
+  [[nodiscard]] Result<void> CheckProcess(const std::string& process) const;
+  void OnLog(LogLevel level, std::string_view source, std::string_view text);
+
+  const std::shared_ptr<LocalAccess> process_;
+  const std::shared_ptr<GcmListener> listener_;
+  const std::chrono::milliseconds timeout_;
+  const std::shared_ptr<Middleware> middleware_;
+  const std::shared_ptr<Worker> timer_ = std::make_shared<Worker>("rec timer");
+  mutable std::mutex mutex_;  // guards the members below
+  ProcessContent content_;
+  Catalogue catalogue_;
+  std::optional<ScopedLogSink> log_;
+
+  std::shared_ptr<client::ProcessLinks> links_;
+  std::shared_ptr<client::ProcessRequests> requests_;
+  std::shared_ptr<client::EventFeed> events_;
+  std::unique_ptr<TelemetryClient> telemetry_;
+};
+
+}  // namespace tendon::recording

@@ -1,0 +1,207 @@
+#pragma once
+
+#include <tendon/base/result.h>
+#include <tendon/gcm/client.h>
+#include <tendon/recording/condition.h>
+#include <tendon/recording/past_entries.h>
+#include <tendon/recording/recording_files.h>
+#include <tendon/recording/recording_inbox.h>
+#include <tendon/recording/system_access.h>
+#include <tendon/recording/trigger.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace tendon::recording {
+
+/// The tables and events that `patterns` name, as they are in the catalogue. A pattern is a path or
+/// a glob of a process, a component, an interface, a column or an event; all that is in it counts.
+struct Choice {
+  std::vector<TableSubscription> tables;
+  std::vector<EventSubscription> events;
+};
+[[nodiscard]] Choice Choose(const Catalogue& catalogue, const std::vector<std::string>& patterns);
+
+/// Describes a recording of these patterns.
+[[nodiscard]] Heading HeadingFor(const Catalogue& catalogue,
+                                 const std::vector<std::string>& patterns);
+
+struct RecorderOptions {
+  std::vector<std::string> patterns;
+  FileOptions files;
+  bool has_log = true;
+  /// Writes nothing before this condition is true; then the file is created.
+  std::optional<Condition> start_when{};
+  /// The recording is finished when this condition becomes true after its begin.
+  std::optional<Condition> stop_when{};
+  std::chrono::nanoseconds before{0};  ///< with start_when: what came in this time before it, too
+  std::chrono::nanoseconds after{0};   ///< with stop_when: what comes in this time after it, too
+  /// The most memory for what came before; at least one entry is kept.
+  std::size_t before_bytes = std::size_t{256} << 20U;
+  /// Of a request to a process.
+  std::chrono::milliseconds timeout{2000};
+};
+
+/// The state of a recording.
+struct RecorderStatus {
+  Counts counts;
+  Losses losses;
+  std::size_t tables = 0;         ///< that are recorded
+  std::size_t interfaces = 0;     ///< whose events are recorded
+  std::size_t waiting_bytes = 0;  ///< that the disk is behind
+  std::uint64_t disk_free = 0;    ///< bytes
+  std::filesystem::path file;     ///< the present one
+  std::optional<Error> failure;   ///< why the recording has stopped
+  bool is_waiting = false;        ///< for the condition to start: there is no file yet
+  bool is_finished = false;       ///< the condition to stop was true: call Recorder::Stop()
+  std::size_t before_bytes = 0;   ///< while it waits: memory that holds what came before
+  /// What came before the start and did not fit into RecorderOptions::before_bytes: rows, and
+  /// events and log records. `losses` contains them as losses of the recorder.
+  std::uint64_t before_rows_missing = 0;
+  std::uint64_t before_others_missing = 0;
+};
+
+/// Records a running system into MCAP files, until Stop() or an error: all rows of the chosen
+/// tables, the chosen events, the log, and all changes of the catalogue. Processes may come and go;
+/// what appears later and fits a pattern is recorded as well. A GCM that is gone does not end the
+/// recording, since rows and events come from the processes directly.
+///
+/// With a condition to start, it receives everything from its own start on, but writes only what is
+/// not older than RecorderOptions::before when the condition becomes true. Both conditions are
+/// evaluated for every row, and for every event.
+///
+/// A slow disk costs rows of the recording, which are counted, and never a cycle of a component.
+/// The file is synced every 0.8 s, so that at most 1 s is lost if this program is killed.
+///
+///     const auto inbox = std::make_shared<recording::Inbox>();
+///     GcmClient client(middleware, options, inbox);
+///     auto recorder = recording::Recorder::Start(client, inbox, {.patterns = {"robot/**"}, ...});
+///     ...
+///     (*recorder)->Stop();
+///
+/// Thread safety: all functions, from any thread except handlers of the client. The client must
+/// outlive it.
+class Recorder {
+ public:
+  /// `inbox` is the client's listener. kExists if there is a file of this name; errors of a
+  /// condition as in Trigger::Make().
+  static Result<std::unique_ptr<Recorder>> Start(GcmClient& client, std::shared_ptr<Inbox> inbox,
+                                                 RecorderOptions options);
+  /// The same for any system, such as a LocalSystem, whose listener is `inbox`.
+  static Result<std::unique_ptr<Recorder>> Start(std::shared_ptr<SystemAccess> system,
+                                                 std::shared_ptr<Inbox> inbox,
+                                                 RecorderOptions options);
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
+  /// Calls Stop() and ignores its result.
+  ~Recorder();
+
+  /// Ends all subscriptions, writes what has arrived, and completes the file. Returns the reason if
+  /// the recording had stopped before, or the file cannot be completed. A second call returns the
+  /// same result.
+  Result<void> Stop();
+
+  [[nodiscard]] RecorderStatus status() const;
+  /// Sentences about interruptions since the last call.
+  std::vector<std::string> TakeNotices();
+
+ private:
+  struct Table {
+    TableSubscription subscription;
+    TelemetryClient::Id id = 0;
+  };
+  struct Listener {
+    std::vector<std::string> events;
+    std::vector<Fingerprint> types;
+    GcmClient::ListenerId id = 0;
+  };
+
+  struct Triggers {
+    std::unique_ptr<Trigger> start;
+    std::unique_ptr<Trigger> stop;
+  };
+
+  Recorder(std::shared_ptr<SystemAccess> system, std::shared_ptr<Inbox> inbox,
+           RecorderOptions options, Triggers triggers, std::unique_ptr<Files> files);
+
+  void Follow();
+  void FollowOnce(bool may_wait);
+  void NoteGoneProcesses(const Catalogue& catalogue);
+  [[nodiscard]] bool IsEnded(const Catalogue& catalogue, const std::string& process) const;
+  void FollowTables(const std::vector<TableSubscription>& wanted, const Catalogue& catalogue);
+  /// Returns false if events are left out, because their types must be asked for.
+  bool FollowEvents(const std::vector<EventSubscription>& wanted, const Catalogue& catalogue,
+                    bool may_wait);
+  std::map<Fingerprint, Schema> TypesOf(const Catalogue& catalogue, const EventSubscription& events,
+                                        const std::vector<Fingerprint>& types);
+  [[nodiscard]] bool IsStopping() const;
+  void EndSubscriptions();
+
+  void WriteUntilStopped();
+  Result<void> WriteSome();
+  Result<void> Write(Entry entry);
+  Result<void> WriteOrCount(const Entry& entry);
+  Result<void> StartIfDue();
+  Result<void> Begin(SteadyTime start);
+  void KeepLosses();
+  [[nodiscard]] Losses LossesUntil(SteadyTime time) const;
+  void StopIfDue(SteadyTime now);
+  [[nodiscard]] Losses LossesOfRecording() const;
+  void PublishStatus();
+
+  const std::shared_ptr<SystemAccess> system_;
+  const std::shared_ptr<Inbox> inbox_;
+  const RecorderOptions options_;
+
+  std::mutex stop_mutex_;  // one Stop() at a time
+  std::optional<Result<void>> stopped_;
+
+  // Of the thread that follows the catalogue, and of Stop() after it.
+  std::map<InterfaceName, Table> tables_;
+  std::map<InterfaceName, Listener> listeners_;
+  std::map<Fingerprint, Schema> types_;
+  std::uint64_t revision_ = 0;
+  std::uint64_t snapshots_ = 0;   // see Inbox::snapshots()
+  std::set<std::string> gone_;    // processes that were lost or had left
+  std::set<std::string> silent_;  // processes that did not answer since the last change
+  bool has_all_events_ = false;
+
+  // Of the thread that writes, and of Stop() after it.
+  std::unique_ptr<Files> files_;  // null while it waits for the condition to start
+  SteadyTime next_sync_;
+  Triggers triggers_;
+  PastEntries past_;
+  std::deque<std::pair<SteadyTime, Losses>> kept_losses_;  // while it waits, by time
+  SteadyTime armed_;                                       // when it began to wait
+  SteadyTime started_ = SteadyTime::min();                 // when the condition was true
+  SteadyTime from_ = SteadyTime::min();                    // of the first row
+  SteadyTime to_ = SteadyTime::max();                      // of the last one
+
+  mutable std::mutex mutex_;
+  std::condition_variable stop_;
+  bool follows_ = true;
+  bool is_drained_ = false;  // nothing more will arrive
+  RecorderStatus status_;
+  Losses losses_before_;   // that are not of the recording
+  Losses missing_before_;  // see RecorderStatus::before_rows_missing
+  Losses refused_;         // what the file cannot hold
+  std::set<std::string> refused_paths_;
+  std::vector<std::string> notices_;
+
+  std::thread follower_;
+  std::thread writer_;
+};
+
+}  // namespace tendon::recording

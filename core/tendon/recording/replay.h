@@ -1,0 +1,108 @@
+#pragma once
+
+#include <tendon/base/clock.h>
+#include <tendon/process/process.h>
+#include <tendon/recording/mcap_reader.h>
+#include <tendon/recording/recorded_items.h>
+#include <tendon/recording/replayed_component.h>
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tendon::recording {
+
+struct ReplayOptions {
+  double rate = 1.0;   ///< 2: twice as fast as recorded
+  bool loops = false;  ///< begins again at the end
+  std::string as;      ///< the name of the process; empty: as recorded
+  /// Between the first Play() and the first row, so that others can connect and subscribe.
+  std::chrono::nanoseconds delay{0};
+};
+
+/// What a replay has done by now.
+struct ReplayStatus {
+  std::uint64_t rows = 0;
+  std::uint64_t events = 0;
+  std::uint64_t log = 0;                 ///< records
+  std::uint64_t passes = 0;              ///< that have ended
+  std::uint64_t log_left_out = 0;        ///< records of processes that are not replayed
+  std::chrono::nanoseconds extended{0};  ///< the time that it took longer, because it was too slow
+};
+
+/// Plays a recording in a running system: each recorded process appears as a process with the
+/// recorded components. They have the state tables, events and commands of the real ones, so that
+/// other components connect and subscribe to them as usual. Commands are refused, see
+/// ReplayedComponent. The log is sent again, too.
+///
+/// A row has the recorded tick and value. The times between rows are those between the recorded log
+/// times, divided by the rate. A replay that is too slow takes longer, and leaves nothing out.
+///
+///     auto replay = Replay::Open(std::move(reader), query, {.rate = 2.0});
+///     (*replay)->Start(make_process);
+///     while (const auto next = (*replay)->Play(SteadyClock().Now())) SleepUntil(*next);
+///
+/// Thread safety: one thread at a time.
+class Replay {
+ public:
+  /// Makes the process of that name, which joins the GCM.
+  using MakeProcess = std::function<Result<std::unique_ptr<Process>>(const std::string& name)>;
+
+  /// Reads the part once. Errors: those of RecordedItems::Open(); kInvalid if the options name one
+  /// process, but the part has several, or if the part needs more than 1 GiB for its tables, or
+  /// takes more than ten years.
+  static Result<std::unique_ptr<Replay>> Open(std::unique_ptr<mcap::Reader> reader,
+                                              mcap::Query part, ReplayOptions options);
+  Replay(const Replay&) = delete;
+  Replay& operator=(const Replay&) = delete;
+  /// Ends the processes.
+  ~Replay();
+
+  /// The names that its processes have, or will have.
+  [[nodiscard]] std::vector<std::string> processes() const;
+  /// What the part contains.
+  [[nodiscard]] const RecordedCounts& contained() const { return items_->counts(); }
+  [[nodiscard]] const mcap::Reader& reader() const { return *reader_; }
+
+  /// Makes the processes with their components, and starts them. On an error, there are none.
+  Result<void> Start(const MakeProcess& make);
+  /// Errors are those of Process::WaitUntilJoined().
+  Result<void> WaitUntilJoined(std::chrono::milliseconds timeout) const;
+
+  /// Writes the rows and raises the events that are due at `now`, at most about a thousand. Returns
+  /// when to call it again; empty at the end. Only after Start().
+  std::optional<SteadyTime> Play(SteadyTime now);
+
+  [[nodiscard]] ReplayStatus status() const { return status_; }
+
+ private:
+  Replay(std::unique_ptr<mcap::Reader> reader, std::unique_ptr<RecordedItems> items,
+         ReplayOptions options);
+
+  [[nodiscard]] Result<void> CheckSize() const;
+  Result<void> AddComponents(const std::string& recorded, Process& process);
+  [[nodiscard]] std::vector<std::string> recorded_processes() const;
+  [[nodiscard]] std::string NameOf(const std::string& recorded) const;
+  [[nodiscard]] std::chrono::nanoseconds PeriodOf(const RecordedSource& source) const;
+  [[nodiscard]] SteadyTime DueTime(mcap::Timestamp time) const;
+  void Put(const RecordedItem& item);
+  void PutLog(const RosLog& record);
+
+  const std::unique_ptr<mcap::Reader> reader_;
+  const std::unique_ptr<RecordedItems> items_;
+  const ReplayOptions options_;
+  std::vector<std::shared_ptr<ReplayedMembers>> members_;      // by source
+  std::map<std::string, std::unique_ptr<Process>> processes_;  // by recorded name
+
+  std::optional<RecordedItem> next_;
+  std::optional<SteadyTime> begin_;  // of this pass
+  mcap::Timestamp last_time_ = 0;    // of the latest item
+  ReplayStatus status_;
+};
+
+}  // namespace tendon::recording

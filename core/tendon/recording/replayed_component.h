@@ -1,0 +1,111 @@
+#pragma once
+
+#include <tendon/base/rate_limited_warning.h>
+#include <tendon/interface/event.h>
+#include <tendon/manager/component_description.h>
+#include <tendon/recording/recorded_items.h>
+#include <tendon/state/state_table.h>
+#include <tendon/task/component.h>
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tendon::recording {
+
+/// An event that is raised with encoded values.
+class ReplayedEvent final : public EventBase {
+ public:
+  /// One thread at a time.
+  void Raise(std::span<const std::byte> value);
+
+ private:
+  /// Handlers are called with encoded values.
+  [[nodiscard]] std::unique_ptr<CommandBase> Adapt(CommandBase& /*handler*/) const override {
+    return nullptr;
+  }
+
+  std::vector<std::byte> nothing_;
+};
+
+/// An event of an interface, as recorded.
+struct NamedReplayedEvent {
+  std::string name;
+  Schema type;
+  std::unique_ptr<ReplayedEvent> event;
+};
+
+/// The state tables and events of a recorded component. It may outlive the component that offers
+/// them.
+///
+/// `source` is the index in RecordedItems::sources().
+///
+/// Thread safety: one thread writes rows and raises events, after all is added.
+class ReplayedMembers {
+ public:
+  /// `period` is the time between two rows, from which the length of the table follows. Throws
+  /// ConfigurationError for names that are not allowed, and for rows that are too large.
+  void AddTable(std::size_t source, const RecordedSource& table, std::chrono::nanoseconds period);
+  void AddEvents(std::size_t source, const RecordedSource& events);
+
+  /// `time` is that of the row.
+  void Write(std::size_t source, const RecordedRow& row, SteadyTime time);
+  void Raise(std::size_t source, const RecordedEvent& event);
+
+  [[nodiscard]] std::vector<const StateTable*> tables() const;
+  /// The names of the interfaces with recorded events.
+  [[nodiscard]] std::vector<std::string> interfaces() const;
+  /// The recorded events of an interface; empty if there are none.
+  [[nodiscard]] std::span<const NamedReplayedEvent> EventsOf(const std::string& interface) const;
+
+ private:
+  struct Table {
+    std::unique_ptr<StateTable> table;
+    std::vector<std::vector<std::byte>> cells;  // the variables of its columns
+  };
+  struct Events {
+    std::string interface;
+    std::vector<NamedReplayedEvent> events;
+  };
+
+  std::map<std::size_t, std::unique_ptr<Table>> tables_;  // by source
+  std::map<std::size_t, Events> events_;                  // likewise
+};
+
+/// Has the interfaces of a recorded component: its state tables, its events, and its commands,
+/// which are refused. A read command works if it returns a structure that exactly one column of the
+/// component has as its type, and that column was recorded: it returns the newest value of the
+/// column, as such commands usually do.
+class ReplayedComponent final : public Component {
+ public:
+  struct Options {
+    /// As recorded; null if the recording has no description of it. Not kept.
+    const ComponentDescription* description = nullptr;
+    std::string refusal;  ///< the sentence about commands: "this is a replay of run.mcap"
+  };
+
+  /// Throws ConfigurationError as ReplayedMembers does.
+  ReplayedComponent(std::string name, std::shared_ptr<ReplayedMembers> members,
+                    const Options& options);
+
+  [[nodiscard]] std::vector<const StateTable*> tables() const override {
+    return members_->tables();
+  }
+  [[nodiscard]] double period() const override { return period_; }
+
+ private:
+  void AddInterface(const ProvidedDescription& provided, const Options& options);
+  void AddSilentEvent(const MemberDescription& event, ProvidedInterface& interface);
+
+  const std::shared_ptr<ReplayedMembers> members_;
+  double period_ = 0.0;
+  std::vector<std::unique_ptr<ReplayedEvent>> silent_events_;  // that are not in the recording
+  RateLimitedWarning refused_;
+};
+
+}  // namespace tendon::recording

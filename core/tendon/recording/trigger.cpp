@@ -1,0 +1,173 @@
+#include <tendon/base/name.h>
+#include <tendon/base/text.h>
+#include <tendon/gcm/lookup.h>
+#include <tendon/recording/trigger.h>
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tendon::recording {
+namespace {
+
+Error NoSuch(const Condition& condition, const std::string& what) {
+  return {ErrorCode::kNotFound, "'" + Printable(condition.text, 200) + "': " + what};
+}
+
+}  // namespace
+
+/// When the condition was true.
+class Trigger::Matches {
+ public:
+  explicit Matches(std::function<void()> on_match) : on_match_(std::move(on_match)) {}
+
+  void Add(const std::vector<SteadyTime>& times) {
+    constexpr std::size_t kMost = 4096;
+    if (times.empty()) return;
+    {
+      const std::scoped_lock lock(mutex_);
+      times_.insert(times_.end(), times.begin(), times.end());
+      while (times_.size() > kMost) times_.pop_front();
+    }
+    on_match_();
+  }
+  std::optional<SteadyTime> FirstAfter(SteadyTime time) {
+    const std::scoped_lock lock(mutex_);
+    while (!times_.empty() && times_.front() <= time) times_.pop_front();
+    if (times_.empty()) return std::nullopt;
+    return times_.front();
+  }
+
+ private:
+  const std::function<void()> on_match_;
+  std::mutex mutex_;
+  std::deque<SteadyTime> times_;
+};
+
+class Trigger::TableWatch final : public RowSink {
+ public:
+  TableWatch(Condition condition, std::shared_ptr<Matches> matches)
+      : condition_(std::move(condition)), matches_(std::move(matches)) {}
+
+  /// A restarted process may have another type; then no row matches.
+  void OnSubscribed(const std::vector<Schema>& columns) override {
+    auto test = CellTest::Make(condition_, columns.front());
+    const std::scoped_lock lock(mutex_);
+    test_.reset();
+    if (test) test_.emplace(*std::move(test));
+  }
+  void OnRows(const RowBatch& batch) override {
+    std::vector<SteadyTime> times;
+    {
+      const std::scoped_lock lock(mutex_);
+      for (std::size_t row = 0; test_ && row < batch.count; ++row) {
+        if (!test_->IsTrue(batch.cell(row, 0))) continue;
+        times.emplace_back(std::chrono::nanoseconds(batch.times[row]) - batch.clock_offset);
+      }
+    }
+    matches_->Add(times);
+  }
+  void OnStale(const Error& /*reason*/) override {}
+
+ private:
+  const Condition condition_;
+  const std::shared_ptr<Matches> matches_;
+  std::mutex mutex_;
+  std::optional<CellTest> test_;
+};
+
+class Trigger::EventWatch final : public EventSink {
+ public:
+  explicit EventWatch(std::shared_ptr<Matches> matches) : matches_(std::move(matches)) {}
+
+  void OnListening(const std::vector<MemberDescription>& /*events*/) override {}
+  void OnEvent(std::size_t /*event*/, std::span<const std::byte> /*value*/,
+               const EventTime& time) override {
+    matches_->Add({time.raised});
+  }
+  void OnEventsLost(std::size_t /*event*/, std::uint64_t /*lost*/) override {}
+  void OnStale(const Error& /*reason*/) override {}
+
+ private:
+  const std::shared_ptr<Matches> matches_;
+};
+
+Result<std::unique_ptr<Trigger>> Trigger::Make(SystemAccess& system, const Condition& condition,
+                                               std::function<void()> on_match) {
+  auto matches = std::make_shared<Matches>(std::move(on_match));
+  std::unique_ptr<Trigger> trigger(new Trigger(system, std::move(matches)));
+  const Catalogue catalogue = system.catalogue();
+  const auto watched = condition.comparison ? trigger->WatchTable(condition, catalogue)
+                                            : trigger->WatchEvent(condition, catalogue);
+  if (!watched) return watched.error();
+  return trigger;
+}
+
+Trigger::~Trigger() {
+  if (table_) system_.telemetry().Unsubscribe(*table_);
+  if (event_) system_.StopListening(*event_);
+}
+
+std::optional<SteadyTime> Trigger::FirstAfter(SteadyTime time) {
+  return matches_->FirstAfter(time);
+}
+
+Result<void> Trigger::WatchTable(const Condition& condition, const Catalogue& catalogue) {
+  const Path& path = condition.path;
+  const auto component = LookUpComponent(catalogue, path.process, path.component);
+  if (!component) return NoSuch(condition, component.error().message);
+  const std::string where = path.process + "/" + path.component;
+  const auto* table = FindNamed((*component)->tables, path.interface);
+  if (table == nullptr) {
+    std::vector<std::string> known;
+    for (const auto& one : (*component)->tables) known.push_back(one.name);
+    return NoSuch(condition, where + " has no state table '" + path.interface + "'" +
+                                 DidYouMean(path.interface, known) +
+                                 "; only values of state tables can be compared");
+  }
+  const auto* column = FindNamed(table->columns, path.member);
+  if (column == nullptr) {
+    std::vector<std::string> known;
+    for (const auto& one : table->columns) known.push_back(one.name);
+    return NoSuch(condition, where + "/" + path.interface + " has no column '" + path.member + "'" +
+                                 DidYouMean(path.member, known));
+  }
+  const auto type = system_.FindSchema(path.process, column->fingerprint);
+  if (!type) return type.error();
+  if (const auto test = CellTest::Make(condition, *type); !test) return test.error();
+  table_ = system_.telemetry().Subscribe({.process = path.process,
+                                          .component = path.component,
+                                          .table = path.interface,
+                                          .columns = {path.member}},
+                                         std::make_shared<TableWatch>(condition, matches_));
+  return {};
+}
+
+Result<void> Trigger::WatchEvent(const Condition& condition, const Catalogue& catalogue) {
+  const Path& path = condition.path;
+  if (const auto component = LookUpComponent(catalogue, path.process, path.component); !component) {
+    return NoSuch(condition, component.error().message);
+  } else if (FindNamed((*component)->tables, path.interface) != nullptr) {
+    return Error{ErrorCode::kInvalid,
+                 "'" + Printable(condition.text, 200) +
+                     "' is a value: expected a comparison after the path, such as > 1.5"};
+  }
+  const auto provided = LookUpProvided(catalogue, path.interface_name());
+  if (!provided) return NoSuch(condition, provided.error().message);
+  if (FindNamed((*provided)->events, path.member) == nullptr || !path.field.empty()) {
+    std::vector<std::string> known;
+    for (const auto& one : (*provided)->events) known.push_back(one.name);
+    return NoSuch(condition, ToString(path.interface_name()) + " has no event '" + path.member +
+                                 path.field + "'" + DidYouMean(path.member, known));
+  }
+  event_ = system_.Listen({.provided = path.interface_name(), .events = {path.member}},
+                          std::make_shared<EventWatch>(matches_));
+  return {};
+}
+
+}  // namespace tendon::recording

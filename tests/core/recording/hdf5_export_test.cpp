@@ -1,0 +1,107 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <support/folder.h>
+#include <tendon/payload/codec.h>
+#include <tendon/recording/hdf5_export.h>
+#include <tendon/recording/recording_files.h>
+
+#include <filesystem>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "recordings.h"
+
+namespace tendon::recording {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// What is in the files is tested with h5py, by tests/python/hdf5_test.py.
+class Hdf5Export : public testing::Test {
+ protected:
+  void SetUp() override {
+    auto created = Files::Create({.file = file}, {});
+    ASSERT_TRUE(created) << created.error().message;
+    files = *std::move(created);
+  }
+  void WriteTick(std::uint64_t tick, std::uint64_t epoch = 1) {
+    auto source = std::make_shared<Source>();
+    source->name = {"robot", "counter", "state"};
+    source->members = {{"Count", SchemaOf<std::uint64_t>()}};
+    Rows rows{.source = std::move(source), .epoch = epoch};
+    rows.ticks = {tick};
+    rows.times = {static_cast<std::int64_t>(1000 * tick)};
+    Encode(tick, rows.cells);
+    rows.cell_sizes = {8};
+    ASSERT_TRUE(files->Write(rows));
+  }
+  Result<Hdf5Report> Export() {
+    EXPECT_TRUE(files->Close({}));
+    reader = *mcap::Reader::Open(file);
+    return ExportHdf5(*reader, {}, output);
+  }
+  /// Tendon also builds without HDF5.
+  static bool IsMissing(const Result<Hdf5Report>& report) {
+    return !report && report.error().code == ErrorCode::kNotFound;
+  }
+
+  const test::Folder folder;
+  const std::filesystem::path file = folder.path() / "run.mcap";
+  const std::filesystem::path output = folder.path() / "run.h5";
+  std::unique_ptr<Files> files;
+  std::unique_ptr<mcap::Reader> reader;
+};
+
+TEST_F(Hdf5Export, CountsRowsAndLostRowsButNotRestarts) {
+  for (const std::uint64_t tick : {3, 4, 9}) WriteTick(tick);
+  WriteTick(0, 2);
+
+  const auto report = Export();
+
+  if (IsMissing(report)) GTEST_SKIP() << report.error().message;
+  ASSERT_TRUE(report) << report.error().message;
+  EXPECT_THAT(report->groups, ElementsAre("/robot/counter/state"));
+  EXPECT_EQ(report->rows, 4U);
+  EXPECT_EQ(report->lost, 4U);
+  EXPECT_EQ(report->incomplete, 0U);
+  EXPECT_TRUE(folder.Read("run.h5").starts_with("\x89HDF\r\n"));
+  EXPECT_FALSE(std::filesystem::exists(output.string() + ".part"));
+}
+
+TEST_F(Hdf5Export, ReplacesNoFile) {
+  WriteTick(1);
+  folder.Write("run.h5", "of somebody else");
+
+  const auto report = Export();
+
+  if (IsMissing(report)) GTEST_SKIP() << report.error().message;
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().code, ErrorCode::kExists);
+  EXPECT_EQ(folder.Read("run.h5"), "of somebody else");
+}
+
+TEST_F(Hdf5Export, RefusesARecordingWithoutRows) {
+  const auto report = Export();
+
+  if (IsMissing(report)) GTEST_SKIP() << report.error().message;
+  ASSERT_FALSE(report);
+  EXPECT_THAT(report.error().message, HasSubstr("has a description of its values"));
+  EXPECT_FALSE(std::filesystem::exists(output));
+}
+
+TEST_F(Hdf5Export, SaysWhyAFolderCannotBeWritten) {
+  WriteTick(1);
+  EXPECT_TRUE(files->Close({}));
+  reader = *mcap::Reader::Open(file);
+
+  const auto report = ExportHdf5(*reader, {}, folder.path() / "none" / "run.h5");
+
+  if (IsMissing(report)) GTEST_SKIP() << report.error().message;
+  ASSERT_FALSE(report);
+  EXPECT_THAT(report.error().message, HasSubstr("No such file or directory"));
+}
+
+}  // namespace
+}  // namespace tendon::recording

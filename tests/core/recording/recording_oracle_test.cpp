@@ -1,0 +1,478 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <support/folder.h>
+#include <support/program.h>
+#include <tendon/gcm/text.h>
+#include <tendon/payload/codec.h>
+#include <tendon/recording/recording_files.h>
+#include <tests/core/payload/random_value.h>
+#include <tests/core/payload/sample_types.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "recordings.h"
+
+/// Compares our files with what programs of others read, and our reader with what they write: the
+/// packages of @mcap and @foxglove in oracle/package.json, as Foxglove uses them.
+namespace tendon::recording {
+namespace {
+
+using nlohmann::json;
+using testing::Contains;
+using testing::Pair;
+
+/// Runs the scripts in oracle/; skips the test if `tools/setup --oracles` has not installed their
+/// packages.
+class RecordingOracle : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (TextOf(packages_ / "package-lock.json") != TextOf(scripts_ / "package-lock.json")) {
+      GTEST_SKIP() << "no program of others reads our recordings, because its packages are not "
+                      "installed: run tools/setup --oracles";
+    }
+  }
+
+  static std::string TextOf(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+  /// The lines that the script prints.
+  [[nodiscard]] std::vector<json> Run(const std::string& script,
+                                      const std::vector<std::string>& options = {}) const {
+    Program::Words command{"/usr/bin/env", "node", scripts_ / script, packages_, file_};
+    command.insert(command.end(), options.begin(), options.end());
+    const Outcome outcome = RunProgram(command);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    std::vector<json> lines;
+    std::istringstream text(outcome.out);
+    for (std::string line; std::getline(text, line);) lines.push_back(json::parse(line));
+    return lines;
+  }
+  static std::vector<json> OfKind(const std::vector<json>& lines, const std::string& kind) {
+    std::vector<json> all;
+    std::ranges::copy_if(lines, std::back_inserter(all),
+                         [&](const json& line) { return line["kind"] == kind; });
+    return all;
+  }
+
+  const std::filesystem::path scripts_ = TENDON_RECORDING_ORACLE;
+  const std::filesystem::path packages_ = TENDON_RECORDING_ORACLE_PACKAGES;
+  const test::Folder folder_;
+  const std::filesystem::path file_ = folder_.path() / "run.mcap";
+};
+
+/// A number as the script prints it.
+json NumberTruth(double number) {
+  if (std::isnan(number)) return "NaN";
+  if (std::isinf(number)) return number > 0 ? "Infinity" : "-Infinity";
+  if (number == 0 && std::signbit(number)) return "-0";
+  return number;
+}
+
+/// A value as the script prints it, made from the members of the C++ type, not from its bytes.
+template <typename T>
+json Truth(const T& value);
+
+/// The numbers of nested arrays in a row, since ROS 2 has no arrays of arrays.
+template <typename T>
+void AppendTruth(const T& value, json::array_t& list) {
+  if constexpr (payload::Array<T>) {
+    for (const auto& element : value) AppendTruth(element, list);
+  } else {
+    list.push_back(Truth(value));
+  }
+}
+
+template <typename T>
+json Truth(const T& value) {
+  if constexpr (std::same_as<T, std::byte>) {
+    return std::to_integer<int>(value);
+  } else if constexpr (std::same_as<T, bool>) {
+    return value;
+  } else if constexpr (std::is_floating_point_v<T>) {
+    return NumberTruth(value);
+  } else if constexpr (payload::Number<T>) {
+    if constexpr (sizeof(T) == 8) return std::to_string(value);
+    return static_cast<std::int64_t>(value);
+  } else if constexpr (payload::Enum<T>) {
+    return static_cast<std::int32_t>(value);
+  } else if constexpr (payload::Text<T>) {
+    return value;
+  } else if constexpr (payload::TimeSpan<T>) {
+    const auto seconds = std::chrono::floor<std::chrono::seconds>(value);
+    return {{"sec", seconds.count()}, {"nsec", std::chrono::nanoseconds(value - seconds).count()}};
+  } else if constexpr (payload::Array<T>) {
+    json::array_t list;
+    AppendTruth(value, list);
+    return list;
+  } else if constexpr (payload::Sequence<T>) {
+    using Item = payload::ItemOf<T>;
+    json::array_t list;
+    for (const Item& element : value) {
+      if constexpr (payload::Array<Item> || payload::Sequence<Item>) {
+        // ROS 2 has no sequences of lists: each inner list is a message of its own.
+        list.push_back(json::object_t{{"data", Truth(element)}});
+      } else {
+        list.push_back(Truth(element));
+      }
+    }
+    return list;
+  } else {
+    json::object_t object;
+    payload::WithFields<T>([&](const auto&... field) {
+      ((object[std::string(field.name)] = Truth(value.*field.member)), ...);
+    });
+    return object;
+  }
+}
+
+/// A column that is no structure is a message with the one field `data`.
+template <typename T>
+json MessageTruth(const T& value) {
+  if constexpr (payload::Structure<T>) return Truth(value);
+  return {{"data", Truth(value)}};
+}
+
+/// Rows with a column of each kind of payload, and what is in them.
+class TableWithTruth {
+ public:
+  TableWithTruth() {
+    source_->name = {"robot", "arm", "state"};
+    AddRow({}, 0);  // names the columns
+    rows_ = {};
+    truth_.clear();
+  }
+
+  void AddRows(std::uint64_t first, std::size_t count) {
+    rows_ = {.source = source_, .epoch = 3};
+    const std::int64_t now = SteadyClock().Now().time_since_epoch().count();
+    for (std::uint64_t tick = first; tick < first + count; ++tick) {
+      rows_.ticks.push_back(tick);
+      rows_.times.push_back(now + static_cast<std::int64_t>(tick - first) * 1'000'000);
+      AddRow(ValueOf(tick), tick);
+    }
+  }
+  [[nodiscard]] const Rows& rows() const { return rows_; }
+  /// The expected messages without their log time, which has the key "source_time" instead.
+  [[nodiscard]] const std::vector<json>& truth() const { return truth_; }
+
+ private:
+  struct Values {
+    sample::Numbers numbers;
+    sample::Fixed fixed;
+    sample::Dynamic dynamic;
+    sample::JointState joints;
+    double number = 0.0;
+    std::uint64_t count = 0;
+    std::string text;
+    std::vector<float> samples;
+    sample::Mode mode = sample::Mode::kOff;
+    std::chrono::nanoseconds span{0};
+    std::vector<std::vector<std::int64_t>> lists;
+    bool flag = false;
+  };
+
+  /// Rows with any values; the first ones with extreme values.
+  Values ValueOf(std::uint64_t tick) {
+    using Doubles = std::numeric_limits<double>;
+    using Floats = std::numeric_limits<float>;
+    constexpr double kNumbers[] = {0.0,
+                                   -0.0,
+                                   Doubles::infinity(),
+                                   -Doubles::infinity(),
+                                   Doubles::quiet_NaN(),
+                                   Doubles::max(),
+                                   Doubles::denorm_min(),
+                                   0.1};
+    Values values;
+    sample::Randomise(random_, values.numbers);
+    sample::Randomise(random_, values.fixed);
+    sample::Randomise(random_, values.dynamic);
+    sample::Randomise(random_, values.joints);
+    sample::Randomise(random_, values.count);
+    sample::Randomise(random_, values.text);
+    sample::Randomise(random_, values.samples);
+    sample::Randomise(random_, values.mode);
+    sample::Randomise(random_, values.span);
+    sample::Randomise(random_, values.lists);
+    values.number = kNumbers[tick % std::size(kNumbers)];
+    values.joints.position[2] = values.number;
+    values.numbers.f32 = static_cast<float>(values.numbers.f64);
+    if (tick == 1) values.samples = {Floats::infinity(), -0.0F, Floats::denorm_min(), 0.1F};
+    if (tick == 2) values.count = std::numeric_limits<std::uint64_t>::max();
+    if (tick == 2) values.numbers.i64 = std::numeric_limits<std::int64_t>::min();
+    if (tick == 3) values.text = "größer: 5 µm, \"quoted\"\n\t\\ 漢字 🤖";
+    values.flag = tick % 2 == 1;
+    return values;
+  }
+
+  void AddRow(const Values& values, std::uint64_t tick) {
+    Add("Numbers", values.numbers, tick);
+    Add("Fixed", values.fixed, tick);
+    Add("Dynamic", values.dynamic, tick);
+    Add("Joints", values.joints, tick);
+    Add("Number", values.number, tick);
+    Add("Count", values.count, tick);
+    Add("Text", values.text, tick);
+    Add("Samples", values.samples, tick);
+    Add("Mode", values.mode, tick);
+    Add("Span", values.span, tick);
+    Add("Lists", values.lists, tick);
+    Add("Flag", values.flag, tick);
+  }
+
+  template <typename T>
+  void Add(const std::string& name, const T& value, std::uint64_t tick) {
+    if (source_->members.size() < kColumns) source_->members.push_back({name, SchemaOf<T>()});
+    std::vector<std::byte> cell;
+    Encode(value, cell);
+    rows_.cell_sizes.push_back(static_cast<std::uint32_t>(cell.size()));
+    rows_.cells.insert(rows_.cells.end(), cell.begin(), cell.end());
+    truth_.push_back({{"kind", "message"},
+                      {"topic", "robot/arm/state/" + name},
+                      {"schema", RosTypeName(SchemaOf<T>())},
+                      {"sequence", tick},
+                      {"source_time", rows_.times.empty() ? 0 : rows_.times.back()},
+                      {"value", MessageTruth(value)}});
+  }
+
+  static constexpr std::size_t kColumns = 12;
+
+  const std::shared_ptr<Source> source_ = std::make_shared<Source>();
+  std::mt19937 random_{22};
+  Rows rows_;
+  std::vector<json> truth_;
+};
+
+std::map<std::string, std::vector<json>> ByTopic(const std::vector<json>& messages) {
+  std::map<std::string, std::vector<json>> all;
+  for (const json& message : messages) all[message["topic"]].push_back(message);
+  return all;
+}
+
+class DecodedByAnOracle : public RecordingOracle,
+                          public testing::WithParamInterface<mcap::Compression> {
+ protected:
+  std::unique_ptr<Files> Create() {
+    auto files = Files::Create({.file = file_, .compression = GetParam()},
+                               {{{"paths", "robot/**"}}, R"({"version": 1})"});
+    EXPECT_TRUE(files) << files.error().message;
+    return *std::move(files);
+  }
+  /// All metadata by name.
+  static std::map<std::string, json> MetadataOf(const std::vector<json>& lines) {
+    std::map<std::string, json> all;
+    for (const json& line : OfKind(lines, "metadata")) all[line["name"]] = line["metadata"];
+    return all;
+  }
+};
+
+std::string NameOfCompression(const testing::TestParamInfo<mcap::Compression>& compression) {
+  const std::string name(mcap::NameOf(compression.param));
+  return name.empty() ? "none" : name;
+}
+
+INSTANTIATE_TEST_SUITE_P(, DecodedByAnOracle,
+                         testing::Values(mcap::Compression::kNone, mcap::Compression::kLz4,
+                                         mcap::Compression::kZstd),
+                         NameOfCompression);
+
+TEST_P(DecodedByAnOracle, EveryValueOfEveryKindOfPayloadIsTheOneThatWasRecorded) {
+  TableWithTruth table;
+  table.AddRows(0, 300);
+  const auto files = Create();
+  ASSERT_TRUE(files->Write(table.rows()));
+  ASSERT_TRUE(files->Close({}));
+
+  const auto lines = Run("decode.mjs");
+
+  auto found = ByTopic(OfKind(lines, "message"));
+  auto metadata = MetadataOf(lines);
+  const std::int64_t shift =
+      std::stoll(metadata[kAboutMetadata]["wall_minus_steady_ns"].get<std::string>());
+  std::map<std::string, std::size_t> next;
+  for (json expected : table.truth()) {
+    const std::string topic = expected["topic"];
+    const std::int64_t time = expected["source_time"].get<std::int64_t>() + shift;
+    expected.erase("source_time");
+    expected["log_time"] = expected["publish_time"] = std::to_string(time);
+    const std::size_t index = next[topic]++;
+    ASSERT_LT(index, found[topic].size()) << topic;
+    ASSERT_EQ(found[topic][index], expected) << topic;
+  }
+  for (const auto& [topic, messages] : found) EXPECT_EQ(messages.size(), next[topic]) << topic;
+  EXPECT_EQ(OfKind(lines, "statistics").at(0)["messages"], std::to_string(table.truth().size()));
+}
+
+TEST_P(DecodedByAnOracle, EventsTheLogLossesAndTheCatalogueAreThoseThatWereRecorded) {
+  auto source = std::make_shared<Source>();
+  source->name = {"robot", "arm", "Control"};
+  source->members = {{"Stopped", Schema()}, {"Moved", SchemaOf<sample::Ragged>()}};
+  const sample::Ragged moved{true, -2.5, 200, -3, false, 0.5F, 9};
+  std::vector<std::byte> value;
+  Encode(moved, value);
+  const SteadyTime raised = SteadyClock().Now();
+  const CatalogueChange change{.revision = 1,
+                               .kind = CatalogueChange::Kind::kProcess,
+                               .process = "robot",
+                               .processes = {{.name = "robot", .instance = 7}}};
+  const auto files = Create();
+  const std::int64_t logged = WallTime();
+  ASSERT_TRUE(files->Write(Changes{true, raised, {change}}));
+  ASSERT_TRUE(files->Write(Event{source, 0, raised, {}}));
+  ASSERT_TRUE(files->Write(Event{source, 1, raised, value}));
+  ASSERT_TRUE(
+      files->Write(LogEntry{{logged, LogLevel::kWarning, "robot", "arm", "too warm: 90 °C"}}));
+  ASSERT_TRUE(files->WriteLoss("robot/arm/state", {1, 2, 5}));
+  ASSERT_TRUE(files->Close({.rows = {{"robot/arm/state", {1, 2, 5}}}, .events = {}, .log = 0}));
+
+  const auto lines = Run("decode.mjs");
+
+  auto found = ByTopic(OfKind(lines, "message"));
+  EXPECT_EQ(found["robot/arm/Control/Stopped"].at(0)["value"], json::object());
+  EXPECT_EQ(found["robot/arm/Control/Moved"].at(0)["value"], Truth(moved));
+  EXPECT_EQ(found[kLogTopic].at(0)["value"],
+            (json{{"stamp", Truth(std::chrono::nanoseconds(logged))},
+                  {"level", 30},
+                  {"name", "robot/arm"},
+                  {"msg", "too warm: 90 °C"},
+                  {"file", ""},
+                  {"function", ""},
+                  {"line", 0}}));
+  EXPECT_EQ(found[kLogTopic].at(0)["schema"], "rcl_interfaces/msg/Log");
+  EXPECT_EQ(
+      found[kLossTopic].at(0)["value"],
+      (json{{"path", "robot/arm/state"}, {"table", "1"}, {"network", "2"}, {"recorder", "5"}}));
+  EXPECT_EQ(found[kCatalogueTopic].at(0)["value"]["process"], "robot");
+  EXPECT_EQ(found[kCatalogueTopic].at(0)["value"]["processes"][0]["instance"], "7");
+  EXPECT_THAT(MetadataOf(lines), Contains(Pair(kEndMetadata, Contains("2"))));
+  EXPECT_EQ(OfKind(lines, "attachment").at(0)["name"], kSystemAttachment);
+}
+
+/// Lower-case hexadecimal digits, two for each byte.
+std::string HexOf(mcap::Bytes bytes) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text;
+  for (const std::byte byte : bytes) {
+    text += kDigits[std::to_integer<std::size_t>(byte >> 4)];
+    text += kDigits[std::to_integer<std::size_t>(byte & std::byte{15})];
+  }
+  return text;
+}
+
+/// All that our reader finds, in the words of write.mjs.
+std::vector<json> ContentsOf(mcap::Reader& reader) {
+  std::vector<json> all;
+  for (const auto& [id, channel] : reader.channels()) {
+    const auto schema = reader.schemas().find(channel.schema_id);
+    const bool has_schema = schema != reader.schemas().end();
+    all.push_back({{"kind", "channel"},
+                   {"topic", channel.topic},
+                   {"encoding", channel.message_encoding},
+                   {"metadata", channel.metadata},
+                   {"schema", has_schema ? schema->second.name : ""},
+                   {"definition", has_schema ? HexOf(mcap::BytesOf(schema->second.data)) : ""}});
+  }
+  for (const auto& index : reader.attachments()) {
+    const auto attachment = reader.ReadAttachment(index);
+    if (!attachment) continue;
+    all.push_back({{"kind", "attachment"},
+                   {"name", attachment->name},
+                   {"media_type", attachment->media_type},
+                   {"log_time", std::to_string(attachment->log_time)},
+                   {"create_time", std::to_string(attachment->create_time)},
+                   {"data", HexOf(attachment->data)}});
+  }
+  for (const auto& index : reader.metadata()) {
+    const auto metadata = reader.ReadMetadata(index);
+    if (!metadata) continue;
+    all.push_back(
+        {{"kind", "metadata"}, {"name", metadata->name}, {"metadata", metadata->metadata}});
+  }
+  for (const auto& message : mcap::ReadAll(reader, {.order = mcap::Query::Order::kFile})) {
+    all.push_back({{"kind", "message"},
+                   {"topic", message.topic},
+                   {"sequence", message.sequence},
+                   {"log_time", std::to_string(message.log_time)},
+                   {"publish_time", std::to_string(message.publish_time)},
+                   {"data", HexOf(mcap::BytesOf(message.data))}});
+  }
+  return all;
+}
+
+/// How an oracle writes a file.
+struct Writing {
+  const char* name;
+  const char* options;  // of write.mjs
+};
+
+class WrittenByAnOracle : public RecordingOracle, public testing::WithParamInterface<Writing> {};
+
+constexpr const char* kWithoutSummary = R"({"compression": "zstd", "useStatistics": false,
+  "useSummaryOffsets": false, "repeatSchemas": false, "repeatChannels": false,
+  "useAttachmentIndex": false, "useMetadataIndex": false, "useMessageIndex": false,
+  "useChunkIndex": false})";
+
+INSTANTIATE_TEST_SUITE_P(
+    , WrittenByAnOracle,
+    testing::Values(Writing{"uncompressed", R"({"compression": "none"})"},
+                    Writing{"zstd", R"({"compression": "zstd"})"},
+                    Writing{"lz4", R"({"compression": "lz4"})"},
+                    Writing{"without_chunks", R"({"useChunks": false})"},
+                    Writing{"without_an_index", R"({"compression": "lz4", "useMessageIndex": false,
+                                                    "useChunkIndex": false})"},
+                    Writing{"without_message_indexes", R"({"useMessageIndex": false})"},
+                    Writing{"without_attachment_index", R"({"useAttachmentIndex": false,
+                                                            "useMetadataIndex": false})"},
+                    Writing{"without_summary", kWithoutSummary}),
+    [](const testing::TestParamInfo<Writing>& writing) { return std::string(writing.param.name); });
+
+TEST_P(WrittenByAnOracle, AFileHasTheContentThatWasWritten) {
+  const auto written = Run("write.mjs", {GetParam().options});
+
+  const auto reader = mcap::Reader::Open(file_);
+
+  ASSERT_TRUE(reader) << reader.error().message;
+  const auto found = ContentsOf(**reader);
+  for (const char* kind : {"channel", "attachment", "metadata", "message"}) {
+    const auto expected = OfKind(written, kind);
+    EXPECT_FALSE(expected.empty()) << kind;
+    EXPECT_EQ(OfKind(found, kind), expected) << kind;
+  }
+  EXPECT_EQ((*reader)->header(), (mcap::Header{"ros2", "oracle"}));
+}
+
+TEST_P(WrittenByAnOracle, AFileReadsInOrderOfTime) {
+  auto expected = OfKind(Run("write.mjs", {GetParam().options}), "message");
+  std::ranges::stable_sort(expected, {}, [](const json& message) {
+    return std::stoull(message["log_time"].get<std::string>());
+  });
+
+  const auto reader = mcap::Reader::Open(file_);
+
+  ASSERT_TRUE(reader) << reader.error().message;
+  const auto found = mcap::ReadAll(**reader);
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    ASSERT_EQ(std::to_string(found[i].log_time), expected[i]["log_time"]) << i;
+    ASSERT_EQ(HexOf(mcap::BytesOf(found[i].data)), expected[i]["data"]) << i;
+  }
+}
+
+}  // namespace
+}  // namespace tendon::recording

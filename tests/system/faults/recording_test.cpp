@@ -1,0 +1,167 @@
+#include <tendon/payload/codec.h>
+#include <tendon/recording/mcap_copy.h>
+#include <tendon/recording/recording_files.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "system/faults/harness/fault_test.h"
+
+namespace faults {
+namespace {
+
+namespace mcap = tendon::mcap;
+
+/// Follows the ledger's samples, which have consecutive numbers.
+class NewestNumber final : public tendon::RowSink {
+ public:
+  /// Of the newest sample that has arrived; 0 before the first.
+  [[nodiscard]] std::uint64_t number() const {
+    const std::scoped_lock lock(mutex_);
+    return number_;
+  }
+
+ private:
+  void OnSubscribed(const std::vector<tendon::Schema>& /*columns*/) override {}
+  void OnRows(const tendon::RowBatch& batch) override {
+    Numbered sample;
+    if (batch.count == 0 || !tendon::Decode(batch.cell(batch.count - 1, 0), sample)) return;
+    const std::scoped_lock lock(mutex_);
+    number_ = sample.number;
+  }
+  void OnStale(const tendon::Error& /*reason*/) override {}
+
+  mutable std::mutex mutex_;
+  std::uint64_t number_ = 0;
+};
+
+/// A `gcm record` of the ledger's samples that is killed.
+struct KilledRecording {
+  std::filesystem::path file;
+  std::unique_ptr<Program> program;
+  std::uint64_t begin = 0;   ///< of the newest sample when it had begun
+  std::uint64_t moment = 0;  ///< the number of the sample after which it is killed
+  std::uint64_t newest = 0;  ///< of the samples that had arrived here by then
+};
+
+class RecordingFaults : public FaultTest {
+ protected:
+  void SetUp() override {
+    ASSERT_NO_FATAL_FAILURE(StartGcm());
+    ASSERT_NO_FATAL_FAILURE(StartViewer());
+    robot_ = MakeLcm("robot");
+    ASSERT_TRUE(EventuallyActive("robot", "ledger")) << robot_->err();
+    viewer_->telemetry().Subscribe({"robot", "ledger", "state", {"Sample"}}, newest_);
+    ASSERT_TRUE(Eventually([this] { return newest_->number() > 0; }));
+  }
+
+  /// Starts this many recordings, and kills each after some samples.
+  std::vector<KilledRecording> KillSome(int count) {
+    constexpr std::array kCompressions{"none", "lz4", "zstd"};
+    constexpr std::uint64_t kMostSamples = 2500;  // of a millisecond each
+    std::vector<KilledRecording> all(static_cast<std::size_t>(count));
+    for (KilledRecording& one : all) {
+      one.file = home_.path() / ("run" + std::to_string(files_++) + ".mcap");
+      one.program = std::make_unique<Program>(
+          Command("gcm", {"record", "robot/ledger/state", "-o", one.file, "--compression",
+                          kCompressions[files_ % kCompressions.size()]}),
+          environment());
+    }
+    for (const KilledRecording& one : all) {
+      EXPECT_TRUE(Eventually([&] {
+        return one.program->err().find("gcm: recording 1 table") != std::string::npos;
+      })) << one.program->err();
+    }
+    const std::uint64_t now = newest_->number();
+    for (KilledRecording& one : all) {
+      one.begin = now;
+      one.moment = now + random_() % kMostSamples;
+    }
+    std::ranges::sort(all, {}, &KilledRecording::moment);
+    for (KilledRecording& one : all) {
+      EXPECT_TRUE(Eventually([&] { return newest_->number() >= one.moment; }));
+      one.newest = newest_->number();
+      one.program->Signal(SIGKILL);
+      one.program->Wait();
+    }
+    return all;
+  }
+
+  /// The numbers of the samples in a file.
+  static std::vector<std::uint64_t> NumbersIn(mcap::Reader& reader) {
+    std::vector<std::uint64_t> numbers;
+    mcap::MessageStream messages = reader.Messages({.order = mcap::Query::Order::kFile});
+    while (const auto message = messages.Next()) {
+      const mcap::Channel* channel = reader.FindChannel(message->channel_id);
+      if (channel == nullptr || channel->topic != "robot/ledger/state/Sample") continue;
+      Numbered sample;
+      EXPECT_TRUE(
+          tendon::Decode(message->data.subspan(tendon::recording::kEncapsulationSize), sample));
+      EXPECT_TRUE(IsWhole(sample)) << sample.number;
+      numbers.push_back(sample.number);
+    }
+    EXPECT_TRUE(messages.is_complete());
+    return numbers;
+  }
+
+  const std::shared_ptr<NewestNumber> newest_ = std::make_shared<NewestNumber>();
+  std::mt19937 random_{27};
+  std::size_t files_ = 0;
+};
+
+INSTANTIATE_TEST_SUITE_P(Over, RecordingFaults, testing::Values(Middlewares().front()),
+                         NameOfMiddleware);
+
+/// Row 27.
+TEST_P(RecordingFaults, AKilledRecorderLosesASecondAtMostAndLeavesWholeChunks) {
+  constexpr int kAtOnce = 10;
+  const int rounds = Size(5, 50);
+  std::uint64_t most_lost = 0;  // samples of a millisecond
+
+  for (int round = 0; round < rounds; ++round) {
+    for (const KilledRecording& one : KillSome(kAtOnce)) {
+      SCOPED_TRACE(one.file.filename().string() + " of seed 27, killed after sample " +
+                   std::to_string(one.newest));
+      const auto reader = mcap::Reader::Open(one.file);
+      ASSERT_TRUE(reader) << reader.error().message;
+      const auto numbers = NumbersIn(**reader);
+      for (std::size_t i = 1; i < numbers.size(); ++i) {
+        ASSERT_EQ(numbers[i], numbers[i - 1] + 1);
+      }
+      const std::uint64_t last = numbers.empty() ? one.begin : numbers.back();
+      if (one.newest > last) most_lost = std::max(most_lost, one.newest - last);
+      ASSERT_GE((*reader)->problems().count(), 1U);
+      for (const mcap::Problem& problem : (*reader)->problems().first()) {
+        EXPECT_TRUE(problem.sentence.find("cut off") != std::string::npos ||
+                    problem.sentence.find("the file ends within") != std::string::npos)
+            << problem.sentence;
+      }
+
+      const std::filesystem::path recovered = one.file.string() + ".recovered";
+      const auto report = mcap::Recover(one.file, recovered);
+      ASSERT_TRUE(report) << report.error().message;
+      const auto whole = mcap::Reader::Open(recovered);
+      ASSERT_TRUE(whole) << whole.error().message;
+      EXPECT_FALSE((*whole)->was_scanned());
+      EXPECT_TRUE((*whole)->Verify());
+      EXPECT_EQ(NumbersIn(**whole), numbers);
+    }
+  }
+
+  Tell(std::to_string(rounds * kAtOnce) + " recorders killed; at most " +
+       std::to_string(most_lost) + " ms lost");
+  constexpr double kGoal = 1000;  // samples
+  EXPECT_LE(static_cast<double>(most_lost), 10 * kGoal * Slowness());
+  EXPECT_TRUE(Eventually([this, before = newest_->number()] { return newest_->number() > before; }))
+      << "the component goes on";
+}
+
+}  // namespace
+}  // namespace faults
