@@ -38,6 +38,7 @@ Result<std::string> ArgumentFor(Context& context, const CallWords& words) {
   const auto command = LookUpCommand((*client)->catalogue(), *path);
   if (!command || !TakesArgument(command->signature)) return words.argument.front();
   const auto schema = AskSchema(context, path->process, command->signature.in);
+  if (!schema && schema.error().code == ErrorCode::kNotFound) return words.argument.front();
   if (!schema) return schema.error();
   return ArgumentOf(*schema, words.path, words.argument);
 }

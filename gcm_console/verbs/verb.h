@@ -51,6 +51,10 @@ std::vector<Verb> ExplainVerbs();    // candidates explain
 std::vector<Verb> HistoryVerbs();    // undo history
 std::vector<Verb> SystemVerbs();     // save import diff plan apply
 std::vector<Verb> LogVerbs();        // log log-level
+std::vector<Verb> RecordVerbs();     // record
+std::vector<Verb> PastVerbs();       // save-last
+std::vector<Verb> FileVerbs();       // info recover cut export
+std::vector<Verb> ReplayVerbs();     // replay
 std::vector<Verb> CertVerbs();       // cert
 std::vector<Verb> ServeVerbs();      // serve broker
 std::vector<Verb> ShellVerbs();      // shell run

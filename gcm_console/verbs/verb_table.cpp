@@ -29,6 +29,10 @@ constexpr Group kGroups[] = {
     {"wire", &ExplainVerbs},    //
     {"config", &SystemVerbs},   //
     {"config", &HistoryVerbs},  //
+    {"record", &RecordVerbs},   //
+    {"record", &PastVerbs},     //
+    {"record", &FileVerbs},     //
+    {"record", &ReplayVerbs},   //
     {"security", &CertVerbs},   //
     {"meta", &ServeVerbs},      //
     {"meta", &DoctorVerbs},     //

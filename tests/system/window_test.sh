@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
 # window_test.sh BIN: the real programs as real processes, driven by a real mouse under a virtual display: connect by
-# click, the arm moves, ten seconds of 1 kHz rows are plotted without loss, disconnect, an LCM is killed and comes back.
+# click, the arm moves, ten seconds of 1 kHz rows are plotted without loss, disconnect, an LCM is killed and comes
+# back,
+# a window records until a signal ends it.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
 bin=$1
@@ -16,6 +18,7 @@ readonly curve='facts["curves"]["robot/arm/state.Joints.position[0]"]'
 main() {
   begin_run
   use_own_folders
+  echo "XDG_DOCUMENTS_DIR=\"$RUN_FOLDER\"" >"$XDG_CONFIG_HOME/user-dirs.dirs"
   start_display 1440 900
   address=127.0.0.1:$(free_port)
   start gcm-gui "$bin/gcm-gui" --listen "$address" --describe-ui "$RUN_FOLDER/ui.json"
@@ -33,6 +36,7 @@ main() {
   heals_after_a_kill
   passed "the longest event handler took $(ui show 'facts["longestHandlerMs"]') ms of processor time"
   survives_its_gcm
+  records_until_a_signal
 }
 
 shows_around() {
@@ -119,6 +123,20 @@ survives_its_gcm() {
   viewer wait 'facts["gcmConnected"] and "lostBanner" not in widgets'
   viewer wait 'facts["processes"]["robot"]["state"] == "alive" and '"$robot_wire"'["state"] == "active"'
   passed "with a new GCM it heals"
+}
+
+# The user stops neither the recording nor the window.
+records_until_a_signal() {
+  local file
+  viewer click widgets record
+  viewer wait 'facts["recording"]["running"] and facts["recording"]["rows"] > 500'
+  file=$(viewer show 'facts["recording"]["file"]')
+  file=${file//\"/}
+  kill -TERM "${process_ids[viewer]}"
+  wait "${process_ids[viewer]}" && fail "the window ended as if no signal had come"
+  "$bin/gcm" info "$file" --check >"$RUN_FOLDER/info" || fail "$file is not complete"
+  grep -q robot/arm/state/Joints "$RUN_FOLDER/info" || fail "$file lacks what is plotted"
+  passed "a window that is ended by a signal completes its recording"
 }
 
 main "$@"

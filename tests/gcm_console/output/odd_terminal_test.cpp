@@ -54,7 +54,7 @@ TEST_F(OddTerminalTest, TwentyColumnsAreEnough) {
   Terminal top(Command("", "top --sort name"), {}, kNarrow);
   ASSERT_TRUE(top.Shows("\x1b[?7l")) << top.seen();  // what is too long ends at the edge
   EXPECT_TRUE(top.Shows("desk/old_arm")) << top.seen();
-  EXPECT_TRUE(top.Shows("\r\nq end; sort: ")) << top.seen();
+  EXPECT_TRUE(top.Shows("\r\nkeys: q end; sort")) << top.seen();
   top.Type("q");
   EXPECT_EQ(top.program().Wait(), program::kOk);
 

@@ -67,16 +67,22 @@ class OutputTest : public DemoFixture {
     return {.exit_code = exit_code, .out = events.out(), .err = events.err()};
   }
 
+  /// Returns the name of a new file of the cisst component manager.
+  [[nodiscard]] std::string ForeignFile() const {
+    const std::string file = (home.path() / "cisst.json").string();
+    std::ofstream(file) << R"({"components":
+        [{"class-name": "SimulatedArm", "constructor-arg": {"Name": "arm"}}]})";
+    return file;
+  }
+
   /// Each does something, so that the next finds what it is about.
   [[nodiscard]] std::vector<Program::Words> Lines() const {
     const std::string column = "robot/arm/state.Joints.position[0]";
     const std::string saved = (home.path() / "saved.json").string();
     const std::string imported = (home.path() / "imported.json").string();
-    const std::string foreign = (home.path() / "cisst.json").string();
     const std::string ca = (home.path() / "ca").string();
     const std::string keys = (home.path() / "keys").string();
-    std::ofstream(foreign) << R"({"components":
-        [{"class-name": "SimulatedArm", "constructor-arg": {"Name": "arm"}}]})";
+    const std::string run = (home.path() / "run.mcap").string();
     return {{"ls"},
             {"tree"},
             {"show", "robot/arm"},
@@ -87,6 +93,12 @@ class OutputTest : public DemoFixture {
             {"watch", column, "--count", "1"},
             {"events", "robot/arm/Control.GoalReached", "--count", "1"},
             {"hz", "robot/arm/state", "--count", "1"},
+            {"record", "robot/arm", "-o", run, "--for", "1s"},
+            {"save-last", "5s", "robot/arm", "-o", (home.path() / "last.mcap").string()},
+            {"info", run},
+            {"recover", run},
+            {"cut", run, "-o", (home.path() / "part.mcap").string()},
+            {"export", run, "--csv", (home.path() / "csv").string()},
             {"log"},
             {"log-level", "robot", "debug"},
             {"call", "robot/arm/Control.Stop"},
@@ -96,7 +108,7 @@ class OutputTest : public DemoFixture {
             {"save", saved},
             {"diff", saved},
             {"plan", saved},
-            {"import", foreign, imported, "--process", "robot"},
+            {"import", ForeignFile(), imported, "--process", "robot"},
             {"load", "counter", "--in", "robot"},
             {"classes", "robot"},
             {"create", "SimulatedArm", "robot/spare"},
@@ -119,7 +131,8 @@ class OutputTest : public DemoFixture {
             {"cert", "init", "--ca", ca},
             {"cert", "issue", "anna", "--role", "viewer", "--out", keys, "--ca", ca},
             {"cert", "check", keys + "/anna.crt", "--ca", ca},
-            {"cert", "revoke", "anna", "--ca", ca}};
+            {"cert", "revoke", "anna", "--ca", ca},
+            {"replay", run, "--as", "rehearsal", "--delay", "10ms", "--to", "500ms"}};
   }
 
   static constexpr const char* kGoal = R"({"position": [0.1, 0, 0, -1, 0, 1, 0], "duration": 0.2})";

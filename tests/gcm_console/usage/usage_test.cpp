@@ -152,6 +152,9 @@ std::map<std::string, Program::Words> LinesThatNeedAGcm(const std::string& folde
           {"disconnect", {"a/b/C"}},
           {"candidates", {"a/b/C"}},
           {"explain", {"a/b/C"}},
+          {"record", {"**", "-o", folder + "/run.mcap", "--for", "1s"}},
+          {"replay", {folder + "/run.mcap"}},
+          {"save-last", {"5s", "**", "-o", folder + "/last.mcap"}},
           {"save", {folder + "/new.json"}},
           {"diff", {file}},
           {"plan", {file}},
@@ -161,8 +164,9 @@ std::map<std::string, Program::Words> LinesThatNeedAGcm(const std::string& folde
 }
 
 /// Those that do without one, wait for one, or say what is wrong with it.
-const std::set<std::string> kNeedNoGcm = {"import", "cert", "serve", "broker",     "doctor",
-                                          "shell",  "run",  "help",  "completion", "version"};
+const std::set<std::string> kNeedNoGcm = {"import", "cert", "serve",      "broker", "doctor",
+                                          "shell",  "run",  "info",       "cut",    "recover",
+                                          "export", "help", "completion", "version"};
 
 TEST_F(UsageTest, EveryVerbExplainsHowToStartAGcm) {
   const auto lines = LinesThatNeedAGcm(home.path().string());

@@ -102,7 +102,7 @@ TEST_F(WireVerbsTest, ShowPrintsTheHealthOfAConnection) {
   EXPECT_TRUE(EventuallySays({"show", "desk/supervisor/Robot"}, "round trip\t"));
   const std::string shown = Gcm({"show", "desk/supervisor/Robot"}).out;
   EXPECT_THAT(shown, HasSubstr("connected for\t"));
-  EXPECT_THAT(shown, HasSubstr("mailbox\t0 of 64 wait\n"));
+  EXPECT_THAT(shown, HasSubstr("mailbox\t0 of 64 used\n"));
   EXPECT_THAT(shown, HasSubstr("refused\t0\n"));
   EXPECT_THAT(shown, HasSubstr("lost events\t0\n"));
   const json counts = json::parse(Gcm({"--json", "show", "desk/supervisor/Robot"}).out)["counts"];
@@ -111,7 +111,7 @@ TEST_F(WireVerbsTest, ShowPrintsTheHealthOfAConnection) {
   EXPECT_EQ(counts["capacity"], 64);
 
   EXPECT_THAT(Gcm({"show", kTeleoperation}).out, testing::Not(HasSubstr("connected for")));
-  EXPECT_THAT(Gcm({"show", "robot/arm"}).out, HasSubstr("mailbox\t0 of 64 wait\n"));
+  EXPECT_THAT(Gcm({"show", "robot/arm"}).out, HasSubstr("mailbox\t0 of 64 used\n"));
 }
 
 }  // namespace
