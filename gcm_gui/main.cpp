@@ -5,6 +5,7 @@
 #include <gcm_gui/language/language.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/plot_panel.h>
+#include <gcm_gui/recording/window_recording.h>
 #include <gcm_gui/session/gcm_session.h>
 #include <gcm_gui/session/hosted_gcm.h>
 #include <gcm_gui/system/system_files.h>
@@ -19,13 +20,18 @@
 #include <program/lcm_launch_options.h>
 #include <program/network_options.h>
 #include <tendon/base/os/process.h>
+#include <tendon/base/os/termination.h>
+#include <tendon/lockfree/flag.h>
 #include <tendon/middleware/connect_cancellation.h>
 
 #include <CLI/CLI.hpp>
+#include <QMetaObject>
+#include <chrono>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 
 namespace {
 
@@ -88,6 +94,7 @@ void KeepLayout(tendon::gui::MainWindow& window, tendon::gui::SavedSettings& kep
   const auto geometry = QStringLiteral("geometry");
   const auto panels = QStringLiteral("panels");
   const auto columns = QStringLiteral("catalogueColumns");
+  const auto recording = QStringLiteral("recording");
   // Invalid saved values must not prevent the window from opening.
   const auto restore = [&](QWidget& view, auto&& part) {
     tendon::gui::ExceptionGuard::run(&view, tendon::gui::ViewWork::kHandling, part);
@@ -96,14 +103,17 @@ void KeepLayout(tendon::gui::MainWindow& window, tendon::gui::SavedSettings& kep
   restore(window, [&] { window.panels().restore(kept.value(panels)); });
   restore(window.catalogue(),
           [&] { window.catalogue().tree().columns().restore(kept.value(columns)); });
-  QObject::connect(
-      qApp, &QCoreApplication::aboutToQuit, &window, [&window, &kept, geometry, panels, columns] {
-        tendon::gui::ExceptionGuard::run(&window, tendon::gui::ViewWork::kHandling, [&] {
-          kept.set(geometry, window.saveGeometry());
-          kept.set(panels, window.panels().state());
-          kept.set(columns, window.catalogue().tree().columns().state());
-        });
-      });
+  restore(window, [&] { window.recording().controller().restoreChoices(kept.value(recording)); });
+  QObject::connect(qApp, &QCoreApplication::aboutToQuit, &window,
+                   [&window, &kept, geometry, panels, columns, recording] {
+                     tendon::gui::ExceptionGuard::run(
+                         &window, tendon::gui::ViewWork::kHandling, [&] {
+                           kept.set(geometry, window.saveGeometry());
+                           kept.set(panels, window.panels().state());
+                           kept.set(columns, window.catalogue().tree().columns().state());
+                           kept.set(recording, window.recording().controller().choices());
+                         });
+                   });
 }
 
 /// Returns the path of the demo. It is relative to the programs, in the build as well as when
@@ -120,6 +130,34 @@ void ShowAroundOnce(tendon::gui::MainWindow& window, tendon::gui::SavedSettings&
   window.tour().start();
   kept.set(seen, "yes");
 }
+
+/// Ends the event loop when SIGINT or SIGTERM asks for it, so that a recording is completed. Has a
+/// thread, so that a second signal ends the program even if the event loop hangs.
+class SignalWatch {
+ public:
+  SignalWatch() : thread_([this] { watch(); }) {}
+  SignalWatch(const SignalWatch&) = delete;
+  SignalWatch& operator=(const SignalWatch&) = delete;
+  ~SignalWatch() {
+    is_ended_.Set(true);
+    thread_.join();
+  }
+
+ private:
+  void watch() {
+    constexpr std::chrono::milliseconds kOften{200};
+    while (!is_ended_.Get() && !tendon::os::TerminationRequested(kOften)) {
+    }
+    if (is_ended_.Get()) return;
+    QMetaObject::invokeMethod(
+        qApp, [] { QCoreApplication::exit(program::kInterrupted); }, Qt::QueuedConnection);
+    // A second signal reaches only this thread, as long as it lives.
+    while (!is_ended_.Get()) std::this_thread::sleep_for(kOften);
+  }
+
+  tendon::Flag is_ended_;
+  std::thread thread_;
+};
 
 /// Returns the command that starts a GCM for this window. Empty for a read-only window, and under
 /// TLS, because a GCM needs a certificate of its own.
@@ -178,12 +216,15 @@ int Run(const Options& options) {
   // Cancels connection attempts, so that a process that hangs does not delay the end of the
   // program.
   end.emplace();
+  window.hide();
+  session.recordings().complete();
   return code;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  tendon::os::HoldTerminationSignals();  // before any thread starts
   Options options;
   CLI::App app("Shows and controls a running system.", "gcm-gui");
   AddOptions(app, options);
@@ -198,6 +239,7 @@ int main(int argc, char** argv) {
                  "use gcm, and host a GCM with: gcm serve"});
   }
   tendon::gui::WatchedApplication application(argc, argv);
+  const SignalWatch signal_watch;
   tendon::gui::ExceptionGuard::instance();  // created before any thread that may need it
   QApplication::setApplicationName("gcm-gui");
   QApplication::setOrganizationName("tendon");

@@ -32,6 +32,8 @@ QString VerbText(const Action& action) {
       return Words::tr("log level");
     case Action::Verb::kApply:
       return QStringLiteral("apply");
+    case Action::Verb::kRecord:
+      return QStringLiteral("record");
   }
   return {};
 }
@@ -78,7 +80,9 @@ const Action& ActivityModel::action(int row) const {
 }
 
 QString ActivityModel::object(const Action& action) const {
-  if (action.verb == Action::Verb::kApply) return action.argument;
+  if (action.verb == Action::Verb::kApply || action.verb == Action::Verb::kRecord) {
+    return action.argument;
+  }
   if (!action.process.empty()) {
     return QString(ToQString(action.process) + ' ' + action.argument).trimmed();
   }
@@ -152,6 +156,8 @@ QString ActivityModel::command(int row) const {
     case Action::Verb::kApply:
       return action.file.isEmpty() ? QString()
                                    : QStringLiteral("gcm apply ") + ShellWord(action.file);
+    case Action::Verb::kRecord:
+      return QStringLiteral("gcm record %1 -o %2").arg(action.argument, ShellWord(action.file));
     case Action::Verb::kForget:
       break;
   }

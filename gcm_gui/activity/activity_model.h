@@ -23,7 +23,8 @@ struct Action {
     kLifecycle,
     kCall,
     kLogLevel,
-    kApply
+    kApply,
+    kRecord
   };
   enum class Outcome { kRunning, kDone, kRefused };
 
@@ -34,8 +35,10 @@ struct Action {
   LifecycleVerb lifecycle_verb = LifecycleVerb::kStart;  ///< for lifecycle
   std::string component;  ///< the path; for lifecycle, and for undo if known
   QString command;        ///< the path; for call
-  QString argument;       ///< call: JSON; log level: its name; apply: name of the target system
-  QString file;           ///< for apply: the system file; empty if not saved
+  /// For call: JSON; log level: its name; apply: the name of the target system; record: the paths
+  /// as in a shell.
+  QString argument;
+  QString file;  ///< for apply: the system file, empty if not saved; for record: its file
 
   Outcome outcome = Outcome::kRunning;
   QString refusal;        ///< the reason of a refusal

@@ -15,8 +15,8 @@ Commands::Commands(QWidget& window)
   // With another policy, the last menus would disappear first.
   bar_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   menus_ = {bar_->addMenu(Words::tr("&System")), bar_->addMenu(Words::tr("&Plot")),
-            bar_->addMenu(Words::tr("&Graph")), bar_->addMenu(Words::tr("&View")),
-            bar_->addMenu(Words::tr("&Help"))};
+            bar_->addMenu(Words::tr("&Record")), bar_->addMenu(Words::tr("&Graph")),
+            bar_->addMenu(Words::tr("&View")),   bar_->addMenu(Words::tr("&Help"))};
 }
 
 QAction& Commands::add(Menu menu, const QString& text, const QKeySequence& key,

@@ -20,7 +20,7 @@ class Commands : public QObject {
   Q_OBJECT
 
  public:
-  enum class Menu { kSystem, kPlot, kGraph, kView, kHelp };
+  enum class Menu { kSystem, kPlot, kRecord, kGraph, kView, kHelp };
 
   /// Creates the empty menus. The keys of the commands work everywhere in `window`.
   explicit Commands(QWidget& window);
@@ -32,14 +32,14 @@ class Commands : public QObject {
   /// The menu bar; the caller adds it to a layout.
   [[nodiscard]] QMenuBar& bar() const { return *bar_; }
   /// All menus, from left to right.
-  [[nodiscard]] const std::array<QMenu*, 5>& menus() const { return menus_; }
+  [[nodiscard]] const std::array<QMenu*, 6>& menus() const { return menus_; }
   /// All commands, in the order of the menus.
   [[nodiscard]] QList<QAction*> actions() const;
 
  private:
   QWidget& window_;
   QMenuBar* bar_;
-  std::array<QMenu*, 5> menus_{};
+  std::array<QMenu*, 6> menus_{};
 };
 
 /// Returns the text of an action without the `&` of the menu and without an ellipsis.

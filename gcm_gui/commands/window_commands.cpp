@@ -16,6 +16,7 @@
 #include <gcm_gui/lifecycle/lifecycle_commands.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
+#include <gcm_gui/recording/window_recording.h>
 #include <gcm_gui/system/system_files.h>
 #include <gcm_gui/theme/tendon_style.h>
 #include <gcm_gui/theme/theme.h>
@@ -69,6 +70,7 @@ WindowCommands::WindowCommands(MainWindow& window) : QObject(&window), window_(w
   window_.topBar().addMenus(&commands_->bar());
   addSystemCommands();
   addPlotCommands();
+  window_.recording().addCommands(*commands_);
   window_.graphCommands().addCommands(*commands_);
   QMenu& view = commands_->menu(Commands::Menu::kView);
   window_.panels().fill(view);

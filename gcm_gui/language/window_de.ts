@@ -1862,10 +1862,6 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Zum nächsten, zum vorigen Teil</translation>
     </message>
     <message>
-        <source>Alt+S, P, G, V, H</source>
-        <translation>Alt+S, P, G, A, H</translation>
-    </message>
-    <message>
         <source>The menus</source>
         <translation>Die Menüs</translation>
     </message>
@@ -3167,6 +3163,214 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
     <message>
         <source>Written</source>
         <translation>Geschrieben</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>Au&amp;fzeichnung</translation>
+    </message>
+    <message>
+        <source>Alt+S, P, R, G, V, H</source>
+        <translation>Alt+S, P, F, G, A, H</translation>
+    </message>
+    <message>
+        <source>Records the plotted signals into a file  (Ctrl+R)</source>
+        <translation>Zeichnet die geplotteten Signale in eine Datei auf  (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Records the selected component into a file  (Ctrl+R)</source>
+        <translation>Zeichnet die gewählte Komponente in eine Datei auf  (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Records everything into a file  (Ctrl+R)</source>
+        <translation>Zeichnet alles in eine Datei auf  (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>What to record</source>
+        <translation>Was aufgezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Stop the recording</source>
+        <translation>Die Aufzeichnung beenden</translation>
+    </message>
+    <message>
+        <source>Completes the file  (Ctrl+R)</source>
+        <translation>Schließt die Datei ab  (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>%1 plotted signal</source>
+        <translation>%1 geplottetes Signal</translation>
+    </message>
+    <message>
+        <source>%1 plotted signals</source>
+        <translation>%1 geplottete Signale</translation>
+    </message>
+    <message>
+        <source>everything</source>
+        <translation>alles</translation>
+    </message>
+    <message>
+        <source>Nothing is plotted</source>
+        <translation>Nichts ist geplottet</translation>
+    </message>
+    <message>
+        <source>Nothing is selected</source>
+        <translation>Nichts ist ausgewählt</translation>
+    </message>
+    <message>
+        <source>Plot a signal (P), or choose something else to record in the menu Record.</source>
+        <translation>Erst ein Signal plotten (P) oder im Menü Aufzeichnung etwas anderes wählen.</translation>
+    </message>
+    <message>
+        <source>Select a component, or choose something else to record in the menu Record.</source>
+        <translation>Erst eine Komponente auswählen oder im Menü Aufzeichnung etwas anderes wählen.</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded</source>
+        <translation>Nichts wird aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>The recording continues: %1</source>
+        <translation>Die Aufzeichnung läuft weiter: %1</translation>
+    </message>
+    <message>
+        <source>The recording has stopped</source>
+        <translation>Die Aufzeichnung ist abgebrochen</translation>
+    </message>
+    <message>
+        <source>Recorded %1 rows in %2 (%3, %4 lost)</source>
+        <translation>%1 Zeilen in %2 aufgezeichnet (%3, %4 verloren)</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>Im Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Copy path</source>
+        <translation>Pfad kopieren</translation>
+    </message>
+    <message>
+        <source>Choose a folder…</source>
+        <translation>Ordner wählen…</translation>
+    </message>
+    <message>
+        <source>Close this line</source>
+        <translation>Diese Zeile schließen</translation>
+    </message>
+    <message>
+        <source>Growth of the file in the last five seconds</source>
+        <translation>Wachstum der Datei in den letzten fünf Sekunden</translation>
+    </message>
+    <message>
+        <source>Size of the file</source>
+        <translation>Größe der Datei</translation>
+    </message>
+    <message>
+        <source>Completing the file</source>
+        <translation>Die Datei wird abgeschlossen</translation>
+    </message>
+    <message>
+        <source>Starting to record</source>
+        <translation>Die Aufzeichnung beginnt</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Zeichnet auf</translation>
+    </message>
+    <message>
+        <source>Was interrupted</source>
+        <translation>War unterbrochen</translation>
+    </message>
+    <message>
+        <source>%1 rows</source>
+        <translation>%1 Zeilen</translation>
+    </message>
+    <message>
+        <source>%1 rows, %2 events, %3 records of the log</source>
+        <translation>%1 Zeilen, %2 Ereignisse, %3 Einträge des Protokolls</translation>
+    </message>
+    <message>
+        <source>%1 free</source>
+        <translation>%1 frei</translation>
+    </message>
+    <message>
+        <source>Free space on the disk of the file</source>
+        <translation>Freier Platz auf dem Datenträger der Datei</translation>
+    </message>
+    <message>
+        <source>Every row and event is in the file.</source>
+        <translation>Alle Zeilen und Ereignisse sind in der Datei.</translation>
+    </message>
+    <message>
+        <source>%1 in this window, because the disk was too slow</source>
+        <translation>%1 in diesem Fenster, weil der Datenträger zu langsam war</translation>
+    </message>
+    <message>
+        <source>%1: rows lost: %2</source>
+        <translation>%1: Zeilen verloren: %2</translation>
+    </message>
+    <message>
+        <source>%1: events lost: %2</source>
+        <translation>%1: Ereignisse verloren: %2</translation>
+    </message>
+    <message>
+        <source>Records of the log lost: %1</source>
+        <translation>Einträge des Protokolls verloren: %1</translation>
+    </message>
+    <message>
+        <source>The disk is almost full.</source>
+        <translation>Der Datenträger ist fast voll.</translation>
+    </message>
+    <message>
+        <source>At this rate, the disk is full in %1 (minutes and seconds).</source>
+        <translation>So ist der Datenträger in %1 voll (Minuten und Sekunden).</translation>
+    </message>
+    <message>
+        <source>the folder %1 cannot be created: %2</source>
+        <translation>der Ordner %1 lässt sich nicht anlegen: %2</translation>
+    </message>
+    <message>
+        <source>&amp;Start recording</source>
+        <translation>Aufzeichnung &amp;starten</translation>
+    </message>
+    <message>
+        <source>&amp;Folder for recordings…</source>
+        <translation>&amp;Ordner für Aufzeichnungen…</translation>
+    </message>
+    <message>
+        <source>What to record: &amp;plotted signals</source>
+        <translation>Aufzeichnen: ge&amp;plottete Signale</translation>
+    </message>
+    <message>
+        <source>What to record: selected &amp;component</source>
+        <translation>Aufzeichnen: gewählte &amp;Komponente</translation>
+    </message>
+    <message>
+        <source>What to record: &amp;everything</source>
+        <translation>Aufzeichnen: &amp;alles</translation>
+    </message>
+    <message>
+        <source>&amp;Stop recording</source>
+        <translation>Aufzeichnung b&amp;eenden</translation>
+    </message>
+    <message>
+        <source>Folder for recordings</source>
+        <translation>Ordner für Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Recordings go to %1</source>
+        <translation>Aufzeichnungen kommen nach %1</translation>
+    </message>
+    <message>
+        <source>No file manager could be started; the file is in %1</source>
+        <translation>Kein Dateimanager ließ sich starten; die Datei ist in %1</translation>
+    </message>
+    <message>
+        <source>The path is in the clipboard</source>
+        <translation>Der Pfad ist in der Zwischenablage</translation>
     </message>
 </context>
 </TS>

@@ -1862,10 +1862,6 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Vers la partie suivante, précédente</translation>
     </message>
     <message>
-        <source>Alt+S, P, G, V, H</source>
-        <translation>Alt+S, G, R, V, A</translation>
-    </message>
-    <message>
         <source>The menus</source>
         <translation>Les menus</translation>
     </message>
@@ -3167,6 +3163,214 @@ Possède %1 des commandes et événements requis.</translation>
     <message>
         <source>Written</source>
         <translation>Écrit</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>&amp;Enregistrement</translation>
+    </message>
+    <message>
+        <source>Alt+S, P, R, G, V, H</source>
+        <translation>Alt+S, G, E, R, V, A</translation>
+    </message>
+    <message>
+        <source>Records the plotted signals into a file  (Ctrl+R)</source>
+        <translation>Enregistre les signaux tracés dans un fichier  (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Records the selected component into a file  (Ctrl+R)</source>
+        <translation>Enregistre le composant choisi dans un fichier  (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>Records everything into a file  (Ctrl+R)</source>
+        <translation>Enregistre tout dans un fichier  (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>What to record</source>
+        <translation>Ce qui est enregistré</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Stop the recording</source>
+        <translation>Arrêter l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Completes the file  (Ctrl+R)</source>
+        <translation>Termine le fichier  (Ctrl+R)</translation>
+    </message>
+    <message>
+        <source>%1 plotted signal</source>
+        <translation>%1 signal tracé</translation>
+    </message>
+    <message>
+        <source>%1 plotted signals</source>
+        <translation>%1 signaux tracés</translation>
+    </message>
+    <message>
+        <source>everything</source>
+        <translation>tout</translation>
+    </message>
+    <message>
+        <source>Nothing is plotted</source>
+        <translation>Rien n’est tracé</translation>
+    </message>
+    <message>
+        <source>Nothing is selected</source>
+        <translation>Rien n’est sélectionné</translation>
+    </message>
+    <message>
+        <source>Plot a signal (P), or choose something else to record in the menu Record.</source>
+        <translation>Tracer un signal (P), ou choisir autre chose dans le menu Enregistrement.</translation>
+    </message>
+    <message>
+        <source>Select a component, or choose something else to record in the menu Record.</source>
+        <translation>Sélectionner un composant, ou choisir autre chose dans le menu Enregistrement.</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded</source>
+        <translation>Rien n’est enregistré</translation>
+    </message>
+    <message>
+        <source>The recording continues: %1</source>
+        <translation>L’enregistrement continue : %1</translation>
+    </message>
+    <message>
+        <source>The recording has stopped</source>
+        <translation>L’enregistrement s’est arrêté</translation>
+    </message>
+    <message>
+        <source>Recorded %1 rows in %2 (%3, %4 lost)</source>
+        <translation>%1 lignes enregistrées en %2 (%3, %4 perdues)</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>Montrer dans le dossier</translation>
+    </message>
+    <message>
+        <source>Copy path</source>
+        <translation>Copier le chemin</translation>
+    </message>
+    <message>
+        <source>Choose a folder…</source>
+        <translation>Choisir un dossier…</translation>
+    </message>
+    <message>
+        <source>Close this line</source>
+        <translation>Fermer cette ligne</translation>
+    </message>
+    <message>
+        <source>Growth of the file in the last five seconds</source>
+        <translation>Croissance du fichier dans les cinq dernières secondes</translation>
+    </message>
+    <message>
+        <source>Size of the file</source>
+        <translation>Taille du fichier</translation>
+    </message>
+    <message>
+        <source>Completing the file</source>
+        <translation>Le fichier est terminé</translation>
+    </message>
+    <message>
+        <source>Starting to record</source>
+        <translation>L’enregistrement commence</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Enregistre</translation>
+    </message>
+    <message>
+        <source>Was interrupted</source>
+        <translation>A été interrompu</translation>
+    </message>
+    <message>
+        <source>%1 rows</source>
+        <translation>%1 lignes</translation>
+    </message>
+    <message>
+        <source>%1 rows, %2 events, %3 records of the log</source>
+        <translation>%1 lignes, %2 événements, %3 entrées du journal</translation>
+    </message>
+    <message>
+        <source>%1 free</source>
+        <translation>%1 libres</translation>
+    </message>
+    <message>
+        <source>Free space on the disk of the file</source>
+        <translation>Place libre sur le disque du fichier</translation>
+    </message>
+    <message>
+        <source>Every row and event is in the file.</source>
+        <translation>Toutes les lignes et tous les événements sont dans le fichier.</translation>
+    </message>
+    <message>
+        <source>%1 in this window, because the disk was too slow</source>
+        <translation>%1 dans cette fenêtre, parce que le disque était trop lent</translation>
+    </message>
+    <message>
+        <source>%1: rows lost: %2</source>
+        <translation>%1 : lignes perdues : %2</translation>
+    </message>
+    <message>
+        <source>%1: events lost: %2</source>
+        <translation>%1 : événements perdus : %2</translation>
+    </message>
+    <message>
+        <source>Records of the log lost: %1</source>
+        <translation>Entrées du journal perdues : %1</translation>
+    </message>
+    <message>
+        <source>The disk is almost full.</source>
+        <translation>Le disque est presque plein.</translation>
+    </message>
+    <message>
+        <source>At this rate, the disk is full in %1 (minutes and seconds).</source>
+        <translation>À ce rythme, le disque est plein dans %1 (minutes et secondes).</translation>
+    </message>
+    <message>
+        <source>the folder %1 cannot be created: %2</source>
+        <translation>le dossier %1 ne peut pas être créé : %2</translation>
+    </message>
+    <message>
+        <source>&amp;Start recording</source>
+        <translation>&amp;Démarrer l’enregistrement</translation>
+    </message>
+    <message>
+        <source>&amp;Folder for recordings…</source>
+        <translation>Dossier des enre&amp;gistrements…</translation>
+    </message>
+    <message>
+        <source>What to record: &amp;plotted signals</source>
+        <translation>À enregistrer : signaux &amp;tracés</translation>
+    </message>
+    <message>
+        <source>What to record: selected &amp;component</source>
+        <translation>À enregistrer : &amp;composant choisi</translation>
+    </message>
+    <message>
+        <source>What to record: &amp;everything</source>
+        <translation>À enregistrer : t&amp;out</translation>
+    </message>
+    <message>
+        <source>&amp;Stop recording</source>
+        <translation>&amp;Arrêter l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Folder for recordings</source>
+        <translation>Dossier des enregistrements</translation>
+    </message>
+    <message>
+        <source>Recordings go to %1</source>
+        <translation>Les enregistrements vont dans %1</translation>
+    </message>
+    <message>
+        <source>No file manager could be started; the file is in %1</source>
+        <translation>Aucun gestionnaire de fichiers n’a pu démarrer ; le fichier est dans %1</translation>
+    </message>
+    <message>
+        <source>The path is in the clipboard</source>
+        <translation>Le chemin est dans le presse-papiers</translation>
     </message>
 </context>
 </TS>

@@ -79,16 +79,19 @@ GcmSession::GcmSession(std::shared_ptr<Middleware> middleware, const std::string
   options.address = address;
   options.role = role;
   options.timeout = timeout;
-  client_ = std::make_shared<GcmClient>(std::move(middleware), options,
-                                        std::make_shared<Listener>(*this, poster_));
+  client_ =
+      std::make_shared<GcmClient>(middleware, options, std::make_shared<Listener>(*this, poster_));
   live_signals_ = std::make_unique<LiveSignals>(client_->telemetry());
   reports_ = std::make_unique<NetworkReports>(*client_, store_, poster_);
   plans_ = std::make_unique<PlanWorker>(client_, options.timeout);
+  options.role = Role::kViewer;  // a recording changes nothing
+  recordings_ = std::make_unique<RecordingWorker>(std::move(middleware), options);
   connect(&link_, &LinkState::resyncRequested, this, [this] { client_->Resync(); });
 }
 
 GcmSession::~GcmSession() {
   poster_->detach();
+  recordings_.reset();
   plans_.reset();
   live_signals_.reset();
   reports_.reset();

@@ -2,6 +2,7 @@
 
 #include <gcm_gui/activity/activity_model.h>
 #include <gcm_gui/files/gui_poster.h>
+#include <gcm_gui/recording/recording_worker.h>
 #include <gcm_gui/session/catalogue_store.h>
 #include <gcm_gui/session/link_state.h>
 #include <gcm_gui/session/live_signals.h>
@@ -44,6 +45,7 @@ class GcmSession : public QObject,
   [[nodiscard]] LiveSignals& liveSignals() { return *live_signals_; }
   [[nodiscard]] SystemReports& reports() { return *reports_; }
   [[nodiscard]] PlanRunner& plans() { return *plans_; }
+  [[nodiscard]] RecordingWorker& recordings() { return *recordings_; }
 
   void connectInterfaces(const InterfaceName& required, const InterfaceName& provided) override;
   void connectOrReplace(const InterfaceName& required, const InterfaceName& provided) override;
@@ -95,6 +97,7 @@ class GcmSession : public QObject,
   std::unique_ptr<LiveSignals> live_signals_;
   std::unique_ptr<NetworkReports> reports_;
   std::unique_ptr<PlanWorker> plans_;
+  std::unique_ptr<RecordingWorker> recordings_;
 };
 
 }  // namespace tendon::gui

@@ -20,6 +20,9 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
+#include <gcm_gui/recording/record_button.h>
+#include <gcm_gui/recording/recording_strip.h>
+#include <gcm_gui/recording/window_recording.h>
 #include <gcm_gui/session/system_reports.h>
 #include <gcm_gui/system/system_files.h>
 #include <gcm_gui/theme/icon.h>
@@ -160,12 +163,18 @@ void MainWindow::buildViews() {
 QWidget* MainWindow::buildTop() {
   top_bar_ = new TopBar(parts_.store, parts_.link);
   lost_ = new LostBanner(parts_.link);
+  recording_ = new WindowRecording(parts_.recordings, parts_.activity,
+                                   {.plotted = [this] { return plots_->paths(); },
+                                    .selected = [this] { return selection_.paths(); }},
+                                   *this);
+  top_bar_->addRecordButton(&recording_->button());
   auto* top = new QWidget;
   auto* column = new QVBoxLayout(top);
   column->setContentsMargins(0, 0, 0, kGap);
   column->setSpacing(kGap);
   column->addWidget(top_bar_);
   column->addWidget(lost_);
+  column->addWidget(&recording_->strip());
   return top;
 }
 
@@ -293,6 +302,7 @@ void MainWindow::connectViews() {
   graph_commands_->keepPlaces(parts_, files_->document());
   connect(graph_commands_, &GraphCommands::notice, notice_, &NoticeLine::showNotice);
   connect(files_, &SystemFiles::titleChanged, this, &MainWindow::showLink);
+  connect(recording_, &WindowRecording::notice, notice_, &NoticeLine::showNotice);
   connect(plots_, &PlotPanel::notice, notice_, &NoticeLine::showNotice);
   connect(top_bar_, &TopBar::pauseRequested, plots_, &PlotPanel::setPaused);
   connect(plots_, &PlotPanel::pausedChanged, top_bar_, &TopBar::showPaused);

@@ -41,6 +41,7 @@ class TabPanel;
 class TopBar;
 class Tour;
 class WindowCommands;
+class WindowRecording;
 
 /// The window with a bar at the top, three columns, and a panel at the bottom. It creates the views
 /// and connects their signals. The views fill themselves, and WindowCommands assigns the keys.
@@ -63,6 +64,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] TopBar& topBar() const { return *top_bar_; }
   [[nodiscard]] CandidatePanel& candidates() const { return *candidates_; }
   [[nodiscard]] SystemFiles& files() const { return *files_; }
+  [[nodiscard]] WindowRecording& recording() const { return *recording_; }
   [[nodiscard]] TabPanel& centre() const { return *centre_; }
   [[nodiscard]] Tour& tour() const;
   [[nodiscard]] Panels& panels() const { return *panels_; }
@@ -122,6 +124,7 @@ class MainWindow : public QMainWindow {
   WindowCommands* commands_ = nullptr;
   TopBar* top_bar_ = nullptr;
   LostBanner* lost_ = nullptr;
+  WindowRecording* recording_ = nullptr;
   CataloguePanel* catalogue_ = nullptr;
   GraphScene* scene_ = nullptr;
   GraphView* graph_ = nullptr;

@@ -41,6 +41,7 @@ void NoticeLine::showNotice(const QString& text) {
 }
 
 void NoticeLine::onActionFinished(const Action& finished) {
+  if (finished.verb == Action::Verb::kRecord) return;  // has a line of its own
   if (finished.outcome == Action::Outcome::kRefused) return showNotice(finished.refusal);
   const QString time = DurationText(finished.seconds);
   switch (finished.verb) {
@@ -66,6 +67,7 @@ void NoticeLine::onActionFinished(const Action& finished) {
       return showNotice(
           Words::tr("%1 logs %2 and above").arg(ToQString(finished.process), finished.argument));
     case Action::Verb::kApply:
+    case Action::Verb::kRecord:
       return;  // shown on its own page
   }
 }

@@ -2,6 +2,7 @@
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/state_marks.h>
 #include <gcm_gui/models/text.h>
+#include <gcm_gui/recording/record_button.h>
 #include <gcm_gui/theme/icon.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
@@ -16,6 +17,10 @@ namespace tendon::gui {
 namespace {
 
 constexpr int kLogo = 20;
+// Below these widths of the window, the switches and the search show only their icons, so that the
+// state of the GCM has room.
+constexpr int kRoomForSwitches = 1440;
+constexpr int kRoomForSearch = 1200;
 
 /// Counts only objects that exist now, because the catalogue also contains objects that are gone.
 QString Counts(const Catalogue& catalogue) {
@@ -37,6 +42,10 @@ QString Counts(const Catalogue& catalogue) {
       .join(QStringLiteral(" · "));
 }
 
+int TextWidth(const QPushButton& button) {
+  return button.text().isEmpty() ? 0 : button.fontMetrics().horizontalAdvance(button.text());
+}
+
 }  // namespace
 
 TopBar::TopBar(const CatalogueStore& store, const LinkState& link, QWidget* parent)
@@ -45,8 +54,8 @@ TopBar::TopBar(const CatalogueStore& store, const LinkState& link, QWidget* pare
       link_(link),
       link_pill_(new Pill),
       problem_pill_(new Pill),
-      search_(new QPushButton(Words::tr("Search or run   Ctrl+K"))),
-      pause_(new QPushButton(Words::tr("Pause view"))),
+      search_(new QPushButton),
+      pause_(new QPushButton),
       theme_(new QPushButton) {
   setObjectName(QStringLiteral("topBar"));
   setAutoFillBackground(true);
@@ -80,6 +89,7 @@ void TopBar::addButtons() {
   auto* row = static_cast<QHBoxLayout*>(layout());
   search_->setObjectName(QStringLiteral("searchOrRun"));
   search_->setIcon(ThemeIcon(QStringLiteral("search")));
+  search_->setAccessibleName(Words::tr("Search or run   Ctrl+K"));
   search_->setToolTip(Words::tr("Finds all commands and all objects  (Ctrl+K)"));
   search_->setFocusPolicy(Qt::TabFocus);
   SetRole(*search_, QStringLiteral("field"));
@@ -103,6 +113,33 @@ void TopBar::addButtons() {
 
 void TopBar::addMenus(QWidget* menus) {
   static_cast<QHBoxLayout*>(layout())->insertWidget(1, menus);
+}
+
+void TopBar::addRecordButton(RecordButton* button) {
+  auto* row = static_cast<QHBoxLayout*>(layout());
+  row->insertWidget(row->indexOf(pause_), button);
+  record_ = button;
+  record_->setTabPlace(search_, pause_);
+  showTexts();
+}
+
+void TopBar::showTexts() {
+  const bool has_room = width() >= kRoomForSwitches;
+  pause_->setText(has_room ? pause_->accessibleName() : QString());
+  if (record_ != nullptr) record_->setTextShown(has_room);
+  search_->setText(width() >= kRoomForSearch ? search_->accessibleName() : QString());
+}
+
+QSize TopBar::minimumSizeHint() const {
+  QSize size = QFrame::minimumSizeHint();
+  size.rwidth() -= TextWidth(*search_) + TextWidth(*pause_);
+  if (record_ != nullptr) size.rwidth() -= record_->textWidth();
+  return size;
+}
+
+void TopBar::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  showTexts();
 }
 
 QString TopBar::linkText() const { return link_pill_->spoken(); }
@@ -140,9 +177,10 @@ void TopBar::showProblemCount(int count) {
 
 void TopBar::showPaused(bool paused) {
   pause_->setChecked(paused);
-  pause_->setText(paused ? Words::tr("Resume view") : Words::tr("Pause view"));
+  pause_->setAccessibleName(paused ? Words::tr("Resume view") : Words::tr("Pause view"));
   pause_->setIcon(
       ThemeIcon(paused ? QStringLiteral("play") : QStringLiteral("pause"), Token::kText));
+  showTexts();
 }
 
 void TopBar::setNow(qint64 now) {

@@ -10,9 +10,11 @@ class QPushButton;
 namespace tendon::gui {
 
 class Pill;
+class RecordButton;
 
 /// The top of the window. It shows the state of the GCM, the numbers of processes, components,
-/// connections and problems, and has switches for the window.
+/// connections and problems, and has switches for the window. In a narrower window, the switches
+/// show only their icons.
 class TopBar : public QFrame {
   Q_OBJECT
 
@@ -23,8 +25,13 @@ class TopBar : public QFrame {
   [[nodiscard]] QString linkText() const;
   /// Adds the menus to the right of the logo. Takes ownership.
   void addMenus(QWidget* menus);
+  /// To the left of the button for pausing; takes ownership.
+  void addRecordButton(RecordButton* button);
   /// The rightmost button, the last one in the tab order of the bar.
   [[nodiscard]] QPushButton& lastButton() const { return *theme_; }
+
+  /// With icons only.
+  [[nodiscard]] QSize minimumSizeHint() const override;
 
  public Q_SLOTS:
   void showProblemCount(int count);
@@ -37,9 +44,13 @@ class TopBar : public QFrame {
   void pauseRequested(bool paused);
   void paletteRequested();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void showLink();
   void addButtons();
+  void showTexts();
 
   const CatalogueStore& store_;
   const LinkState& link_;
@@ -48,6 +59,7 @@ class TopBar : public QFrame {
   Pill* problem_pill_;
   QPushButton* search_;
   QPushButton* pause_;
+  RecordButton* record_ = nullptr;
   QPushButton* theme_;
 };
 

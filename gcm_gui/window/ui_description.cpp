@@ -9,6 +9,8 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
+#include <gcm_gui/recording/recording_words.h>
+#include <gcm_gui/recording/window_recording.h>
 #include <gcm_gui/session/link_state.h>
 #include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/views/catalogue_tree.h>
@@ -111,6 +113,14 @@ QJsonObject LastAction(const ActivityModel& activity) {
           {"seconds", action.seconds}};
 }
 
+QJsonObject Recording(const RecordingController& recording) {
+  const auto& status = recording.progress().status;
+  return {{"running", recording.state() == RecordingController::State::kRecording},
+          {"file", recording.file()},
+          {"rows", static_cast<double>(status.counts.rows)},
+          {"lost", static_cast<double>(LostCount(status.losses))}};
+}
+
 }  // namespace
 
 UiDescription::UiDescription(MainWindow& window, const QString& file)
@@ -194,6 +204,7 @@ QJsonObject UiDescription::facts() const {
                     {"connections", Connections(catalogue)},
                     {"curves", Curves(window_.plots())},
                     {"lastAction", LastAction(parts.activity)},
+                    {"recording", Recording(window_.recording().controller())},
                     {"paused", window_.plots().isPaused()},
                     {"connecting", window_.connectMode().active()},
                     {"selection", QJsonArray::fromStringList(window_.selection().paths())}};

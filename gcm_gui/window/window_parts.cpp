@@ -12,7 +12,8 @@ WindowParts PartsOf(GcmSession& session) {
           .calls = session,
           .checks = session,
           .plans = session.plans(),
-          .reports = session.reports()};
+          .reports = session.reports(),
+          .recordings = session.recordings()};
 }
 
 }  // namespace tendon::gui

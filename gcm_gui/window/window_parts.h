@@ -13,6 +13,7 @@ class CommandCalls;
 class ConnectionChecks;
 class LinkState;
 class PlanRunner;
+class RecordingRunner;
 class GcmSession;
 class SignalSource;
 class SystemActions;
@@ -29,6 +30,7 @@ struct WindowParts {
   ConnectionChecks& checks;
   PlanRunner& plans;
   SystemReports& reports;
+  RecordingRunner& recordings;
   console::Settings console = {};  ///< settings of the console in the window
   QString kept = {};               ///< folder for the saved state; if empty, nothing is saved
   QStringList gcm = {};    ///< `gcm` with its options; if empty, the window cannot start a GCM

@@ -28,8 +28,9 @@ class LargeWindow {
     catalogue_ = system.catalogue();
     link_.setAddress("127.0.0.1:10705", true);
     link_.setConnected();
-    window_ = std::make_unique<gui::MainWindow>(gui::WindowParts{
-        store_, link_, activity_, actions_, source_, calls_, checks_, plans_, reports_});
+    window_ = std::make_unique<gui::MainWindow>(gui::WindowParts{store_, link_, activity_, actions_,
+                                                                 source_, calls_, checks_, plans_,
+                                                                 reports_, recordings_});
   }
 
   /// Until all of it is in all views, and painted.
@@ -71,6 +72,7 @@ class LargeWindow {
   gui::ScriptedChecks checks_;
   gui::ScriptedPlans plans_;
   gui::ScriptedReports reports_;
+  gui::ScriptedRecordings recordings_;
   std::unique_ptr<gui::MainWindow> window_;
 };
 

@@ -5,6 +5,7 @@
 #include <tendon/payload/schema.h>
 #include <tendon/task/cycle_statistics.h>
 
+#include <QDesktopServices>
 #include <utility>
 
 namespace tendon::gui {
@@ -101,6 +102,14 @@ void ScriptedCalls::readValue(const std::string& path, ValueHandler handler) {
 void ScriptedChecks::diagnose(const message::Wire& wire, DiagnosisHandler handler) {
   diagnosed.push_back(wire);
   diagnosis = std::move(handler);
+}
+
+ScriptedFileManager::ScriptedFileManager() {
+  QDesktopServices::setUrlHandler(QStringLiteral("file"), this, "show");
+}
+
+ScriptedFileManager::~ScriptedFileManager() {
+  QDesktopServices::unsetUrlHandler(QStringLiteral("file"));
 }
 
 std::vector<std::optional<NumericValue>> ExactValues(const std::vector<double>& values) {

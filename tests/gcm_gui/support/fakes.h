@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gcm_gui/recording/recording_runner.h>
 #include <gcm_gui/session/signal_source.h>
 #include <gcm_gui/session/system_reports.h>
 #include <gcm_gui/session/system_requests.h>
@@ -11,6 +12,7 @@
 #include <QSet>
 #include <QString>
 #include <QStringList>
+#include <QUrl>
 #include <optional>
 #include <string>
 #include <utility>
@@ -82,6 +84,34 @@ class ScriptedPlans final : public PlanRunner {
   Done done;
   int started = 0;
   int stopped = 0;
+};
+
+/// Keeps the requests; the test answers them by its Qt signals.
+class ScriptedRecordings final : public RecordingRunner {
+  Q_OBJECT
+
+ public:
+  using RecordingRunner::RecordingRunner;
+
+  void start(const RecordingRequest& request) override { requests.push_back(request); }
+  void stop() override { ++stopped; }
+
+  std::vector<RecordingRequest> requests;
+  int stopped = 0;
+};
+
+/// Receives the folders that are to be shown, while it exists, instead of the file manager.
+class ScriptedFileManager final : public QObject {
+  Q_OBJECT
+
+ public:
+  ScriptedFileManager();
+  ~ScriptedFileManager() override;
+
+  QStringList shown;
+
+ public Q_SLOTS:
+  void show(const QUrl& url) { shown << url.toLocalFile(); }
 };
 
 /// Records the requested signals and columns; the test sends rows and values by its Qt signals.

@@ -36,7 +36,9 @@ class CatalogueColumnsTest : public WindowFixture {
     return seen;
   }
   [[nodiscard]] QMenu& viewMenu() const {
-    return *window_.findChild<QMenuBar*>("menus")->actions().at(3)->menu();
+    const auto actions = window_.findChild<QMenuBar*>("menus")->actions();
+    const auto view = std::ranges::find(actions, QStringLiteral("&View"), &QAction::text);
+    return *(*view)->menu();
   }
   /// As a person does, who reads it.
   void Choose(const QString& text) const {

@@ -94,16 +94,13 @@ class ReadOnlyTest : public ConnectingTest {
     only_looks_.findChild<NoticeLine*>()->showNotice({});
   }
 
-  MainWindow only_looks_{{.store = store_,
-                          .link = link_,
-                          .activity = activity_,
-                          .actions = actions_,
-                          .source = source_,
-                          .calls = calls_,
-                          .checks = checks_,
-                          .plans = plans_,
-                          .reports = reports_,
-                          .read_only = "this window cannot change anything"}};
+  [[nodiscard]] WindowParts ReadOnlyParts() {
+    WindowParts parts = Parts();
+    parts.read_only = "this window cannot change anything";
+    return parts;
+  }
+
+  MainWindow only_looks_{ReadOnlyParts()};
 };
 
 TEST_F(ReadOnlyTest, EveryWayToConnectIsRefusedWithAReason) {

@@ -314,7 +314,7 @@ TEST_F(MainWindowTest, SpacePausesTheView) {
 
   QTest::keyClick(&window_, Qt::Key_Space);
   EXPECT_TRUE(window_.plots().isPaused());
-  EXPECT_EQ(pause->text(), "Resume view");
+  EXPECT_EQ(pause->accessibleName(), "Resume view");
 
   QTest::mouseClick(pause, Qt::LeftButton);
   EXPECT_FALSE(window_.plots().isPaused());

@@ -24,7 +24,8 @@ void WindowFixture::Show() {
 }
 
 WindowParts WindowFixture::Parts() {
-  WindowParts parts{store_, link_, activity_, actions_, source_, calls_, checks_, plans_, reports_};
+  WindowParts parts{store_, link_,   activity_, actions_, source_,
+                    calls_, checks_, plans_,    reports_, recordings_};
   parts.demo = QStringLiteral(TENDON_DEMO_SYSTEM);
   return parts;
 }

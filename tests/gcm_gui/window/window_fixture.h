@@ -34,6 +34,7 @@ class WindowFixture : public ::testing::Test {
   ScriptedChecks checks_;
   ScriptedPlans plans_;
   ScriptedReports reports_;
+  ScriptedRecordings recordings_;
   MainWindow window_{Parts()};
 };
 

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <gcm_gui/recording/recording_controller.h>
+
+#include <QWidget>
+
+class QMenu;
+class QPushButton;
+
+namespace tendon::gui {
+
+/// Starts and stops a recording. The arrow beside it opens a menu that chooses what to record.
+class RecordButton : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `menu` must outlive it.
+  RecordButton(RecordingController& controller, QMenu& menu, QWidget* parent = nullptr);
+
+  /// Places both parts between two widgets of the same window in the order of the Tab key.
+  void setTabPlace(QWidget* before, QWidget* after);
+  /// Otherwise the button shows only its icon.
+  void setTextShown(bool shown);
+  /// The part of the width that the text takes.
+  [[nodiscard]] int textWidth() const;
+
+ private:
+  void refresh();
+
+  RecordingController& controller_;
+  QPushButton* button_;
+  QPushButton* arrow_;
+  bool is_text_shown_ = true;
+};
+
+}  // namespace tendon::gui

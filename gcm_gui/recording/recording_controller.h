@@ -1,0 +1,109 @@
+#pragma once
+
+#include <gcm_gui/activity/activity_model.h>
+#include <gcm_gui/recording/recording_runner.h>
+
+#include <QByteArray>
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tendon::gui {
+
+/// What the next recording holds.
+enum class RecordingScope { kPlotted, kSelected, kEverything };
+
+/// The outcome of the latest recording, or the reason why there is none.
+struct RecordingReport {
+  enum class Kind {
+    kDone,
+    kNothingChosen,  ///< there is nothing to record
+    kFailed          ///< to begin, or to complete the file
+  };
+  Kind kind = Kind::kDone;
+  QString title;   ///< a few words
+  QString detail;  ///< the file, or the reason
+  QString file;    ///< empty if there is none
+  bool has_losses = false;
+};
+
+/// Records what the user has chosen, and lists each recording as an action. Has no widgets. GUI
+/// thread.
+class RecordingController : public QObject {
+  Q_OBJECT
+
+ public:
+  enum class State { kIdle, kStarting, kRecording, kStopping };
+  /// Functions that return the paths of what is plotted and of what is selected.
+  struct Sources {
+    std::function<QStringList()> plotted;
+    std::function<QStringList()> selected;
+  };
+
+  RecordingController(RecordingRunner& runner, ActivityModel& activity, Sources sources,
+                      QObject* parent = nullptr);
+
+  [[nodiscard]] RecordingScope scope() const { return scope_; }
+  void setScope(RecordingScope scope);
+  /// For the files.
+  [[nodiscard]] QString folder() const { return folder_; }
+  void setFolder(const QString& folder);
+  /// Scope and folder, to be restored at the next start of the window.
+  [[nodiscard]] QByteArray choices() const;
+  void restoreChoices(const QByteArray& choices);
+
+  [[nodiscard]] State state() const { return state_; }
+  // Of the running recording.
+  [[nodiscard]] QString subject() const { return subject_; }  ///< "3 plotted signals"
+  [[nodiscard]] QStringList patterns() const { return patterns_; }
+  [[nodiscard]] QString file() const { return file_; }
+  [[nodiscard]] const RecordingProgress& progress() const { return progress_; }
+  /// Sentences about lost processes and the lost GCM, oldest first.
+  [[nodiscard]] QStringList interruptions() const { return interruptions_; }
+
+  [[nodiscard]] const std::optional<RecordingReport>& report() const { return report_; }
+  void dismissReport();
+
+ public Q_SLOTS:
+  /// Starts a recording, or stops the running one.
+  void toggle();
+  void start();
+  void stop();
+
+ Q_SIGNALS:
+  /// Anything above has changed.
+  void changed();
+  /// One sentence for the user.
+  void notice(const QString& text);
+
+ private:
+  [[nodiscard]] QStringList chosenPatterns() const;
+  [[nodiscard]] QString chosenSubject() const;
+  [[nodiscard]] Action actionFor(const QString& file) const;
+  void setReport(RecordingReport report);
+  void onBegun(const QString& file);
+  void onRefused(const QString& sentence);
+  void onProgressed(const RecordingProgress& progress);
+  void onInterrupted(const QString& sentence);
+  void onEnded(const RecordingProgress& progress, const QString& failure);
+
+  RecordingRunner& runner_;
+  ActivityModel& activity_;
+  const Sources sources_;
+  RecordingScope scope_ = RecordingScope::kPlotted;
+  QString folder_;
+  State state_ = State::kIdle;
+  QString subject_;
+  QStringList patterns_;
+  QString file_;  // before begun(): the wanted one
+  RecordingProgress progress_;
+  QStringList interruptions_;
+  ActivityModel::Id action_ = 0;
+  std::optional<RecordingReport> report_;
+};
+
+}  // namespace tendon::gui
