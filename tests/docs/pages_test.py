@@ -40,6 +40,9 @@ class Place:
         """As patient as a busy machine needs. What only looks may have to wait until there is something to see."""
         if re.match(r"gcm (--json )?(ls|tree|show|get|watch|status|find|graph|top|hz|plot|doctor|run|shell) ", line):
             return self.eventually(line, "")
+        exported = re.match(r"export (\w+)=", line)
+        if exported:
+            self.environment[exported[1]] = self.run_once(f'{line}; printf %s "${exported[1]}"').stdout
         return self.run_once(line)
 
     def run_once(self, line):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""snippets_test.py ROOT: every C++ and JSON block of the README, of docs/ and of the pages beside the code stands, line
-for line, in a file that the build compiles or reads; every CMake block stands, with other lines in between, in the
-plug-in that is built outside of the tree."""
+"""snippets_test.py ROOT: every C++, JSON and Python block of the README, of docs/ and of the pages beside the code
+stands, line for line, in a file that the build or a test reads; every CMake block stands, with other lines in between,
+in the plug-in that is built outside of the tree."""
 import pathlib
 import re
 import sys
@@ -25,13 +25,14 @@ def stands_in_order(block, source):
 
 def main(root):
     sources = [lines_of(path.read_text(encoding="utf-8"))
-               for folder in FOLDERS for path in (root / folder).rglob("*") if path.suffix in {".h", ".cpp", ".json"}]
+               for folder in FOLDERS for path in (root / folder).rglob("*")
+               if path.suffix in {".h", ".cpp", ".json", ".py"}]
     plugin = lines_of((root / "tests/install/lamp/CMakeLists.txt").read_text(encoding="utf-8"))
     plugin = [line.replace("${COMPONENTS}", "core") for line in plugin]
     missing = blocks = 0
     pages = [page for folder in ("docs", "components", "core") for page in sorted((root / folder).rglob("*.md"))]
     for page in [root / "README.md", *pages]:
-        for language, text in re.findall(r"^```(cpp|json|cmake)\n(.*?)^```", page.read_text(encoding="utf-8"),
+        for language, text in re.findall(r"^```(cpp|json|cmake|python)\n(.*?)^```", page.read_text(encoding="utf-8"),
                                          re.M | re.S):
             blocks += 1
             block = lines_of(text)

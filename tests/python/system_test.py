@@ -302,8 +302,12 @@ class InTheDemoSystem(unittest.TestCase):
         examples = re.findall(r"^```python\n(.*?)^```", page, re.M | re.S)
         self.assertTrue(examples)
         names = {}
+        recording = pathlib.Path(self.place.folder.name) / "run.mcap"
+        subprocess.run([PROGRAMS / "gcm", "--timeout", str(1000 * PATIENCE), "record", "robot/**",
+                        "-o", recording, "--for", "1s"], check=True)
         for example in examples:
             patient = example.replace("connect()", f"connect(timeout={PATIENCE})")
+            patient = patient.replace("run.mcap", str(recording))
             patient = patient.replace("timeout=10", f"timeout={PATIENCE}")
             printed = io.StringIO()
             with self.subTest(example=example), contextlib.redirect_stdout(printed):
