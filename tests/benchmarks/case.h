@@ -20,7 +20,7 @@ struct Effort {
 };
 
 /// The result of one repetition: our time and the floor's, measured directly after each other for
-/// some milliseconds each. Smaller is better.
+/// some milliseconds each. Smaller is better; only a throughput without a floor is itself `ours`.
 struct Pair {
   double ours = 0;
   std::optional<double> floor;  ///< nothing where the goal is a number of its own
@@ -59,6 +59,7 @@ std::vector<Case> QueueCases(const Effort& effort);
 std::vector<Case> WaitingCases(const Effort& effort);
 std::vector<Case> TableCases(const Effort& effort);
 std::vector<Case> PeriodCases(const Effort& effort);
+std::vector<Case> RecordingCases(const Effort& effort);
 /// The cases between two processes; none in a build without Ice.
 std::vector<Case> NetworkCases(const Effort& effort);
 /// The cases of the window; none in a build without it.

@@ -21,8 +21,8 @@ struct Options {
 
 std::vector<Case> AllCases(const Effort& effort) {
   std::vector<Case> all;
-  for (const auto& make :
-       {QueueCases, WaitingCases, TableCases, PeriodCases, NetworkCases, PlotCases, WindowCases}) {
+  for (const auto& make : {QueueCases, WaitingCases, TableCases, PeriodCases, RecordingCases,
+                           NetworkCases, PlotCases, WindowCases}) {
     for (Case& one : make(effort)) all.push_back(std::move(one));
   }
   return all;

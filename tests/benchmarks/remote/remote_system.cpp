@@ -94,8 +94,8 @@ std::vector<Case> NetworkCases(const Effort& effort) {
     return **made;
   };
   std::vector<Case> all;
-  for (const auto& make :
-       {RemoteCases, RivalCases, StreamCases, JoiningCases, CatalogueCases, QueryCases}) {
+  for (const auto& make : {RemoteCases, RivalCases, StreamCases, JoiningCases, CatalogueCases,
+                           QueryCases, RecordingLoadCases}) {
     for (Case& one : make(effort, system)) all.push_back(std::move(one));
   }
   return all;

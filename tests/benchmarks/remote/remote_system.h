@@ -93,5 +93,6 @@ std::vector<Case> StreamCases(const Effort& effort, const TheSystem& system);
 std::vector<Case> JoiningCases(const Effort& effort, const TheSystem& system);
 std::vector<Case> CatalogueCases(const Effort& effort, const TheSystem& system);
 std::vector<Case> QueryCases(const Effort& effort, const TheSystem& system);
+std::vector<Case> RecordingLoadCases(const Effort& effort, const TheSystem& system);
 
 }  // namespace tendon::benchmark

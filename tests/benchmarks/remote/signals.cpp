@@ -1,0 +1,85 @@
+// One of the processes whose signals are recorded: signals NAME GCM COLUMNS. Its task writes a row
+// of that many doubles each millisecond. At SIGUSR1 it prints the 99th percentile of the task's
+// lateness since the signal before, in nanoseconds. Runs until it is killed.
+
+#include <tendon/base/log.h>
+#include <tendon/ice/ice_middleware.h>
+#include <tendon/process/process.h>
+#include <tendon/task/periodic_task.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int kPriority = 50;
+
+class Source final : public tendon::PeriodicTask {
+ public:
+  Source(std::string name, int columns)
+      : PeriodicTask(std::move(name), 1ms), signals_(static_cast<std::size_t>(columns)) {
+    SetThreadOptions({.policy = tendon::SchedulingPolicy::kFifo, .priority = kPriority});
+    for (std::size_t i = 0; i < signals_.size(); ++i) {
+      state_table().Add(signals_[i], "Signal" + std::to_string(i));
+    }
+  }
+  ~Source() override { Join(); }
+
+  /// Adds the lateness of all cycles since the last call, in nanoseconds.
+  void TakeLateness(std::vector<double>& lateness) {
+    const auto& column =
+        dynamic_cast<const tendon::Column<tendon::CycleStatistics>&>(*state_table().Find("Cycle"));
+    tendon::CycleStatistics statistics;
+    std::uint64_t lost = 0;
+    next_ = column.ReadSince(next_, statistics, lost,
+                             [&](const auto& /*stamp*/, const tendon::CycleStatistics& cycle) {
+                               lateness.push_back(cycle.lateness * 1e9);
+                             });
+  }
+
+ private:
+  void Run() override {
+    for (double& signal : signals_) signal += 0.001;
+  }
+
+  std::vector<double> signals_;
+  std::uint64_t next_ = 0;
+};
+
+double Percentile99(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 99 / 100);
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+}  // namespace
+
+int main(int /*count*/, char** words) {
+  using namespace tendon;
+  SetLogLevel(LogLevel::kWarning);
+  sigset_t ask;
+  sigemptyset(&ask);
+  sigaddset(&ask, SIGUSR1);
+  pthread_sigmask(SIG_BLOCK, &ask, nullptr);  // of all threads, which inherit it
+  Process process(words[1],
+                  {.middleware = MakeIceMiddleware(Exposure::kLoopbackOnly), .gcm = words[2]});
+  Source& source = process.Add<Source>("source", std::stoi(words[3]));
+  if (!process.StartAll()) return 1;
+  std::vector<double> lateness;
+  while (true) {
+    const timespec often{.tv_sec = 0, .tv_nsec = 200'000'000};  // the table holds a second
+    const bool is_asked = sigtimedwait(&ask, nullptr, &often) == SIGUSR1;
+    source.TakeLateness(lateness);
+    if (!is_asked) continue;
+    std::cout << Percentile99(std::exchange(lateness, {})) << std::endl;
+  }
+}
