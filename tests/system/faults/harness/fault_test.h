@@ -69,11 +69,12 @@ class FaultTest : public testing::TestWithParam<std::string> {
   /// finds no mistake.
   void ExpectHonestCommands();
   /// Expects that one subscription has received every row of one ledger. Rows may be lost only if
-  /// MayExpireLeases() or under a sanitizer, and then each loss must be counted.
+  /// MayExpireLeases(), and then each loss must be counted.
   void ExpectNoRowLost() const;
   void ExpectNeverLost(const std::string& process) const;
-  /// True, and printed, if this machine ran no thread for so long that leases may have expired
-  /// without a fault.
+  /// True if leases may have expired without a fault: under a sanitizer, because many slow programs
+  /// at once may get no processor for longer than a lease lasts, and, printed, if this machine ran
+  /// no thread for a large part of a lease.
   [[nodiscard]] bool MayExpireLeases() const;
   /// Prints the one line of a test: the injected fault, and the findings of the checkers.
   static void Tell(const std::string& line);
