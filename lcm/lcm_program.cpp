@@ -78,12 +78,10 @@ Result<void> SetThread(const tendon::SystemFile::Component& wanted, tendon::Comp
 
 Error NoLibrary(const tendon::SystemFile::Component& wanted,
                 const tendon::ComponentLoader& loader) {
-  std::string all;
-  for (const std::string& known : loader.available()) all += (all.empty() ? "" : ", ") + known;
   return {ErrorCode::kInvalid,
           "component '" + wanted.name +
               "' has no \"library\" in the file: add the name of the plug-in that has class " +
-              wanted.class_name + "; available: " + all};
+              wanted.class_name + "; available: " + tendon::Joined(loader.available(), ", ")};
 }
 
 Result<std::vector<CreatedComponent>> MakeComponents(const ProcessPart& part,

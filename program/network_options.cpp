@@ -119,10 +119,9 @@ Result<std::shared_ptr<Middleware>> MakeMiddleware(const NetworkOptions& options
     if (!made) return made.error();
     return std::shared_ptr<Middleware>(*std::move(made));
   }
-  std::string all;
-  for (const std::string& known : MiddlewareNames()) all += (all.empty() ? "" : ", ") + known;
   return Error{ErrorCode::kInvalid,
-               "no middleware '" + options.middleware + "' in this program; available: " + all};
+               "no middleware '" + options.middleware +
+                   "' in this program; available: " + tendon::Joined(MiddlewareNames(), ", ")};
 }
 
 std::string GcmAddress(const std::string& option) {

@@ -36,13 +36,6 @@ tendon::mcap::Compression MethodOf(Compression compression) {
   return tendon::mcap::Compression::kZstd;
 }
 
-std::uint64_t LostOf(const RecorderStatus& status) {
-  std::uint64_t lost = status.losses.log;
-  for (const auto& [path, rows] : status.losses.rows) lost += rows.all();
-  for (const auto& [path, events] : status.losses.events) lost += events;
-  return lost;
-}
-
 }  // namespace
 
 RecordingThread::RecordingThread(std::shared_ptr<tendon::LocalAccess> process,
@@ -119,7 +112,7 @@ void RecordingThread::StopNow() {
     state_.bytes = status.counts.bytes;
     state_.rate = 0.0;
     state_.disk_left = status.disk_free;
-    state_.lost = LostOf(status);
+    state_.lost = status.losses.all();
   }
   recorder_.reset();
   system_.reset();
@@ -162,7 +155,7 @@ void RecordingThread::Look() {
               .bytes = status.counts.bytes,
               .rate = state_.is_recording ? state_.rate : 0.0,
               .disk_left = status.disk_free,
-              .lost = LostOf(status)};
+              .lost = status.losses.all()};
     if (now >= next_rate_) {
       const std::chrono::duration<double> passed = now - next_rate_ + 1s;
       const auto more = status.counts.bytes - std::min(bytes_, status.counts.bytes);

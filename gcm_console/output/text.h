@@ -1,5 +1,7 @@
 #pragma once
 
+#include <tendon/base/text.h>
+
 #include <cstdio>
 #include <string>
 
@@ -20,13 +22,6 @@ inline std::string Short(double value) {
   return text;
 }
 
-/// Returns the words with `separator` between them: "a, b" for {"a", "b"} and ", ". Empty if there
-/// are no words.
-template <typename Words>
-std::string Joined(const Words& words, const std::string& separator) {
-  std::string all;
-  for (const std::string& word : words) all += (all.empty() ? "" : separator) + word;
-  return all;
-}
+using tendon::Joined;
 
 }  // namespace console

@@ -90,18 +90,6 @@ Result<tendon::recording::RecorderOptions> WithConditions(tendon::recording::Rec
   return all;
 }
 
-tendon::LostRows LostRowsOf(const RecorderStatus& status) {
-  tendon::LostRows all;
-  for (const auto& [path, lost] : status.losses.rows) all += lost;
-  return all;
-}
-
-std::uint64_t LostEventsOf(const RecorderStatus& status) {
-  std::uint64_t all = 0;
-  for (const auto& [path, lost] : status.losses.events) all += lost;
-  return all;
-}
-
 /// Prints the state of a recording: each second on a terminal and as JSON, and at its end.
 class RecordingReport {
  public:
@@ -136,8 +124,8 @@ class RecordingReport {
     last_ = passed;
     context_.err() << "\r\033[K" << Fixed(passed.count(), 0) << " s: " << Held(status) << ", "
                    << SizeText(static_cast<std::uint64_t>(std::max(0.0, rate))) << "/s, "
-                   << SizeText(status.disk_free) << " free, " << LostRowsOf(status).all() << " lost"
-                   << std::flush;
+                   << SizeText(status.disk_free) << " free, " << status.losses.all_rows().all()
+                   << " lost" << std::flush;
     is_line_open_ = true;
   }
   /// The condition to start was true.
@@ -163,14 +151,14 @@ class RecordingReport {
       context_.err() << "gcm: the condition was never true; there is no recording\n";
       return;
     }
-    const auto lost = LostRowsOf(status);
+    const auto lost = status.losses.all_rows();
     context_.err() << "gcm: " << Held(status) << " in " << Fixed(passed.count(), 1) << " s in "
                    << Plain(status.file.string()) << "; " << lost.all() << " rows lost";
     if (lost.all() > 0) {
       context_.err() << " (" << lost.table << " in the table, " << lost.network
                      << " on the network, " << lost.viewer << " here)";
     }
-    context_.err() << ", " << LostEventsOf(status) << " events lost\n";
+    context_.err() << ", " << status.losses.all_events() << " events lost\n";
   }
   void EndLine() {
     if (std::exchange(is_line_open_, false)) context_.err() << '\n';
@@ -183,7 +171,7 @@ class RecordingReport {
            SizeText(status.counts.bytes);
   }
   void PrintJson(const RecorderStatus& status, Elapsed passed, bool is_end) {
-    const auto lost = LostRowsOf(status);
+    const auto lost = status.losses.all_rows();
     context_.PrintJsonLine({{"seconds", passed.count()},
                             {"file", status.file.string()},
                             {"files", status.counts.files},
@@ -196,7 +184,7 @@ class RecordingReport {
                             {"lost_table", lost.table},
                             {"lost_network", lost.network},
                             {"lost_recorder", lost.viewer},
-                            {"lost_events", LostEventsOf(status)},
+                            {"lost_events", status.losses.all_events()},
                             {"waiting", status.is_waiting},
                             {"before_bytes", status.before_bytes},
                             {"before_rows_missing", status.before_rows_missing},

@@ -16,15 +16,6 @@ namespace mcap = tendon::mcap;
 
 constexpr double kNanosecondsPerSecond = 1e9;
 
-bool FitsPattern(const std::string& pattern, std::string text) {
-  while (!tendon::MatchesGlob(pattern, text)) {
-    const std::size_t end = text.find_last_of("/.");
-    if (end == text.npos) return false;
-    text.resize(end);
-  }
-  return true;
-}
-
 mcap::Timestamp After(mcap::Timestamp begin, double seconds) {
   const double most = static_cast<double>(std::numeric_limits<std::int64_t>::max());
   return begin + static_cast<mcap::Timestamp>(std::min(seconds * kNanosecondsPerSecond, most));
@@ -82,7 +73,8 @@ Result<mcap::Query> PartQuery(const mcap::Reader& reader, const RecordingPart& o
   for (const std::string& pattern : options.paths) {
     const std::size_t before = query.channels.size();
     for (const auto& [id, channel] : reader.channels()) {
-      if (FitsPattern(pattern, ChannelPath(channel)) || FitsPattern(pattern, channel.topic)) {
+      if (tendon::IsWithinGlob(pattern, ChannelPath(channel)) ||
+          tendon::IsWithinGlob(pattern, channel.topic)) {
         query.channels.push_back(id);
       }
     }

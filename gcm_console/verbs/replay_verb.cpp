@@ -77,8 +77,7 @@ Result<std::unique_ptr<tendon::Process>> MakeReplayProcess(const Context& contex
 }
 
 void PrintReplayBegin(Context& context, const Replay& replay, const ReplayWords& words) {
-  std::string names;
-  for (const std::string& name : replay.processes()) names += (names.empty() ? "" : ", ") + name;
+  const std::string names = Joined(replay.processes(), ", ");
   const auto& contained = replay.contained();
   // One write, because the replayed processes also log to this stream.
   context.err() << "gcm: replaying " + Plain(FileNameOf(words.part.file)) + " as " + Plain(names) +

@@ -216,7 +216,7 @@ void RecordingController::onEnded(const RecordingProgress& progress, const QStri
                       .file = file_});
   }
   const auto& counts = progress.status.counts;
-  const std::uint64_t lost = LostCount(progress.status.losses);
+  const std::uint64_t lost = progress.status.losses.all();
   setReport({.kind = RecordingReport::Kind::kDone,
              .title = Words::tr("Recorded %1 rows in %2 (%3, %4 lost)")
                           .arg(counts.rows)

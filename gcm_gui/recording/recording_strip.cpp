@@ -185,7 +185,7 @@ void RecordingStrip::showRecording() {
   ShowFigure(*free_, Words::tr("%1 free").arg(BytesText(progress.status.disk_free)));
   SetRole(*free_, warning.isEmpty() ? QStringLiteral("mono dim") : QStringLiteral("mono warning"));
   free_->setToolTip(warning.isEmpty() ? Words::tr("Free space on the disk of the file") : warning);
-  const std::uint64_t lost = LostCount(progress.status.losses);
+  const std::uint64_t lost = progress.status.losses.all();
   ShowFigure(*lost_, Words::tr("%1 lost").arg(lost));
   SetRole(*lost_, lost == 0 ? QStringLiteral("mono dim") : QStringLiteral("mono warning"));
   lost_->setToolTip(lost == 0 ? Words::tr("Every row and event is in the file.")

@@ -36,13 +36,6 @@ QString LengthText(double seconds) {
 
 QString BytesText(std::uint64_t bytes) { return ToQString(console::SizeText(bytes)); }
 
-std::uint64_t LostCount(const recording::Losses& losses) {
-  std::uint64_t all = losses.log;
-  for (const auto& [path, lost] : losses.rows) all += lost.all();
-  for (const auto& [path, lost] : losses.events) all += lost;
-  return all;
-}
-
 QStringList LossLines(const recording::Losses& losses) {
   QStringList lines;
   for (const auto& [path, lost] : losses.rows) {

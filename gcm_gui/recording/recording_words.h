@@ -16,9 +16,6 @@ struct RecordingProgress;
 /// "1.2 MB", powers of 1000.
 [[nodiscard]] QString BytesText(std::uint64_t bytes);
 
-/// All rows, events and log records that are missing in a recording.
-[[nodiscard]] std::uint64_t LostCount(const recording::Losses& losses);
-
 /// A line for each table and event with losses, which says where they occurred: "robot/arm/state:
 /// 12 rows lost in its process, 3 in this window, because the disk was too slow".
 [[nodiscard]] QStringList LossLines(const recording::Losses& losses);

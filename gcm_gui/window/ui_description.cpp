@@ -9,7 +9,6 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
-#include <gcm_gui/recording/recording_words.h>
 #include <gcm_gui/recording/window_recording.h>
 #include <gcm_gui/session/link_state.h>
 #include <gcm_gui/views/catalogue_panel.h>
@@ -118,7 +117,7 @@ QJsonObject Recording(const RecordingController& recording) {
   return {{"running", recording.state() == RecordingController::State::kRecording},
           {"file", recording.file()},
           {"rows", static_cast<double>(status.counts.rows)},
-          {"lost", static_cast<double>(LostCount(status.losses))}};
+          {"lost", static_cast<double>(status.losses.all())}};
 }
 
 }  // namespace

@@ -74,4 +74,13 @@ bool MatchesGlob(std::string_view pattern, std::string_view text) {
          MatchesGlob(pattern.substr(1), text.substr(1));
 }
 
+bool IsWithinGlob(std::string_view pattern, std::string_view path) {
+  while (!MatchesGlob(pattern, path)) {
+    const std::size_t end = path.find_last_of("/.");
+    if (end == path.npos) return false;
+    path = path.substr(0, end);
+  }
+  return true;
+}
+
 }  // namespace tendon

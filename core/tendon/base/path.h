@@ -30,5 +30,8 @@ Result<Path> ParsePath(std::string_view text);
 /// matches any characters. Use it only for short patterns that people type, because the cost grows
 /// with the number of stars.
 [[nodiscard]] bool MatchesGlob(std::string_view pattern, std::string_view text);
+/// True if `pattern` matches `path` or an object that contains it: "robot/*" for
+/// "robot/arm/state.Joints".
+[[nodiscard]] bool IsWithinGlob(std::string_view pattern, std::string_view path);
 
 }  // namespace tendon

@@ -21,6 +21,15 @@ namespace tendon {
   return std::to_string(count) + " " + (count == 1 ? one : several);
 }
 
+/// Returns the words with `separator` between them: "a, b" for {"a", "b"} and ", ". Empty if there
+/// are no words.
+template <typename Words>
+[[nodiscard]] std::string Joined(const Words& words, const std::string& separator) {
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "" : separator) + word;
+  return all;
+}
+
 /// Returns "250 ms": whole milliseconds, rounded towards zero.
 template <typename Rep, typename Period>
 [[nodiscard]] std::string Milliseconds(std::chrono::duration<Rep, Period> time) {

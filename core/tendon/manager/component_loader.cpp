@@ -1,5 +1,6 @@
 #include <tendon/base/name.h>
 #include <tendon/base/os/process.h>
+#include <tendon/base/text.h>
 #include <tendon/manager/component_loader.h>
 #include <tendon/manager/plugin.h>
 
@@ -20,12 +21,6 @@ std::vector<std::string> Plugins(const std::vector<fs::path>& folders) {
     }
   }
   return {names.begin(), names.end()};
-}
-
-std::string Joined(const std::vector<fs::path>& folders) {
-  std::string text;
-  for (const fs::path& folder : folders) text += (text.empty() ? "" : ", ") + folder.string();
-  return text;
 }
 
 }  // namespace
@@ -74,9 +69,10 @@ Result<fs::path> ComponentLoader::Find(const std::string& library) const {
     std::error_code ignored;
     if (fs::is_regular_file(file, ignored)) return file;
   }
-  return Error{ErrorCode::kNotFound,
-               "no plug-in '" + library + "'" + DidYouMean(library, Plugins(folders_)) +
-                   " (searched " + Joined(folders_) + "; set TENDON_COMPONENTS to add a folder)"};
+  return Error{ErrorCode::kNotFound, "no plug-in '" + library + "'" +
+                                         DidYouMean(library, Plugins(folders_)) + " (searched " +
+                                         Joined(folders_, ", ") +
+                                         "; set TENDON_COMPONENTS to add a folder)"};
 }
 
 }  // namespace tendon

@@ -1,4 +1,5 @@
 #include <tendon/base/text.h>
+#include <tendon/payload/schema/values_text.h>
 #include <tendon/recording/condition.h>
 
 #include <array>
@@ -55,12 +56,6 @@ std::optional<long double> ReadAsNumber(const std::string& text) {
   return ReadAs<double>(text);
 }
 
-std::string EnumeratorsOf(const Schema& enumeration) {
-  std::string all;
-  for (const auto& one : enumeration.enumerators()) all += (all.empty() ? "" : ", ") + one.name;
-  return all;
-}
-
 Result<long double> ValueFor(const Condition& condition, const Schema& type) {
   const std::string& value = condition.comparison->value;
   if (type.kind() == Schema::Kind::kBool) {
@@ -70,8 +65,8 @@ Result<long double> ValueFor(const Condition& condition, const Schema& type) {
   }
   if (type.kind() == Schema::Kind::kEnum) {
     if (const auto* one = FindNamed(type.enumerators(), value)) return one->value;
-    return DoesNotFit(condition,
-                      "expected one of " + EnumeratorsOf(type) + "; found '" + value + "'");
+    return DoesNotFit(condition, "expected one of " + ValuesText({.name = {}, .schema = type}) +
+                                     "; found '" + value + "'");
   }
   if (const auto number = ReadAsNumber(value)) return *number;
   return DoesNotFit(condition, "expected a number, found '" + value + "'");

@@ -160,23 +160,6 @@ void PastEntries::CountLoss(const Entry& entry, const LostRows& lost) {
   losses_[ToString(std::get<Rows>(entry).source->name)] += lost;
 }
 
-std::uint64_t PastEntries::RowsMissingSince(SteadyTime from) const {
-  return MissingSince(from, &Missing::rows);
-}
-
-std::uint64_t PastEntries::OthersMissingSince(SteadyTime from) const {
-  return MissingSince(from, &Missing::others);
-}
-
-std::uint64_t PastEntries::MissingSince(SteadyTime from, std::uint64_t Missing::*count) const {
-  std::uint64_t missing = 0;
-  for (const Dropped& dropped : dropped_) {
-    if (dropped.last < from) continue;
-    for (const auto& [path, one] : dropped.by_path) missing += one.*count;
-  }
-  return missing;
-}
-
 Losses PastEntries::MissingSince(SteadyTime from) const {
   Losses missing;
   for (const Dropped& dropped : dropped_) {

@@ -47,11 +47,8 @@ class PastEntries {
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
   /// By table: the rows that were lost before the result of TakeSince().
   [[nodiscard]] const std::map<std::string, LostRows>& losses() const { return losses_; }
-  /// Rows since `from` that were dropped because of the bytes.
-  [[nodiscard]] std::uint64_t RowsMissingSince(SteadyTime from) const;
-  /// The same for events and log records.
-  [[nodiscard]] std::uint64_t OthersMissingSince(SteadyTime from) const;
-  /// The same by path; the rows are lost by the recorder.
+  /// Returns what was dropped since `from` because of the bytes. Rows count as lost by the
+  /// recorder.
   [[nodiscard]] Losses MissingSince(SteadyTime from) const;
   /// By table: the rows that were lost before the rows which MissingSince() counts.
   [[nodiscard]] std::map<std::string, LostRows> LostBeforeMissingSince(SteadyTime from) const;
@@ -78,7 +75,6 @@ class PastEntries {
   void CountLoss(const Entry& entry, const LostRows& lost);
   void ForgetDroppedBefore(SteadyTime from);
   void NoteDropped(const Kept& kept);
-  [[nodiscard]] std::uint64_t MissingSince(SteadyTime from, std::uint64_t Missing::*count) const;
 
   const std::chrono::nanoseconds age_;
   const std::size_t most_bytes_;

@@ -19,27 +19,13 @@ using namespace std::chrono_literals;
 /// program is killed.
 constexpr auto kSyncPeriod = 800ms;
 
-/// True if a pattern fits `path` or something that it is in.
-bool Fits(const std::vector<std::string>& patterns, const std::string& path) {
-  return std::ranges::any_of(patterns, [&](const std::string& pattern) {
-    std::string whole = path;
-    while (!MatchesGlob(pattern, whole)) {
-      const std::size_t end = whole.find_last_of("/.");
-      if (end == whole.npos) return false;
-      whole.resize(end);
-    }
-    return true;
-  });
+bool IsWithinAny(const std::vector<std::string>& patterns, const std::string& path) {
+  return std::ranges::any_of(
+      patterns, [&](const std::string& pattern) { return IsWithinGlob(pattern, path); });
 }
 
 InterfaceName TableName(const TableSubscription& table) {
   return {table.process, table.component, table.table};
-}
-
-std::string Joined(const std::vector<std::string>& words) {
-  std::string all;
-  for (const std::string& word : words) all += (all.empty() ? "" : " ") + word;
-  return all;
 }
 
 std::int64_t WallMinusSteady() {
@@ -70,7 +56,7 @@ Choice Choose(const Catalogue& catalogue, const std::vector<std::string>& patter
         TableSubscription one{process, component, table.name, {}};
         const std::string path = ToString(TableName(one)) + ".";
         for (const auto& column : table.columns) {
-          if (Fits(patterns, path + column.name)) one.columns.push_back(column.name);
+          if (IsWithinAny(patterns, path + column.name)) one.columns.push_back(column.name);
         }
         if (!one.columns.empty()) choice.tables.push_back(std::move(one));
       }
@@ -78,7 +64,7 @@ Choice Choose(const Catalogue& catalogue, const std::vector<std::string>& patter
         EventSubscription one{.provided = {process, component, provided.name}, .events = {}};
         const std::string path = ToString(one.provided) + ".";
         for (const MemberDescription& event : provided.events) {
-          if (Fits(patterns, path + event.name)) one.events.push_back(event.name);
+          if (IsWithinAny(patterns, path + event.name)) one.events.push_back(event.name);
         }
         if (!one.events.empty()) choice.events.push_back(std::move(one));
       }
@@ -88,7 +74,7 @@ Choice Choose(const Catalogue& catalogue, const std::vector<std::string>& patter
 }
 
 Heading HeadingFor(const Catalogue& catalogue, const std::vector<std::string>& patterns) {
-  Heading heading{{{"paths", Joined(patterns)}, {"recorded_by", os::UserAtHost()}}, ""};
+  Heading heading{{{"paths", Joined(patterns, " ")}, {"recorded_by", os::UserAtHost()}}, ""};
   auto text = SystemFileText(SystemOf(catalogue, "recorded").file);
   if (text) heading.system = *std::move(text);
   return heading;
@@ -362,7 +348,7 @@ void Recorder::EndSubscriptions() {
   for (const auto& [name, listener] : listeners_) system_->StopListening(listener.id);
 }
 
-/// The writing thread. After a failure, the inbox counts what arrives as lost.
+/// The writing thread. After a failure, what arrives counts as lost once the inbox is full.
 void Recorder::WriteUntilStopped() {
   while (true) {
     bool is_last = false;
@@ -448,8 +434,6 @@ Result<void> Recorder::Begin(SteadyTime start) {
   auto files = Files::Create(options, HeadingFor(system_->catalogue(), options_.patterns));
   if (!files) return files.error();
   files_ = *std::move(files);
-  const std::uint64_t rows_missing = past_.RowsMissingSince(from_);
-  const std::uint64_t others_missing = past_.OthersMissingSince(from_);
   Losses missing = past_.MissingSince(from_);
   std::map<std::string, LostRows> told = past_.LostBeforeMissingSince(from_);
   for (const auto& [path, lost] : missing.rows) told[path] += lost;
@@ -463,9 +447,9 @@ Result<void> Recorder::Begin(SteadyTime start) {
   before.rows = past_.losses();
   const std::scoped_lock lock(mutex_);
   losses_before_ = std::move(before);
+  status_.before_rows_missing = missing.all_rows().viewer;
+  status_.before_others_missing = missing.all_events() + missing.log;
   missing_before_ = std::move(missing);
-  status_.before_rows_missing = rows_missing;
-  status_.before_others_missing = others_missing;
   return {};
 }
 
@@ -515,11 +499,8 @@ Losses Recorder::LossesOfRecording() const {
   }
   for (const auto& [path, before] : losses_before_.events) losses.events[path] -= before;
   losses.log -= losses_before_.log;
-  for (const Losses* more : {&refused_, &missing_before_}) {
-    for (const auto& [path, lost] : more->rows) losses.rows[path] += lost;
-    for (const auto& [path, lost] : more->events) losses.events[path] += lost;
-    losses.log += more->log;
-  }
+  losses += refused_;
+  losses += missing_before_;
   return losses;
 }
 

@@ -119,16 +119,13 @@ Result<void> Files::Sync() { return writer_->Sync(); }
 
 Result<void> Files::Close(const Losses& losses) {
   mcap::Metadata by_path{kLossMetadata, {}};
-  LostRows all;
   for (const auto& [path, lost] : losses.rows) {
     if (lost.all() > 0) by_path.metadata[path] = LossText(lost);
-    all += lost;
   }
-  std::uint64_t events = 0;
   for (const auto& [path, lost] : losses.events) {
     if (lost > 0) by_path.metadata[path] = std::to_string(lost);
-    events += lost;
   }
+  const LostRows all = losses.all_rows();
   const mcap::Metadata end{kEndMetadata,
                            {{"rows", std::to_string(counts_.rows)},
                             {"events", std::to_string(counts_.events)},
@@ -136,7 +133,7 @@ Result<void> Files::Close(const Losses& losses) {
                             {"rows_lost_table", std::to_string(all.table)},
                             {"rows_lost_network", std::to_string(all.network)},
                             {"rows_lost_recorder", std::to_string(all.viewer)},
-                            {"events_lost", std::to_string(events)},
+                            {"events_lost", std::to_string(losses.all_events())},
                             {"log_records_lost", std::to_string(losses.log)}}};
   // If one of these fails, Close() says why.
   if (!by_path.metadata.empty()) (void)writer_->Write(by_path);

@@ -26,6 +26,25 @@ std::size_t SizeOf(const Entry& entry) {
   return std::visit([](const auto& one) { return Size(one); }, entry);
 }
 
+LostRows Losses::all_rows() const {
+  LostRows all;
+  for (const auto& [path, lost] : rows) all += lost;
+  return all;
+}
+
+std::uint64_t Losses::all_events() const {
+  std::uint64_t all = 0;
+  for (const auto& [path, lost] : events) all += lost;
+  return all;
+}
+
+Losses& Losses::operator+=(const Losses& other) {
+  for (const auto& [path, lost] : other.rows) rows[path] += lost;
+  for (const auto& [path, lost] : other.events) events[path] += lost;
+  log += other.log;
+  return *this;
+}
+
 /// The rows of one table.
 class Inbox::TableSink final : public RowSink {
  public:

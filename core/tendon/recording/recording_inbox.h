@@ -77,6 +77,12 @@ struct Losses {
   std::map<std::string, LostRows> rows;
   std::map<std::string, std::uint64_t> events;
   std::uint64_t log = 0;  ///< records
+
+  [[nodiscard]] LostRows all_rows() const;
+  [[nodiscard]] std::uint64_t all_events() const;
+  /// Returns the number of all lost rows, events and log records.
+  [[nodiscard]] std::uint64_t all() const { return all_rows().all() + all_events() + log; }
+  Losses& operator+=(const Losses& other);
 };
 
 /// The queue between the threads of the middleware and the thread that writes the file. It is

@@ -1,4 +1,5 @@
 #include <tendon/base/error.h>
+#include <tendon/base/text.h>
 #include <tendon/recording/replay.h>
 
 #include <algorithm>
@@ -38,12 +39,6 @@ LogLevel LogLevelOf(std::uint8_t ros_level) {
   return ros_level >= 20 ? LogLevel::kInfo : LogLevel::kDebug;
 }
 
-std::string ListOf(const std::vector<std::string>& names) {
-  std::string all;
-  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-  return all;
-}
-
 }  // namespace
 
 Result<std::unique_ptr<Replay>> Replay::Open(std::unique_ptr<mcap::Reader> reader, mcap::Query part,
@@ -57,7 +52,7 @@ Result<std::unique_ptr<Replay>> Replay::Open(std::unique_ptr<mcap::Reader> reade
   if (!replay->options_.as.empty() && recorded.size() > 1) {
     return Error{ErrorCode::kInvalid, "the name " + replay->options_.as +
                                           " is the name of one process, but the chosen part of " +
-                                          file + " has several: " + ListOf(recorded) +
+                                          file + " has several: " + Joined(recorded, ", ") +
                                           "; choose one of these processes with --paths"};
   }
   if (auto checked = replay->CheckSize(); !checked) return checked.error();

@@ -54,8 +54,8 @@ class SignalSystem {
             "no row is recorded");
     std::this_thread::sleep_for(duration);
     Require((*recorder)->Stop().ok(), "the recording fails");
-    Recorded recorded{.rows = (*recorder)->status().counts.rows};
-    for (const auto& [path, lost] : (*recorder)->status().losses.rows) recorded.lost += lost.all();
+    const auto status = (*recorder)->status();
+    const Recorded recorded{.rows = status.counts.rows, .lost = status.losses.all_rows().all()};
     std::error_code ignored;
     std::filesystem::remove((*recorder)->status().file, ignored);
     return recorded;

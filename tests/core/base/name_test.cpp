@@ -7,6 +7,7 @@
 namespace {
 
 using tendon::CheckName;
+using tendon::IsWithinGlob;
 using tendon::MatchesGlob;
 using tendon::ParseInterfaceName;
 using tendon::ParsePath;
@@ -126,6 +127,15 @@ TEST(Glob, TwoStarsMatchAcrossNames) {
   EXPECT_TRUE(MatchesGlob("**.position*", "robot/arm/state.position[0]"));
   EXPECT_TRUE(MatchesGlob("**", ""));
   EXPECT_FALSE(MatchesGlob("**x", "robot/arm"));
+}
+
+TEST(Glob, MatchesAnObjectAlsoByWhatContainsIt) {
+  for (const char* pattern : {"robot", "robot/*", "robot/arm/state", "robot/arm/state.Joints"}) {
+    EXPECT_TRUE(IsWithinGlob(pattern, "robot/arm/state.Joints")) << pattern;
+  }
+  EXPECT_FALSE(IsWithinGlob("rob", "robot/arm"));
+  EXPECT_FALSE(IsWithinGlob("robot/arm/state", "robot/arm"));
+  EXPECT_FALSE(IsWithinGlob("", "robot"));
 }
 
 }  // namespace

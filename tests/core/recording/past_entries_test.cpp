@@ -63,7 +63,7 @@ TEST(PastEntriesTest, DropOldEntriesWithoutCountingThem) {
   past.Add(RowsFrom(0, 10), At(10ms));
   past.Add(RowsFrom(5000, 10), At(5010ms));
 
-  EXPECT_EQ(past.RowsMissingSince(At(0ms)), 0U);
+  EXPECT_EQ(past.MissingSince(At(0ms)).all(), 0U);
   EXPECT_EQ(TicksOf(past.TakeSince(At(0ms))).front(), 5000U);
 }
 
@@ -73,9 +73,9 @@ TEST(PastEntriesTest, CountWhatTheirMemoryDoesNotHold) {
   past.Add(Event{RowsFrom(0, 1).source, 0, At(15ms), {}}, At(15ms));
   past.Add(RowsFrom(20, 10), At(30ms));
 
-  EXPECT_EQ(past.RowsMissingSince(At(0ms)), 10U);
-  EXPECT_EQ(past.OthersMissingSince(At(0ms)), 1U);
-  EXPECT_EQ(past.RowsMissingSince(At(12ms)), 0U);
+  EXPECT_EQ(past.MissingSince(At(0ms)).all_rows().viewer, 10U);
+  EXPECT_EQ(past.MissingSince(At(0ms)).all_events(), 1U);
+  EXPECT_EQ(past.MissingSince(At(12ms)).all_rows().all(), 0U);
   EXPECT_EQ(TicksOf(past.TakeSince(At(0ms))).size(), 10U);
 }
 

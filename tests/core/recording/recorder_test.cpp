@@ -175,11 +175,7 @@ class RecorderTest : public testing::Test {
     }
     return all;
   }
-  [[nodiscard]] LostRows LostRowsUpToNow() const {
-    LostRows all;
-    for (const auto& [path, lost] : recorder_->status().losses.rows) all += lost;
-    return all;
-  }
+  [[nodiscard]] LostRows LostRowsUpToNow() const { return recorder_->status().losses.all_rows(); }
   /// Each row is there once, with its own value, and all that are missing were counted.
   void ExpectEachRowOnce(const std::vector<mcap::StoredMessage>& messages) const {
     ASSERT_FALSE(messages.empty());

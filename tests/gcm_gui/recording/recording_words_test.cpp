@@ -19,7 +19,7 @@ TEST(RecordingWords, EveryLossIsCountedAndHasItsPlace) {
   losses.events["robot/arm/Control.Stopped"] = 2;
   losses.log = 4;
 
-  EXPECT_EQ(LostCount(losses), 121U);
+  EXPECT_EQ(losses.all(), 121U);
   EXPECT_EQ(
       LossLines(losses),
       (QStringList{"robot/arm/state: rows lost: 12 in its process, 3 on the network, 100 in this "
