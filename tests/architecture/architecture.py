@@ -59,7 +59,7 @@ TEMPLATE_ARGUMENTS = re.compile(r"<[^<>()]*(?:\([^()]*\))?[^<>()]*>")
 FUNCTION_NAME = re.compile(r"(?:^|[\s&*>])(?!operator$)(\w*[a-z]\w*)$")
 LISTS_SOURCES = re.compile(r"^\s*(?:add_library|add_executable|target_sources|tendon_test|tendon_component)"
                            r"\(\s*([\w-]+)([^()]*)\)", re.M)
-INSTALLED = re.compile(r"FILE_SET HEADERS BASE_DIRS \S+\s+FILES\s+([\w/.\s]+)")
+FILE_SET = re.compile(r"FILE_SET (\w+) (?:TYPE HEADERS )?BASE_DIRS \S+\s+FILES\s+((?:[\w/]+\.h\s*)+)")
 # The page with a table of all folders, below headings that name what the folders are in: ### The window: `gcm_gui`.
 FOLDER_PAGE = "docs/architecture.md"
 DESCRIBED = ("core/tendon", "gcm_gui", "gcm_console")
@@ -354,19 +354,31 @@ def all_below(folder, below_of):
 
 def installed_headers_include_no_internal_ones(files):
     """A header in the file set HEADERS is installed; a user's compiler must find whatever it includes."""
-    installed = set()
-    for file in files:
-        if file.name != "CMakeLists.txt" or not file.path.startswith("core/"):
-            continue
-        folder = str(PurePosixPath(file.path).parent)
-        for names in INSTALLED.findall("\n".join(file.lines)):
-            installed.update(f"{folder}/{name}" for name in names.split())
+    installed = {path for file_set, path in file_sets_of_core(files) if file_set == "HEADERS"}
     for file in files:
         if file.path not in installed:
             continue
         for include in file.includes:
             if include.is_of("core/tendon") and include.target not in installed:
                 yield f"{file.path}:{include.line}: it is installed, but <{include.name}> is not: see the file sets"
+
+
+def headers_of_core_are_in_a_file_set(files):
+    """Only the headers in a file set are compiled by themselves."""
+    listed = {path for _, path in file_sets_of_core(files)}
+    built = tuple(os.path.dirname(file.path) for file in files if file.name == "CMakeLists.txt" and file.part == "core")
+    for file in files:
+        if file.suffix == ".h" and file.is_under(*built) and file.path not in listed:
+            yield f"{file.path}:1: it is in no file set; list it in the file set internal of its layer's CMakeLists.txt"
+
+
+def file_sets_of_core(files):
+    """Yields the name of the file set and the path for each header in a file set of core."""
+    for file in files:
+        if file.name == "CMakeLists.txt" and file.part == "core":
+            folder = PurePosixPath(file.path).parent
+            for file_set, names in FILE_SET.findall("\n".join(file.lines)):
+                yield from ((file_set, f"{folder}/{name}") for name in names.split())
 
 
 def folders_are_built(files):
@@ -537,8 +549,9 @@ FILE_RULES = (
     atomics_stay_in_lockfree_and_state, code_has_no_macros, headers_are_included_once,
     tests_have_plain_names, nothing_is_left_over, scripts_are_narrow, functions_are_short)
 TREE_RULES = (types_have_names_of_their_own, joined_sources_share_no_names, helpers_hide_no_declared_functions,
-              folders_of_a_layer_have_no_cycle, installed_headers_include_no_internal_ones, folders_are_built,
-              folders_are_described, readme_names_the_layers, tests_mirror_the_code)
+              folders_of_a_layer_have_no_cycle, installed_headers_include_no_internal_ones,
+              headers_of_core_are_in_a_file_set, folders_are_built, folders_are_described, readme_names_the_layers,
+              tests_mirror_the_code)
 
 
 def folders_of(root):

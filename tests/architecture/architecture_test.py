@@ -166,6 +166,13 @@ BROKEN = {
           "core/tendon/base/b.h": include()},
          "core/tendon/base/a.h:2", "<tendon/base/b.h> is not"),
     ],
+    "headers_of_core_are_in_a_file_set": [
+        ({"core/tendon/base/CMakeLists.txt": installs("a.h") + "target_sources(a PRIVATE b.h)\n",
+          "core/tendon/base/a.h": include(), "core/tendon/base/b.h": include()},
+         "core/tendon/base/b.h:1", "in no file set"),
+        ({"core/tendon/base/os/a.h": include(), "core/tendon/base/CMakeLists.txt": installs("a.h")},
+         "core/tendon/base/os/a.h:1", "in no file set"),
+    ],
     "folders_are_built": [
         ({"CMakeLists.txt": "add_subdirectory(lcm)\n", "lcm/CMakeLists.txt": "", "lcms/CMakeLists.txt": ""},
          "lcms/CMakeLists.txt:1", "nobody builds it; add it to ./CMakeLists.txt"),
@@ -268,9 +275,17 @@ KEPT = {
          "core/tendon/gcm/wiring/d.h": include(), "core/tendon/gcm/system/e.h": include("tendon/gcm/c.h")},
     ],
     "installed_headers_include_no_internal_ones": [
-        {"core/tendon/base/CMakeLists.txt": installs("a.h", "b.h") + "target_sources(a PRIVATE c.h)\n",
+        {"core/tendon/base/CMakeLists.txt": installs("a.h", "b.h")
+         + "target_sources(a PRIVATE\n  FILE_SET internal TYPE HEADERS BASE_DIRS core FILES c.h)\n",
          "core/tendon/base/a.h": include("tendon/base/b.h", "string"), "core/tendon/base/b.h": include(),
          "core/tendon/base/c.h": include("tendon/base/d.h")},
+    ],
+    "headers_of_core_are_in_a_file_set": [
+        {"core/tendon/base/CMakeLists.txt":
+         "target_sources(a PRIVATE a.cpp\n  PUBLIC\n    FILE_SET HEADERS BASE_DIRS core\n    FILES\n      a.h\n"
+         "  PRIVATE\n    FILE_SET internal TYPE HEADERS BASE_DIRS core\n    FILES\n      b.h os/c.h\n)\n",
+         "core/tendon/base/a.h": include(), "core/tendon/base/b.h": include(), "core/tendon/base/os/c.h": include(),
+         "lcm/a.h": include()},
     ],
     "folders_are_built": [
         {"CMakeLists.txt": "foreach(folder lcm core)\n", "lcm/CMakeLists.txt": "",

@@ -3,9 +3,10 @@
 #include <benchmarks/system_calls.h>
 #include <benchmarks/wiring.h>
 #include <support/allocation_guard.h>
-#include <tendon/lockfree/spsc_queue.h>
+#include <tendon/lockfree/slot_ring.h>
 
 #include <atomic>
+#include <cstring>
 #include <memory>
 #include <thread>
 
@@ -15,10 +16,23 @@ namespace {
 constexpr double kBoth = 2;  // processors
 
 struct OurRing {
-  SpscQueue<Message> ring{kCapacity};
+  SlotRing<StdAtomics, StrideOf(sizeof(Message), alignof(Message))> ring{kCapacity, sizeof(Message),
+                                                                         alignof(Message)};
 
-  bool Push(const Message& message) { return ring.Push(message); }
-  bool Pop(Message& message) { return ring.Pop(message); }
+  bool Push(const Message& message) {
+    std::byte* const slot = ring.Claim();
+    if (slot == nullptr) return false;
+    std::memcpy(slot, &message, sizeof(message));
+    ring.Publish();
+    return true;
+  }
+  bool Pop(Message& message) {
+    const std::byte* const slot = ring.Front();
+    if (slot == nullptr) return false;
+    std::memcpy(&message, slot, sizeof(message));
+    ring.Release();
+    return true;
+  }
 };
 
 /// A message that lies ready lets a ring show what it can carry: the producer is ahead. One that is

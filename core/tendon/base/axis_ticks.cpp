@@ -66,8 +66,8 @@ double SpanOver(const AxisSpan<double>& span, double parts) {
   return span.high / parts - span.low / parts;
 }
 
-/// Returns a step of 1, 2 or 5 times a power of ten: the smallest such step that fits into the span
-/// at most `most` times and is not below the resolution of doubles of this magnitude.
+/// Returns the smallest step that fits into the span at most `most` times. The step is 1, 2 or 5
+/// times a power of ten, and not below the resolution of doubles of this magnitude.
 Decimal StepOf(const AxisSpan<double>& span, int most) {
   const double size = std::max(std::abs(span.low), std::abs(span.high));
   const double least = std::max({SpanOver(span, std::max(most, 2)), size * kFinest,
@@ -87,8 +87,8 @@ Decimal Multiple(const Decimal& step, std::int64_t count) {
   return {.factor = step.factor * count, .exponent = step.exponent};
 }
 
-/// Returns the largest count for which `count` times the step is not above `value`. The quotient is
-/// only a first guess, because a denormal step differs from the decimal digits of its label.
+/// Returns the largest count for which `count` times the step is not above `value`. The division
+/// gives only a first guess, because a denormal step differs from the decimal digits of its label.
 std::int64_t StepsBelow(double value, const Decimal& step) {
   const auto is_above = [&](std::int64_t count) { return Multiple(step, count).real() > value; };
   auto low = static_cast<std::int64_t>(std::floor(value / step.real()));
@@ -242,7 +242,7 @@ std::vector<AxisTick<Number>> TicksOf(const AxisSpan<Number>& span, int most) {
   while (true) {
     auto ticks = TicksOfOneStep(span, most);
     if (!ticks.empty()) return ticks;
-    most = 2 * std::max(most, 2);  // the axis lies between two multiples: take a finer step
+    most = 2 * std::max(most, 2);  // the axis lies between two ticks and needs a finer step
   }
 }
 

@@ -49,11 +49,10 @@ template <AxisNumber Number>
 template <AxisNumber Number>
 [[nodiscard]] AxisSpan<Number> FittedSpan(Number low, Number high, int most);
 
-/// Returns the ticks of an axis. Ticks are multiples of a step, and the step is 1, 2 or 5 times a
-/// power of ten. There are about `most` ticks, and at least one. If the axis has no span, there are
-/// none. Each label can be parsed back to the exact value of its tick, so all labels are different.
-/// All labels have as many digits as the step needs. They are written with an exponent if that is
-/// shorter.
+/// Returns the ticks of an axis: about `most` ticks, but at least one. An axis without a span has
+/// no ticks. Ticks are multiples of a step, which is 1, 2 or 5 times a power of ten. Each label can
+/// be parsed back to the exact value of its tick, so all labels are different. All labels have as
+/// many digits as the step needs, and an exponent if that makes them shorter.
 template <AxisNumber Number>
 [[nodiscard]] std::vector<AxisTick<Number>> TicksOf(const AxisSpan<Number>& span, int most);
 

@@ -8,9 +8,8 @@ namespace tendon {
 /// one, within limits. Not thread-safe.
 class Backoff {
  public:
-  /// `jitter`, from 0 to 1, is the largest part of a pause by which the pause is shortened at
-  /// random. Because of it, programs that failed at the same time do not try again at the same
-  /// time.
+  /// Each pause is shortened at random, by at most the part `jitter` (0 to 1) of its length.
+  /// Therefore, programs that failed at the same time do not try again at the same time.
   constexpr Backoff(std::chrono::milliseconds shortest, std::chrono::milliseconds longest,
                     double jitter = 0.0)
       : shortest_(shortest), longest_(longest), jitter_(jitter) {}
@@ -26,7 +25,7 @@ class Backoff {
   std::chrono::milliseconds shortest_;
   std::chrono::milliseconds longest_;
   double jitter_;
-  std::chrono::milliseconds last_{0};  // the last pause, without jitter; 0 if there was none
+  std::chrono::milliseconds last_{0};  // the last pause, without jitter; 0 before the first pause
 };
 
 /// The pauses before another attempt to reach a process, or the GCM, whose link is lost.

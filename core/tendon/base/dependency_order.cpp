@@ -3,7 +3,7 @@
 namespace tendon {
 namespace {
 
-/// An element that is not in the order yet, because its dependencies are placed first.
+/// An element that waits until its dependencies are placed in the order.
 struct Open {
   std::size_t number;
   std::size_t next = 0;  // index of its next dependency to place

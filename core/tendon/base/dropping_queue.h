@@ -34,8 +34,8 @@ class DroppingQueue {
     bytes_ += bytes;
   }
 
-  /// Removes and returns the oldest elements, at most `most_bytes`, but at least one if there is
-  /// any.
+  /// Removes and returns the oldest elements: at most `most_bytes` in total, but at least one
+  /// element if the queue is not empty.
   [[nodiscard]] std::deque<T> Take(std::size_t most_bytes) {
     std::deque<T> taken;
     std::size_t size = 0;
@@ -49,7 +49,7 @@ class DroppingQueue {
 
   [[nodiscard]] bool is_empty() const { return waiting_.empty(); }
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
-  /// The next element that Take() returns; there must be one.
+  /// Returns the next element that Take() returns. The queue must not be empty.
   [[nodiscard]] T& front() { return waiting_.front().element; }
 
  private:

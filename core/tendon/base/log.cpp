@@ -24,7 +24,7 @@ spdlog::level::level_enum ToSpdlog(LogLevel level) {
   return spdlog::level::info;
 }
 
-/// The log of the process. It goes to stderr, so that the standard output has only data.
+/// The log of the process. It goes to stderr, because stdout is for data only.
 struct Sinks {
   std::shared_ptr<spdlog::logger> console = [] {
     auto logger = std::make_shared<spdlog::logger>(

@@ -11,9 +11,11 @@ namespace tendon {
 enum class LogLevel : std::int32_t { kDebug, kInfo, kWarning, kError };
 
 /// Logs one line for people, to stderr and to every sink. `source` is the name of a component, or
-/// of the part of the program that logs. Any thread. In a task's Run(), this function never waits,
-/// allocates or calls the operating system: another thread logs a copy about 20 ms later
-/// (LogDeferralScope). Elsewhere it locks and allocates.
+/// of the part of the program that logs. Any thread.
+///
+/// In a task's Run(), this function stores a copy of the line and never waits, allocates or calls
+/// the operating system; another thread logs the copy about 20 ms later (LogDeferralScope).
+/// Elsewhere, this function locks and allocates.
 void Log(LogLevel level, std::string_view source, std::string_view message);
 
 /// Drops records below `level`; kInfo by default.

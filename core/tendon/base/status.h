@@ -12,7 +12,7 @@ class [[nodiscard]] Status {
   enum Code : std::uint8_t {
     kDone,            ///< executed
     kQueued,          ///< accepted; runs in the server's thread
-    kNotConnected,    ///< no peer, or the peer is gone
+    kNotConnected,    ///< there is no peer
     kNotActive,       ///< the peer exists but is not running
     kQueueFull,       ///< refused, because the peer has not yet executed earlier calls
     kNoSample,        ///< nothing has been written yet
@@ -21,9 +21,9 @@ class [[nodiscard]] Status {
     kWouldDeadlock,   ///< the caller would wait for its own thread
     kDenied,          ///< the caller's role does not allow it
     kDisabled,        ///< the peer has switched this command off for now
-    kUnsupported,  ///< not possible for this call, for example a result if the call does not wait
-    kInvalid,      ///< the argument cannot be decoded
-    kFailed,       ///< the server's code or the copy of a value threw an exception
+    kUnsupported,     ///< not possible, for example a result of a call that does not wait
+    kInvalid,         ///< the argument cannot be decoded
+    kFailed,          ///< the server's code or the copy of a value threw an exception
   };
 
   constexpr Status(Code code) noexcept : code_(code) {}  // NOLINT(google-explicit-constructor)

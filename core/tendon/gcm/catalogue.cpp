@@ -119,7 +119,8 @@ std::vector<CatalogueChange> Catalogue::AsChanges() const {
       changes.push_back({.kind = Kind::kConnection, .process = name, .connections = {connection}});
     }
   }
-  // This cannot be negative, because at least one change was applied for each element.
+  // The result is not negative, because each element of the catalogue has needed at least one
+  // revision.
   std::uint64_t revision = revision_ - changes.size();
   for (CatalogueChange& change : changes) change.revision = ++revision;
   return changes;
@@ -140,7 +141,7 @@ Fingerprint Catalogue::ContentHash() const {
     for (const auto& [component_name, component] : entry.components) {
       ComponentDescription content = component;
       content.fault_time = 0;
-      content.warning.clear();  // depends on the load of the machine
+      content.warning.clear();  // the warnings depend on the load of the machine
       Append(content, bytes);
     }
     std::vector<ConnectionDescription> connections;

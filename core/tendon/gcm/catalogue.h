@@ -18,8 +18,8 @@ struct ProcessEntry {
   bool operator==(const ProcessEntry&) const = default;
 };
 
-/// Everything that is known of a system: processes, their components with interfaces and members,
-/// and connections. A plain value, which can be copied, compared and changed. Not thread-safe.
+/// All known parts of a system: processes, their components with interfaces and members, and
+/// connections. A plain value, which can be copied, compared and changed. Not thread-safe.
 class Catalogue {
  public:
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
@@ -39,16 +39,16 @@ class Catalogue {
   /// revision does not follow revision(). The watcher then has to ask for a snapshot.
   [[nodiscard]] bool Apply(const CatalogueChange& change);
 
-  /// Returns the changes that build this catalogue from the empty catalogue At(revision() - N),
-  /// where N is the number of changes. Snapshots are sent in this form.
+  /// Returns the changes that build this catalogue. They are applied to the empty catalogue
+  /// At(revision() - N), where N is the number of changes. Snapshots are sent in this form.
   [[nodiscard]] std::vector<CatalogueChange> AsChanges() const;
 
   /// Returns an empty catalogue with this revision, to which the changes of a snapshot can be
   /// applied.
   static Catalogue At(std::uint64_t revision);
 
-  /// Returns a hash of everything except pids, instances, times, addresses, connection ids, reasons
-  /// and warnings. Two systems that look the same to users have the same hash.
+  /// Returns a hash of all parts that users can distinguish. It does not cover pids, instances,
+  /// times, addresses, connection ids, reasons and warnings.
   [[nodiscard]] Fingerprint ContentHash() const;
 
   bool operator==(const Catalogue&) const = default;

@@ -44,8 +44,8 @@ Error NoCommand(const std::string& path) {
           "'" + path + "' does not name a command: expected process/component/interface.member"};
 }
 
-/// Returns the options for the links to processes. If the timeout of the client is long, a busy
-/// process gets more time to accept a link.
+/// Returns the options for the links to processes. The longer the timeout of the client, the more
+/// time a busy process has to accept a link.
 client::ProcessLinks::Options OpeningOf(const GcmClient::Options& options) {
   client::ProcessLinks::Options opening{.name = options.name, .role = options.role};
   opening.patience = std::max(opening.patience, options.timeout / 2);
@@ -74,8 +74,8 @@ class OutstandingRequests {
   std::size_t count_ = 0;
 };
 
-/// A handler that is called exactly once. If the last copy is destroyed before that, the handler is
-/// called with an error.
+/// A handler that is called exactly once. If the last copy is destroyed before the call, the
+/// handler is called with an error.
 template <typename T>
 class OnceCallback {
  public:
@@ -152,8 +152,8 @@ class GcmClient::Implementation {
     return CallOnce<T>(outstanding_, std::move(handler));
   }
 
-  /// Wraps the handler of a request to a process: kUnreachable becomes kFailed, because for a
-  /// viewer kUnreachable means the GCM.
+  /// Wraps the handler of a request to a process. Changes kUnreachable to kFailed, because
+  /// kUnreachable tells a viewer that the GCM is unreachable.
   template <typename T>
   std::function<void(Result<T>)> GuardedOfProcess(std::function<void(Result<T>)> handler) {
     return [done = Guarded(std::move(handler))](Result<T> result) {
@@ -195,7 +195,7 @@ class GcmClient::Implementation {
         static_cast<int>(std::min<std::int64_t>(orders, 1'000'000)));
   }
 
-  /// The handlers of all calls before the next check of the catalogue wait for this one check, so
+  /// Each check of the catalogue serves the handlers of all calls since the last check. Therefore,
   /// there are at most two checks a second.
   void LearnConflictingTypes(DoneHandler handler) {
     const std::scoped_lock lock(mutex_);
@@ -251,12 +251,12 @@ class GcmClient::Implementation {
   }
 
   [[nodiscard]] Hello Mine() const {
-    // Without a cookie, the peer refuses, and its error says what to do.
+    // If this fails, the peer refuses the link, and its error says what to do.
     const auto cookie = LoopbackCookie();
     return {.instance = os::RandomNumber(), .name = name_, .cookie = cookie ? *cookie : 0};
   }
 
-  /// Destroys the waiting handlers. Each is called with an error by its OnceCallback.
+  /// Destroys the waiting handlers. Their OnceCallbacks call them with an error.
   void EndLearning() {
     std::vector<DoneHandler> learners;
     const std::scoped_lock lock(mutex_);
@@ -288,8 +288,8 @@ class GcmClient::Implementation {
     for (const auto& [process, instance] : processes) telemetry_->Retry(process);
   }
 
-  /// No other object owns the middleware: links may be destroyed in its threads, and the middleware
-  /// must not be destroyed in one of these.
+  /// Only this object owns the middleware. Links may be destroyed in threads of the middleware, but
+  /// the middleware must not.
   const std::shared_ptr<Middleware> middleware_;
   const std::string name_;
   const std::chrono::milliseconds timeout_;
@@ -301,7 +301,7 @@ class GcmClient::Implementation {
   const std::shared_ptr<client::EventFeed> events_;
   std::mutex mutex_;
   std::unique_ptr<TelemetryClient> telemetry_;
-  std::vector<DoneHandler> learners_;  // wait for the next check
+  std::vector<DoneHandler> learners_;  // handlers that wait for the next check
   SteadyTime next_look_{};             // earliest time of the next check
   bool closing_ = false;
 };

@@ -23,7 +23,7 @@ namespace tendon {
 struct LogBatch {
   std::vector<message::LogRecord> records;
   std::uint64_t lost = 0;  ///< number of earlier records that the GCM had already dropped
-  /// True if the listener now has all records that the GCM had when the log was requested.
+  /// True if the listener now has all records that the GCM had at the time of the request.
   bool is_current = false;
 };
 
@@ -43,7 +43,7 @@ class GcmListener {
   virtual void OnLog(const LogBatch& /*batch*/) {}
 };
 
-/// A viewer's connection to a system: watches a GCM's catalogue, asks the GCM for changes, and
+/// A viewer's connection to a system. It watches a GCM's catalogue, asks the GCM for changes, and
 /// exchanges data with the processes directly. Reconnects automatically.
 ///
 /// Functions with a handler return at once, and call the handler exactly once, in a thread of the
@@ -52,36 +52,36 @@ class GcmListener {
 class GcmClient {
  public:
   /// A Connect() with WhenConnected::kReplace may take this many times `timeout`: the GCM ends the
-  /// old connection, makes the new one, and restores the old one if the new one fails.
+  /// old connection, makes the new connection, and restores the old one if this fails.
   static constexpr int kReplaceTimeouts = 3;
 
   /// Undo() may take this many times `timeout`. The GCM sends all orders within five times
-  /// `timeout`, even if many components must be started again. If a start fails, the GCM uses the
-  /// sixth `timeout` to stop the components again.
+  /// `timeout`, even if many components must be started again. If a start fails, the GCM needs one
+  /// more `timeout` to stop the components again.
   static constexpr int kUndoTimeouts = 6;
 
   /// ExecuteLifecycleOrder() may take this many times `timeout`: one for the execution of the
   /// order, one for the report of its outcome.
   static constexpr int kLifecycleOrderTimeouts = 2;
 
-  /// ExecuteProcessOrder() may take this many times `timeout`: the GCM starts the process and waits
-  /// until it joins, or terminates it and kills it if necessary, and then reports.
+  /// ExecuteProcessOrder() may take this many times `timeout`. The GCM starts a process and waits
+  /// until it joins, or terminates a process, kills it if necessary, and then reports.
   static constexpr int kProcessOrderTimeouts = 5;
 
-  /// The client and its GCM.
+  /// The options of a client.
   struct Options {
     /// The name of this program in the GCM's history and log: "gcm connect", "gcm-gui".
     std::string name = "viewer";
     std::string address;  ///< address of the GCM
-    /// Must be longer than the GCM waits for a process, so that the GCM can forward the answer of
-    /// the process.
+    /// The time to wait for an answer. It must be longer than the time that the GCM waits for a
+    /// process, so that the GCM can forward the answer of the process.
     std::chrono::milliseconds timeout{2000};
-    /// With Role::kViewer, the client gives up its other rights: the GCM and all processes refuse
-    /// its changes.
+    /// The role of this client. With Role::kViewer, the GCM and all processes refuse changes by
+    /// this client.
     Role role = Role::kOperator;
   };
 
-  /// Does not wait until the GCM is reached; see WaitUntilWatching().
+  /// Returns before the GCM is reached; see WaitUntilWatching().
   GcmClient(std::shared_ptr<Middleware> middleware, Options options,
             std::shared_ptr<GcmListener> listener = nullptr);
   GcmClient(const GcmClient&) = delete;
@@ -107,45 +107,45 @@ class GcmClient {
   using TextHandler = std::function<void(Result<std::string>)>;
 
   /// Connects a required interface, as one step of the history. If the interface is already
-  /// connected, WhenConnected::kRefuse refuses the request, and WhenConnected::kReplace first ends
-  /// the old connection. The GCM restores the old connection if the new one is refused, or if the
-  /// old one was active and the new one is not.
+  /// connected, WhenConnected::kRefuse refuses the request. WhenConnected::kReplace first ends the
+  /// old connection. The GCM restores the old connection if the new one is refused, or if the old
+  /// one was active and the new one is not.
   void Connect(const InterfaceName& required, const InterfaceName& provided, ConnectHandler handler,
                WhenConnected when_connected = WhenConnected::kRefuse);
   void Disconnect(const InterfaceName& required, DoneHandler handler);
   /// Sends an order for the lifecycle of a component, or an order to load a plug-in. May take twice
-  /// `order.patience`; if that is 0, `timeout` is used for it. If `order.instance` is 0, the order
-  /// is valid only for the process instance that is in the catalogue now.
+  /// `order.patience`; if `order.patience` is 0, `timeout` is used instead. If `order.instance` is
+  /// 0, the order is valid only for the process instance that is in the catalogue now.
   void ExecuteLifecycleOrder(const message::LifecycleOrder& order, DoneHandler handler);
-  /// Starts an `lcm` on the GCM's host, or ends one that the GCM started. May take
-  /// kProcessOrderTimeouts times as long as other requests.
+  /// Starts an `lcm` on the GCM's host, or ends an `lcm` that the GCM started. May take
+  /// kProcessOrderTimeouts times `timeout`.
   void ExecuteProcessOrder(message::ProcessOrder order, DoneHandler handler);
-  /// Gets the processes that the GCM has started. Fails with kDenied if the version of the GCM is
-  /// older than this request.
+  /// Gets the processes that the GCM has started. Fails with kDenied if the GCM has an older
+  /// version of Tendon, without this request.
   void GetChildren(std::function<void(Result<message::Children>)> handler);
-  /// Gets the classes from which a process can create components, and the plug-ins that it could
-  /// load.
+  /// Gets the classes from which a process can create components, and the plug-ins that the process
+  /// could load.
   void GetClasses(const std::string& process,
                   std::function<void(Result<message::Classes>)> handler);
   using StepHandler = std::function<void(Result<message::HistoryEntry>)>;
-  /// Undoes the newest step. If `step` is not 0 and is not the number of the newest step, the
-  /// request is refused.
+  /// Undoes the newest step. Refuses the request if `step` is neither 0 nor the number of the
+  /// newest step.
   void Undo(StepHandler handler, std::uint64_t step = 0);
   /// Marks the newest step as skipped, so that earlier steps can be undone. Fails with kFailed if
-  /// the process of the step is lost but may come back. Also fails if the step could be undone and
-  /// `step` is 0; to skip such a step, give its number.
+  /// the process of the step is lost but may come back. If the step could be undone, `step` must be
+  /// its number; with 0, also fails with kFailed.
   void PassOver(StepHandler handler, std::uint64_t step = 0);
-  /// Takes the plan lock, which allows only this client to execute plans, until ReleasePlanLock()
-  /// or the end of the link to the GCM. Fails with kFailed if another client has the lock; the
-  /// error names that client.
+  /// Takes the plan lock, which allows only this client to execute plans. The lock is held until
+  /// ReleasePlanLock(), or until the link to the GCM ends. Fails with kFailed if another client has
+  /// the lock; the error names that client.
   void TakePlanLock(DoneHandler handler);
   void ReleasePlanLock();
   void GetHistory(std::function<void(Result<message::History>)> handler);
-  /// Gets the resources that the processes use, as they last reported to the GCM.
+  /// Gets the last report of each process about the resources that it uses.
   void GetHealth(std::function<void(Result<message::SystemHealth>)> handler);
   /// Gets the version of a process, or of the GCM if `process` is empty. Fails with kDenied if the
-  /// program is older than this request, and with kFailed if a process cannot be reached or refuses
-  /// the link.
+  /// program has an older version of Tendon, without this request. Fails with kFailed if a process
+  /// cannot be reached or refuses the link.
   void GetVersion(const std::string& process,
                   std::function<void(Result<message::ProgramVersion>)> handler);
   /// Gets the counts of the connection of a required interface from the process that has this
@@ -153,8 +153,8 @@ class GcmClient {
   /// is not active.
   void GetCounts(const InterfaceName& required,
                  std::function<void(Result<ConnectionCounts>)> handler);
-  /// Gets the counts of a connection from the provider's process: capacity and lost events. Fails
-  /// with kNotFound if that process does not have the connection.
+  /// Gets the counts of a connection from the provider's process, but only the capacity and the
+  /// lost events. Fails with kNotFound if that process does not have the connection.
   void GetProviderCounts(const message::Wire& wire,
                          std::function<void(Result<ConnectionCounts>)> handler);
   /// Gets the fill levels of a component's mailboxes.
@@ -165,36 +165,36 @@ class GcmClient {
 
   /// From now on, the listener receives the log of all processes: first the newest records that the
   /// GCM has kept, then each new record within about 100 ms. Continues when the link to the GCM is
-  /// restored or the GCM is restarted; the records logged meanwhile follow then.
+  /// restored or the GCM is restarted; then the records of the time in between follow.
   void WatchLog();
   /// From now on, the process drops log records below `level`. Fails with kNotFound for an unknown
   /// process, and with kFailed if the process is gone.
   void SetLogLevel(const std::string& process, LogLevel level, DoneHandler handler);
 
-  /// Calls any command of a process by its path: a read, qualified read, void or write command.
-  /// `argument` and the answer are JSON; each is empty if there is none.
+  /// Calls a command of a process by its path: a read, qualified read, void or write command.
+  /// `argument` and the answer are JSON, or empty if the command has none.
   void Call(const std::string& path, const std::string& argument, TextHandler handler);
 
   using ListenerId = std::uint64_t;
   /// Subscribes to events of a process. The sink receives each event when it is raised, until
-  /// StopListening(). Reconnects automatically. A component never waits for its listeners; events
+  /// StopListening(). Reconnects automatically. A component never waits for its listeners. Events
   /// that do not fit into the queue are lost and counted.
   ListenerId Listen(const EventSubscription& events, std::shared_ptr<EventSink> sink);
-  /// Ends a subscription. After the return, the sink is not called any more. Must not be called
-  /// from a sink.
+  /// Ends a subscription. After this function has returned, the sink is not called any more. Must
+  /// not be called from a sink.
   void StopListening(ListenerId id);
 
-  /// Gets the schema of a payload type by its fingerprint, from a process that knows the type. The
-  /// client caches schemas.
+  /// Gets the schema of a payload type by its fingerprint from `process`, which must know the type.
+  /// The client caches schemas.
   void GetSchema(const std::string& process, Fingerprint fingerprint,
                  std::function<void(Result<Schema>)> handler);
 
-  /// If different types in the catalogue have the same name, fetches their schemas, so that
-  /// FindSchema() knows them and Compare() can name the difference. Call it after every change; it
+  /// Fetches the schemas of different types in the catalogue that have the same name. Then
+  /// FindSchema() knows them, and Compare() can name the difference. Call it after every change; it
   /// checks the catalogue at most twice a second.
   void LearnConflictingTypes(DoneHandler handler);
 
-  /// Gives access to state-table rows of any process.
+  /// Gives access to the rows of state tables of any process.
   [[nodiscard]] TelemetryClient& telemetry();
 
  private:
@@ -204,7 +204,7 @@ class GcmClient {
 
 /// Calls one of the functions above and waits for its answer: `Wait<ConnectionDescription>(timeout,
 /// [&](auto handler) { client.Connect(a, b, handler); })`. Fails with kTimeout if no answer arrives
-/// in time; the request may still be executed. Must not be called from a handler.
+/// in time; even then, the request may still be executed. Must not be called from a handler.
 template <typename T, typename Start>
 Result<T> Wait(std::chrono::milliseconds timeout, Start&& start) {
   const auto answer = std::make_shared<std::promise<Result<T>>>();

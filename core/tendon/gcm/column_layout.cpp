@@ -10,7 +10,7 @@ namespace tendon::graph {
 namespace {
 
 constexpr int kSweeps = 4;
-constexpr double kTallness = 6;  // blocks without peers: rows divided by columns
+constexpr double kTallness = 6;  // rows per column of the blocks without peers
 
 /// An interval of a column.
 struct Interval {
@@ -93,7 +93,7 @@ class LongestPaths {
       if (visits_[here] == Visit::kDone) continue;
       visits_[here] = Visit::kDone;
       for (const std::size_t provider : providers_[here]) {
-        // If the provider is not done yet, its edge closes a cycle and is ignored.
+        // An edge to a provider that is not done yet closes a cycle, so it is ignored.
         if (visits_[provider] != Visit::kDone || provider == here) continue;
         layers_[here] = std::max(layers_[here], layers_[provider] + 1);
       }
@@ -220,8 +220,8 @@ void ColumnLayout::PlaceLayered(Plan& plan) const {
 
 void ColumnLayout::PlaceLoose(Plan& plan) const {
   const auto loose = std::count(plan.layers.begin(), plan.layers.end(), -1);
-  // A few blocks without peers get no further columns: they are put below the other blocks of a
-  // column, where no edge passes behind them.
+  // If there are only a few blocks without peers, they get no additional columns. They are put
+  // below the other blocks of a column, where no edge passes behind them.
   const int columns =
       std::max(plan.column_count,
                static_cast<int>(std::ceil(std::sqrt(static_cast<double>(loose) / kTallness))));

@@ -34,17 +34,18 @@ struct LayerEdge {
   bool operator==(const LayerEdge&) const = default;
 };
 
-/// Places the components of a graph as blocks in columns, providers left of their clients. A block
-/// keeps its position as long as its layer is the same and no block above it grows into it. A new
-/// block gets the free position nearest to its peers. If a removed block comes back, it gets its
-/// last position in its layer again.
+/// Places the components of a graph as blocks in columns, with providers to the left of their
+/// clients. A block keeps its position as long as its layer stays the same and no block above it
+/// grows into it. A new block gets the free position nearest to its peers. A block that was removed
+/// and comes back gets its last position in its layer.
 class ColumnLayout {
  public:
   /// An object to place, with its name.
   struct Block {
     std::string key;
     Size size;
-    bool keeps_place = true;  ///< false: placed last, where the other blocks leave room
+    bool keeps_place = true;  ///< if false, the block is placed last, where the other blocks leave
+                              ///< room
 
     bool operator==(const Block&) const = default;
   };
@@ -92,8 +93,8 @@ class ColumnLayout {
 };
 
 /// Assigns a layer to each of `count` nodes, so that each edge leads to a higher layer. The layer
-/// is the length of the longest path from a node without providers. Ignores each edge that closes a
-/// cycle.
+/// of a node is the length of the longest path to it. A path begins at a node without providers. An
+/// edge that closes a cycle is ignored.
 [[nodiscard]] std::vector<int> LayersOf(std::size_t count, const std::vector<LayerEdge>& edges);
 
 }  // namespace tendon::graph

@@ -10,9 +10,9 @@
 namespace tendon {
 
 /// Finds payload types that have the same name but differ, for example because two processes run
-/// different versions of a component. For each present process, returns a request for those of its
-/// schemas that FindSchema() does not know yet. When they are known, Compare() can name the
-/// difference. Linear in the number of members.
+/// different versions of a component. Returns, for each present process, a request for those
+/// schemas that FindSchema() does not know yet. When the schemas are known, Compare() can name the
+/// difference. The cost is linear in the number of members.
 [[nodiscard]] std::map<std::string, message::GetSchemas> ConflictingTypes(
     const Catalogue& catalogue);
 

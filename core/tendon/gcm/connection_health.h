@@ -20,7 +20,7 @@ struct ConnectionFlaw {
   };
 
   Kind kind = Kind::kCallsRefused;
-  /// The total number of refused calls or lost events. With kMailboxFull: the calls that wait now.
+  /// kCallsRefused, kEventsLost: the total number. kMailboxFull: the number of waiting calls.
   std::uint64_t count = 0;
   std::uint64_t capacity = 0;              ///< kMailboxFull: capacity of the mailbox
   std::chrono::nanoseconds round_trip{0};  ///< kLate
@@ -29,8 +29,8 @@ struct ConnectionFlaw {
 };
 
 /// Returns the flaws of a connection. All programs use these rules. `before` has the counts of the
-/// last check, so that refused calls and lost events before it are not reported again. Without
-/// `before`, these two are not reported.
+/// last check, so that only refused calls and lost events since then are reported. Without
+/// `before`, refused calls and lost events are not reported.
 [[nodiscard]] std::vector<ConnectionFlaw> FlawsOf(const ConnectionCounts& now,
                                                   const std::optional<ConnectionCounts>& before);
 

@@ -14,7 +14,7 @@ namespace {
 
 using Verdict = DiagnosisStep::Verdict;
 
-/// The text of each step while it is not reached.
+/// The text of each step while the check has not reached it.
 constexpr std::array kSteps = {"both processes are available",
                                "both components are active",
                                "the required interface is free",
@@ -41,8 +41,8 @@ class Examination {
     diagnosis_.steps.push_back({Verdict::kBad, text, fix, std::move(details)});
     diagnosis_.failure = Error{code, text + (fix.empty() ? "" : "; " + fix)};
   }
-  /// Sets Diagnosis::is_connected from the catalogue. It is false if the required side is absent,
-  /// because only that side knows its connections.
+  /// Sets Diagnosis::is_connected from the catalogue. Sets it to false if the required side is
+  /// absent, because only the required side knows its connections.
   void SetConnected(const Catalogue& catalogue) {
     const message::Wire& wire = diagnosis_.wire;
     const ProcessEntry* owner = catalogue.FindProcess(wire.required.process);
@@ -135,7 +135,8 @@ bool IsOutOfReach(const ProcessDescription& required, const ProcessDescription& 
 
 std::string SeenFrom(const std::string& host) { return " (seen from host " + host + ")"; }
 
-/// The remedy for a pending connection. It is retried automatically, but this may never succeed.
+/// Returns the remedy for a pending connection. The process retries the connection, but may never
+/// succeed.
 std::string FixOfPending(const ProcessDescription& required, const ProcessDescription& provided,
                          const std::string& reason) {
   if (os::IsNoRouteError(reason)) {
@@ -159,7 +160,7 @@ void CheckConnection(const Catalogue& catalogue, const message::Wire& wire,
                                " with --listen and --advertise and an address of host " +
                                provided.host);
   }
-  if (connection == nullptr) return;  // no connection was tried
+  if (connection == nullptr) return;  // nobody has requested the connection
   if (connection->state == ConnectionState::kPending) {
     return examination.Bad(
         ErrorCode::kTimeout,
@@ -282,7 +283,7 @@ void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>&
   }
   const bool is_made = diagnosis.steps.at(kReached).verdict == Verdict::kGood;
   DiagnosisStep& step = is_made ? diagnosis.steps.back() : diagnosis.steps.at(kReached);
-  // The reason that the required side has reported is more precise.
+  // The required side has already reported a more precise reason.
   if (is_trying && os::IsNoRouteError(step.text)) return;
   const std::string fix = FixOfUnreached(name, os::HostName(), round_trip.error());
   step = {Verdict::kBad,

@@ -18,14 +18,14 @@ struct DiagnosisStep {
   enum class Verdict { kGood, kBad, kNotReached };
 
   Verdict verdict = Verdict::kNotReached;
-  std::string text;                  ///< what was found, or what would be checked
+  std::string text;                  ///< the result, or what would be checked
   std::string fix;                   ///< kBad: the remedy
   std::vector<std::string> details;  ///< a text for each member that does not match
 
   bool operator==(const DiagnosisStep&) const = default;
 };
 
-/// Whether one of the two processes still holds a part of an inactive connection.
+/// Says whether one of the two processes still has a part of an inactive connection.
 struct ConnectionRemnant {
   enum class Verdict { kNothing, kSomething, kUnknown };
 
@@ -36,9 +36,9 @@ struct ConnectionRemnant {
   bool operator==(const ConnectionRemnant&) const = default;
 };
 
-/// The result of checking a connection in seven steps: why it works or fails. If no step is bad and
-/// the interfaces are not connected, they can be connected. The console and the window show the
-/// same steps.
+/// The result of checking a connection in seven steps; it says why the connection works or fails.
+/// If no step is bad and the interfaces are not connected, they can be connected. The console and
+/// the window show the same steps.
 struct Diagnosis {
   message::Wire wire;
   /// All seven steps. The steps after a bad step were not reached.
@@ -48,63 +48,64 @@ struct Diagnosis {
   std::vector<ConnectionRemnant> remnants;  ///< of both processes; see AddRemnants()
 };
 
-/// Makes the checks that need only the catalogue: that the processes are present and the components
-/// are not faulted, that the required interface is free, that the signatures match, and what the
-/// state of a requested connection is. Fails with kInvalid for an invalid name, and with kNotFound
-/// if an interface is not in the catalogue. If the required interface is waiting for this provided
-/// interface, a missing provided interface is a bad step instead.
+/// Makes the checks that need only the catalogue: the processes are present, the components are not
+/// faulted, the required interface is free, the signatures match, and a requested connection is
+/// active. Fails with kInvalid for an invalid name, and with kNotFound if an interface is not in
+/// the catalogue. A missing provided interface is only a bad step if the required interface already
+/// waits for it.
 Result<Diagnosis> Diagnose(const Catalogue& catalogue, const message::Wire& wire);
 
-/// Adds the flaws of an active connection, which the catalogue does not contain: marks step 7 as
-/// bad for a long round trip, step 6 for other flaws. Does nothing if a step is bad already.
+/// Adds the flaws of an active connection, which the catalogue does not contain. Marks step 7 as
+/// bad for a long round trip, and step 6 for other flaws. Does nothing if a step is already bad.
 void AddHealth(Diagnosis& diagnosis, const std::vector<ConnectionFlaw>& flaws);
 
 /// Returns true if the connection is pending because the required side still tries to reach the
-/// provider. The reason that it reports is then current.
+/// provider. Then the reported reason is current.
 [[nodiscard]] bool IsTrying(const Diagnosis& diagnosis);
 
 /// Adds the round-trip time from this host to the provider's process to the last step. If there was
 /// no answer, adds the reason instead: to the last step if the processes reach each other,
 /// otherwise to the step "the processes reach each other". The reason kTimeout means that the
-/// process was reached, but did not answer. Does nothing if a step is bad, unless IsTrying() is
-/// true.
+/// process was reached, but did not answer.
+///
+/// Does nothing if a step is bad, unless IsTrying() is true.
 void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>& round_trip);
 
-/// If the connection is made, but one of its components is not active, marks step 2 as bad, because
+/// Marks step 2 as bad if the connection is made, but one of its components is not active, because
 /// this may explain later problems.
 void AddActivity(Diagnosis& diagnosis, const Catalogue& catalogue);
 
-/// Adds `remnants` for a refused or failed connection: for each of the two processes, whether it
+/// Adds `remnants` for a refused or failed connection. They say whether each of the two processes
 /// has removed the connection. For the required side, the catalogue has this information. For the
 /// provider, `served` is the answer of GcmClient::GetProviderCounts(). Does nothing if the required
 /// side still has the connection.
 void AddRemnants(Diagnosis& diagnosis, const Catalogue& catalogue,
                  const Result<ConnectionCounts>& served);
 
-/// Returns true if the connection is not active, but the required side keeps it and makes it as
-/// soon as possible.
+/// Returns true if the connection is not active, but the required side keeps it and tries again to
+/// make it.
 [[nodiscard]] bool IsKept(const Diagnosis& diagnosis);
 
 /// Returns the remnants of an inactive connection as text, one line for each process: "left over:
 /// nothing in robot". If IsKept() is true, returns one line: "requested: desk makes the connection
-/// as soon as possible". The text is also correct if nobody has tried to make the connection.
+/// as soon as possible". The text is also correct if the connection was never requested.
 [[nodiscard]] std::vector<std::string> LeftoverTexts(const Diagnosis& diagnosis);
 
-/// Returns the remedy if `host` could not reach process `name`. It depends on `reason`: no route to
-/// the process, no answer, or no connection.
+/// Returns the remedy if `host` could not reach process `name`. The remedy depends on `reason`: no
+/// route to the process, no answer, or no connection.
 [[nodiscard]] std::string FixOfUnreached(const std::string& name, const std::string& host,
                                          const Error& reason);
 
-/// A provided interface to which a required interface might be connected.
+/// A provided interface that might be connected to a required interface.
 struct ProviderCandidate {
   InterfaceName provided;
   Compatibility compatibility;
-  bool is_connected = false;  ///< true if `required` is connected to it now
+  bool is_connected = false;  ///< true if the required interface is connected to it now
 };
 
 /// Returns the provided interfaces of present processes that have at least one matching member.
-/// Interfaces that fit come first; then the order is by number of matching members, number of
-/// mismatches, and name. Fails like LookUpRequired().
+/// Interfaces that fit come first. The rest of the order is by number of matching members, number
+/// of mismatches, and name. Fails like LookUpRequired().
 Result<std::vector<ProviderCandidate>> RankCandidates(const Catalogue& catalogue,
                                                       const InterfaceName& required);
 

@@ -14,12 +14,11 @@
 
 namespace tendon {
 
-/// The events of a provided interface to subscribe to: {"robot", "arm", "Control"},
-/// {"GoalReached"}.
+/// The wanted events of a provided interface: {"robot", "arm", "Control"}, {"GoalReached"}.
 struct EventSubscription {
   InterfaceName provided;
   std::vector<std::string> events;
-  /// How many events may wait in the sending process until they are sent. Further events are lost.
+  /// The number of events that may wait in the sending process. Further events are lost.
   std::uint32_t capacity = 1024;
 };
 
@@ -27,8 +26,8 @@ struct EventSubscription {
 struct EventTime {
   SteadyTime raised;  ///< on the steady clock of the receiving process; never later than now
   /// The largest possible error of `raised`: at most half a round trip, about 10 us on one host. If
-  /// the clock of the sending process is not known, this is the largest value of the type, and
-  /// `raised` is the time of arrival.
+  /// the clock of the sending process is unknown, `raised` is the time of arrival, and this is the
+  /// largest value of the type.
   std::chrono::nanoseconds uncertainty = std::chrono::nanoseconds::max();
 };
 
@@ -37,14 +36,14 @@ struct EventTime {
 class EventSink {
  public:
   virtual ~EventSink() = default;
-  /// Called when the subscription becomes active: from now on each event is delivered or reported
+  /// Called when the subscription becomes active. From now on, each event is delivered or reported
   /// as lost. Called again after each interruption, with the types that the process has now.
   virtual void OnListening(const std::vector<MemberDescription>& events) = 0;
   /// Called for each event. `value` is the CDR body of the event's type; empty if the event has no
   /// type.
   virtual void OnEvent(std::size_t event, std::span<const std::byte> value,
                        const EventTime& time) = 0;
-  /// Called when `lost` further events were raised and not delivered.
+  /// Called when `lost` more events were raised but not delivered.
   virtual void OnEventsLost(std::size_t event, std::uint64_t lost) = 0;
   /// Called when the subscription is interrupted or could not be made. The client keeps trying.
   virtual void OnStale(const Error& reason) = 0;

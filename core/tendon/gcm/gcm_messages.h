@@ -11,21 +11,21 @@
 #include <string>
 #include <vector>
 
-/// The messages between a GCM and its viewers. For messages to LCMs, see
-/// process/membership_messages.h and process/lifecycle/lifecycle_messages.h. Each struct
-/// is the body of a frame.
+/// The messages between a GCM and its viewers. Messages to LCMs are in
+/// process/membership_messages.h and process/lifecycle/lifecycle_messages.h. Each struct is the
+/// body of a frame.
 namespace tendon {
 
-/// The effect of a connect if the required interface is already connected.
+/// Says what a connect does if the required interface is already connected.
 enum class WhenConnected {
-  kRefuse,   ///< the message kConnect
-  kReplace,  ///< the message kReplace
+  kRefuse,   ///< sent as kConnect
+  kReplace,  ///< sent as kReplace
 };
 
 /// The orders to a GCM for a process on its own host.
 enum class ProcessVerb : std::int32_t {
   kStart,  ///< starts an `lcm` without components, and waits until it has joined
-  kKill,   ///< terminates the process, kills it if it does not end, and waits until it is gone
+  kKill,   ///< terminates the process, kills it if necessary, and waits for its end
 };
 
 template <>
@@ -59,7 +59,7 @@ inline constexpr auto kWatchLog = static_cast<MessageType>(0x342);  // WatchLog 
 // Sent by the GCM, in addition to the messages of process/log/log_messages.h.
 inline constexpr auto kChanges = static_cast<MessageType>(0x320);  // notice to a viewer: Changes
 
-/// The catalogue, as changes to apply to the empty catalogue Catalogue::At(base).
+/// The catalogue, as changes that must be applied to the empty catalogue Catalogue::At(base).
 struct CatalogueSnapshot {
   std::uint64_t gcm_instance = 0;
   std::uint64_t base = 0;
@@ -67,39 +67,40 @@ struct CatalogueSnapshot {
 };
 
 /// The next changes of the catalogue. If they do not follow the viewer's revision, the viewer was
-/// too slow and has to send kWatch again.
+/// too slow and must send kWatch again.
 struct Changes {
   std::vector<CatalogueChange> changes;
 };
 
-/// Asks for the log records of all processes: those that the GCM has kept, and then each new one.
+/// Asks for the log records of all processes: first the records that the GCM has kept, then each
+/// new record.
 struct WatchLog {
-  /// Instance of the GCM that sent the records that the viewer has; 0 if it has none.
+  /// Instance of the GCM from which the viewer's records came; 0 if the viewer has no records.
   std::uint64_t gcm_instance = 0;
   std::uint64_t after = 0;  ///< number of the first record that the viewer needs
 };
 
-/// The answer to WatchLog; the records follow, as LogRecords.
+/// The answer to WatchLog. The records follow as LogRecords.
 struct WatchLogReply {
   std::uint64_t gcm_instance = 0;
   std::uint64_t begin = 0;  ///< number of the first record that follows
   std::uint64_t end = 0;    ///< number of the GCM's next new record
 };
 
-/// The resources of a member, as last reported.
+/// The resources that a member uses, from its last report.
 struct ProcessHealth {
   std::string process;
   std::uint64_t instance = 0;
   double cpu = -1.0;         ///< number of busy cores; negative until the second report
   std::uint64_t memory = 0;  ///< resident bytes
-  /// How far the steady clock of the process is ahead of the GCM's clock, and the largest possible
-  /// error of this value. The error is negative as long as the offset is not known.
+  /// The steady clock of the process minus the GCM's clock, and the largest possible error of this
+  /// offset. The error is negative while the offset is not known.
   std::chrono::nanoseconds clock_offset{0};
   std::chrono::nanoseconds clock_uncertainty{-1};
   std::chrono::nanoseconds age{0};  ///< time since the last report; members report every second
 };
 
-/// The health of all members that have reported. Processes that are gone are not included.
+/// The health of all members that have reported. Processes that are not present are not included.
 struct SystemHealth {
   std::vector<ProcessHealth> processes;  ///< by name
 };
@@ -114,20 +115,20 @@ struct ProcessOrder {
   ProcessVerb verb = ProcessVerb::kStart;
   std::string process;
   RestartPolicy restart = RestartPolicy::kNever;  ///< used only with kStart
-  /// The time limit; with 0, the GCM chooses it. With kStart, a process that has not joined by then
-  /// is stopped. With kKill, a process that has not ended by then is killed.
+  /// The time limit; if 0, the GCM chooses it. kStart ends a process that has not joined within
+  /// this time. kKill kills a process that has not ended within this time.
   std::chrono::nanoseconds patience{0};
 };
 
 /// The change that a lifecycle step made, and the state before the step.
 struct LifecycleStep {
   std::string process;
-  std::string component;  ///< empty: the step started the process itself
+  std::string component;  ///< empty for the start of a process
   std::string class_name;
   std::string library;
   std::string configuration;  ///< "create", "configure": the new configuration
-  /// For "configure" and "remove", the old configuration. For "stop", the followers that stopped
-  /// with the component; see lifecycle/followers.h.
+  /// For "configure" and "remove", the old configuration. For "stop", the followers that were
+  /// stopped with the component; see lifecycle/followers.h.
   std::string former;
   std::string thread;                                   ///< "remove": as in LifecycleOrder
   std::string leader;                                   ///< "remove": as in LifecycleOrder
@@ -137,7 +138,7 @@ struct LifecycleStep {
   bool operator==(const LifecycleStep&) const = default;
 };
 
-/// A process that the GCM has started, and that it can therefore end or restart.
+/// A process that the GCM has started. Only these can be ended or restarted by the GCM.
 struct Child {
   std::string process;
   RestartPolicy restart = RestartPolicy::kNever;
@@ -150,18 +151,18 @@ struct Children {
 
 /// The step to undo or to skip.
 struct StepSelection {
-  /// The number of the step. The request is refused if this is not the newest step. 0 selects the
-  /// newest step.
+  /// The number of the step; 0 for the newest step. The request is refused if another step is the
+  /// newest.
   std::uint64_t id = 0;
-  /// The time limit for each order that undoes a part of the step. With 0, the GCM chooses it.
+  /// The time limit for each order that undoes a part of the step; if 0, the GCM chooses it.
   std::chrono::nanoseconds patience{0};
 };
 
 /// Takes or releases the lock for the execution of plans. Sent before the first and after the last
-/// step of a plan, because two plans that are executed at the same time would undo each other's
-/// steps.
+/// step of a plan. Without the lock, two plans that are executed at the same time could undo each
+/// other's steps.
 struct PlanLock {
-  /// True takes the lock; refused while another viewer holds it. False releases the lock.
+  /// True takes the lock, and is refused while another viewer has it. False releases the lock.
   bool is_wanted = true;
 };
 
@@ -176,16 +177,16 @@ struct HistoryEntry {
   std::string who;        ///< the program that made the request: "gcm connect", "gcm-gui"
   std::int64_t when = 0;  ///< ns since 1970
   /// The instance of the process that made the change. For a connection, this is the process of the
-  /// required side. If the process was restarted since, the step cannot be undone.
+  /// required side. If the process has been restarted, the step cannot be undone.
   std::uint64_t instance = 0;
-  bool is_unknown = false;  ///< the step was begun, but its outcome is unknown
+  bool is_unknown = false;  ///< true if the outcome of the step is unknown
   bool undone = false;
-  bool passed_over = false;  ///< the step cannot be undone, and a user has confirmed this
+  bool passed_over = false;  ///< true if a user has skipped the step
 
   bool operator==(const HistoryEntry&) const = default;
 };
 
-/// The changes that people and programs requested, as the GCM has recorded them.
+/// The recorded changes that people and programs have requested from the GCM.
 struct History {
   std::vector<HistoryEntry> entries;  ///< oldest first
 };

@@ -10,8 +10,8 @@
 namespace tendon {
 namespace {
 
-/// Returns the path of a file or folder of a GCM. It contains the address, so GCMs at different
-/// addresses do not share files.
+/// Returns the path of a file or folder of a GCM. The path contains the address, so that GCMs at
+/// different addresses do not share files.
 std::filesystem::path StatePath(const GlobalManager::Options& options, const std::string& what,
                                 const std::string& ending) {
   std::string address = options.address;
@@ -22,7 +22,7 @@ std::filesystem::path StatePath(const GlobalManager::Options& options, const std
   return folder / (what + "-" + address + ending);
 }
 
-/// Checks that the certificate is one for a GCM, because peers would refuse a GCM with any other.
+/// Checks that the certificate is for a GCM, because peers refuse a GCM with another certificate.
 Result<void> CheckCertificateOf(const Middleware& middleware) {
   const Certificate* certificate = middleware.certificate();
   if (certificate == nullptr) return {};
@@ -46,8 +46,8 @@ Result<std::unique_ptr<GlobalManager>> GlobalManager::Start(std::shared_ptr<Midd
   const auto cookie = LoopbackCookie();
   if (!cookie) return cookie.error();
   const Hello mine{.instance = os::RandomNumber(), .name = kGcmName, .cookie = *cookie};
-  // Listens before it makes the server: if another GCM has the address, that GCM also uses the
-  // history file, so this function must not open the file.
+  // Listens before it makes the server. If another GCM has the address, it also uses the history
+  // file, and this function must not open that file.
   std::promise<std::weak_ptr<server::Server>> made;
   const auto choose = [server = made.get_future().share()]() -> std::shared_ptr<ChannelHandler> {
     const auto alive = server.get().lock();
@@ -55,7 +55,7 @@ Result<std::unique_ptr<GlobalManager>> GlobalManager::Start(std::shared_ptr<Midd
   };
   auto listener = middleware->Listen(options.address, Channel::Acceptor(mine, choose));
   if (!listener) return listener.error();
-  auto promise = std::move(made);  // destroyed before the listener if the server cannot be made
+  auto promise = std::move(made);  // after an exception, destroyed before the listener
   auto server = std::make_shared<server::Server>(server::Server::Options{
       .history = StatePath(options, "history", ".jsonl"),
       .clock = options.clock,

@@ -20,28 +20,29 @@ class Server;
 
 /// The global component manager (GCM). LCMs join it under their names and report changes. Viewers
 /// watch its catalogue and log, and ask it to connect and disconnect. No data of components passes
-/// through the GCM, so running components continue while there is none. A restarted GCM builds its
-/// catalogue again when the LCMs join. Only the history of steps is kept in a file.
+/// through the GCM, so running components continue without it. A restarted GCM builds its catalogue
+/// again when the LCMs join. Only the history of steps is kept in a file.
 ///
-/// Thread safety: all functions may be called at any time, in any thread. The manager has one
-/// thread of its own, and uses those of the middleware.
+/// Thread safety: any thread may call all functions at any time. The manager has one thread of its
+/// own, and uses the threads of the middleware.
 class GlobalManager {
  public:
   /// The address and the files of a GCM.
   struct Options {
     std::string address = "127.0.0.1:10705";
-    std::filesystem::path state_folder;   ///< where the history is kept; empty: os::StateFolder()
+    std::filesystem::path state_folder;   ///< folder of the history; empty: os::StateFolder()
     const Clock* clock = &SteadyClock();  ///< for the leases; must outlive the manager
-    /// How long the GCM waits for the answer of an LCM. It must be longer than an LCM needs to
-    /// detect a hanging peer, and shorter than clients wait for the GCM.
+    /// The time that the GCM waits for the answer of an LCM. It must be longer than the time that
+    /// an LCM needs to detect a hanging peer, and shorter than the time that clients wait for the
+    /// GCM.
     std::chrono::milliseconds order_timeout{1500};
     LaunchOptions launch{};  ///< for the processes that the GCM starts
-    /// The address of the multicast broker for rows; empty: there is none.
+    /// The address of the multicast broker for rows; empty without a broker.
     std::string broker{};
   };
 
   /// Starts a GCM. Fails like Middleware::Listen(), for example with kExists if another GCM has
-  /// this address; also fails if the certificate of the middleware is not one for a GCM, or the
+  /// this address. Also fails if the certificate of the middleware is not for a GCM, or if the
   /// loopback cookie cannot be read.
   static Result<std::unique_ptr<GlobalManager>> Start(std::shared_ptr<Middleware> middleware,
                                                       Options options);
@@ -58,8 +59,8 @@ class GlobalManager {
   /// A copy of the current catalogue.
   [[nodiscard]] Catalogue catalogue() const;
 
-  /// Checks the leases. The manager's thread does this every 100 ms; only tests that set the clock
-  /// call it.
+  /// Checks the leases. The manager's thread does this every 100 ms. Only tests with their own
+  /// clock call this function.
   void Tick();
 
  private:

@@ -16,7 +16,7 @@ std::string_view Subject(std::string_view name) {
 
 bool IsStructure(const std::string& type) { return type.find('.') != std::string::npos; }
 
-/// The read command that returns the whole argument; empty if there is none.
+/// Finds the read command that returns the whole argument. Returns an empty name if none does.
 std::string WholeRead(const ProvidedDescription& of, const MemberDescription& command) {
   std::string found;
   for (const MemberDescription& one : of.commands) {

@@ -12,22 +12,21 @@ namespace tendon {
 /// A required interface and the provided interfaces that fit it.
 struct Match {
   InterfaceName required;
-  /// All equally good candidates; only one if the choice is clear.
+  /// All equally good candidates. If the choice is clear, there is only one.
   std::vector<InterfaceName> provided;
 };
 
-/// Globs over process/component/interface: only interfaces whose path matches are considered.
+/// Globs for process/component/interface. Only interfaces whose path matches are considered.
 struct MatchPatterns {
   std::string required;
   std::string provided;
 };
 
-/// For each required interface without a connection, finds the provided interfaces of other
-/// components that fit it. Considers only interfaces that match the patterns. If some of the
-/// provided interfaces that fit have the same name as the required interface, returns only these.
-/// The result is sorted by path. The cost is proportional to the number of required interfaces
-/// times the number of provided interfaces. Fails with kNotFound if one of the patterns matches no
-/// interface.
+/// Finds, for each required interface without a connection, the provided interfaces of other
+/// components that fit it. Considers only interfaces that match the patterns. If some fitting
+/// interfaces have the same name as the required interface, returns only these. The result is
+/// sorted by path. Fails with kNotFound if a pattern matches no interface. The cost is the number
+/// of required interfaces times the number of provided interfaces.
 Result<std::vector<Match>> MatchInterfaces(const Catalogue& catalogue,
                                            const MatchPatterns& patterns);
 

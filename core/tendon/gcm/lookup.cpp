@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::size_t kMostListed = 8;
 
-/// Returns "; did you mean 'arm'?" if a name is similar. Otherwise lists the names if there are
-/// few.
+/// Returns "; did you mean 'arm'?" if a name is similar. Otherwise lists the names, unless there
+/// are many.
 std::string Hint(const std::string& name, const std::vector<std::string>& candidates) {
   if (candidates.empty()) return "; there is none";
   if (std::string near = DidYouMean(name, candidates); !near.empty()) return near;
@@ -28,8 +28,8 @@ Error NotFound(const std::string& what, const std::string& full, const std::stri
   return {ErrorCode::kNotFound, "no " + what + " '" + full + "'" + Hint(name, candidates)};
 }
 
-/// The error for an interface of the wrong kind: required instead of provided, or the reverse.
-/// Lists the interfaces of the needed kind, if the component has any.
+/// Returns the error for an interface of the wrong kind: required instead of provided, or the
+/// reverse. Lists the interfaces of the right kind, if the component has any.
 Error OtherSide(const InterfaceName& name, const std::string& what, const std::string& needed,
                 const std::vector<std::string>& candidates) {
   const std::string hint = candidates.empty()
@@ -64,7 +64,7 @@ Result<void> CheckFullName(const InterfaceName& name) {
   return CheckName("interface", name.interface);
 }
 
-/// The words that connect the names of the required and the provided interface in a sentence.
+/// Returns the words between the names of the required and the provided interface in a sentence.
 std::string StandOf(ConnectionState state) {
   switch (state) {
     case ConnectionState::kPending:

@@ -12,8 +12,8 @@
 #include <string_view>
 #include <vector>
 
-/// Functions that search a catalogue for names that people have typed. If a comment does not name
-/// another code, errors have the code kNotFound, say what is missing, and suggest similar names.
+/// Functions that search a catalogue for names that people have typed. Errors have the code
+/// kNotFound, say what is missing, and suggest similar names; comments mention other codes.
 /// Returned pointers are valid until the catalogue changes.
 namespace tendon {
 
@@ -36,14 +36,17 @@ Result<std::vector<MemberDescription>> LookUpEvents(const Catalogue& catalogue,
 /// Returns true if a call or an event of a member with this signature has an argument.
 [[nodiscard]] bool TakesArgument(const Signature& signature);
 
-/// Checks against the catalogue whether a connection can be made, and returns the order for the LCM
-/// of the required side. Errors: kInvalid for an invalid name; kNotFound for a missing required
-/// interface, or for a missing provided interface if its process is present; kIncompatible, with
-/// the text of Refusal(); kExists if the required interface is connected and may not be replaced;
-/// kFailed if the process of the required side is absent.
+/// Checks with the catalogue whether a connection can be made, and returns the order for the LCM of
+/// the required side. Errors:
+/// - kInvalid: a name is invalid.
+/// - kNotFound: the required interface does not exist, or the provided interface does not exist in
+///   a present process.
+/// - kIncompatible: the interfaces do not fit; the text is that of Refusal().
+/// - kExists: the required interface is connected and may not be replaced.
+/// - kFailed: the process of the required side is absent.
 ///
 /// If the provider's process is absent or unknown, the new connection will be pending. A pending
-/// connection cannot replace an active one: this fails with kFailed for an absent process, and with
+/// connection cannot replace an active one; the error is kFailed for an absent process, and
 /// kNotFound for an unknown process.
 Result<message::ConnectionPlan> PlanConnect(const Catalogue& catalogue, const message::Wire& wire,
                                             WhenConnected when_connected = WhenConnected::kRefuse);
@@ -59,8 +62,7 @@ Result<ConnectionDescription> PlanDisconnect(const Catalogue& catalogue,
                                              const InterfaceName& required);
 
 /// Finds a required interface by its path or by the number of its connection: "12" or "desk/12".
-/// Fails with kInvalid if only a number is given and several processes have a connection with this
-/// number.
+/// Fails with kInvalid if several processes have a connection with the number "12".
 Result<InterfaceName> LookUpConnected(const Catalogue& catalogue, const std::string& text);
 
 /// Returns the instance of a process, a number that is new at each start; 0 if there is no process
@@ -70,17 +72,17 @@ Result<InterfaceName> LookUpConnected(const Catalogue& catalogue, const std::str
 /// Returns true if the process is present. It may be slow (ProcessState::kSuspect).
 [[nodiscard]] bool IsPresent(const ProcessDescription& process);
 
-/// ProcessDescription::reason begins with this text if a process was lost because it was silent
+/// The beginning of ProcessDescription::reason for a process that was lost because it was silent
 /// while its link was open.
 inline constexpr std::string_view kNoRenewal = "no renewal of its lease for ";
 
-/// Returns true if the process was lost because it was silent while its link was open. Such a
-/// process may be suspended, hang, or be disconnected from the network, and may come back. If the
-/// link of a process broke, the process has ended, and this returns false.
+/// Returns true if the process was lost because it was silent while its link was open. This process
+/// may be suspended, hang, or be cut off from the network, and may come back. Returns false if the
+/// link of the process broke, because then the process has ended.
 [[nodiscard]] bool HasFallenSilent(const ProcessDescription& process);
 
-/// Returns the remedy for a process that is gone. If HasFallenSilent() is true, this says how to
-/// resume or end its program; otherwise it is "start it again".
+/// Returns the remedy for a process that is not present: "start it again". If HasFallenSilent() is
+/// true, says how to resume or end the program instead.
 [[nodiscard]] std::string AdviceFor(const ProcessDescription& process);
 
 /// Fails with kFailed if the process is not present: "process 'robot' is lost (reason)" or "is

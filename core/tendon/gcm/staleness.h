@@ -35,8 +35,8 @@ enum class StaleReason { kNone, kNotStarted, kSuspended, kFinished, kFaulted, kN
   return "lost";
 }
 
-/// Determines the reason from the states of a process and of its component. If the process does not
-/// answer or is gone, the state of the component is ignored.
+/// Determines the reason from the states of a process and its component. If the process does not
+/// answer or is lost, the state of the component is ignored.
 [[nodiscard]] constexpr StaleReason StaleReasonOf(ProcessState process,
                                                   ComponentState component) noexcept {
   if (process == ProcessState::kSuspect) return StaleReason::kNoAnswer;
@@ -69,10 +69,12 @@ enum class StaleReason { kNone, kNotStarted, kSuspended, kFinished, kFaulted, kN
   return StaleReasonOf(entry->process.state, found->second.state);
 }
 
-/// Returns true if the console and the window must mark a value as stale. If the component does not
-/// run, a value is stale unless its row is younger than 500 ms, because such a row may just have
-/// arrived. If the component runs, a value is stale when the next row is overdue. `age` is the age
-/// of the row, if known; `rate` is the rate of rows in Hz, 0 if unknown.
+/// Returns true if the console and the window must mark a value as stale. `age` is the age of its
+/// row, if known. `rate` is the rate of rows in Hz, 0 if unknown.
+///
+/// If the component runs, a value is stale when the next row is overdue. If the component does not
+/// run, a value is stale unless its row is younger than 500 ms. A younger row may have arrived just
+/// before the component stopped.
 [[nodiscard]] inline bool IsStale(StaleReason why, std::optional<std::chrono::nanoseconds> age,
                                   double rate) {
   constexpr std::chrono::milliseconds kOnItsWay{500};

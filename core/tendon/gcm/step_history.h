@@ -20,7 +20,7 @@ namespace tendon {
 /// robot/arm", "start robot".
 [[nodiscard]] std::string ToString(const message::HistoryEntry& step);
 
-/// Which program undid a step, and when.
+/// The program that undid a step, and the time of the undo.
 struct UndoMark {
   std::string who;        ///< the program that requested the undo; empty if unknown
   std::int64_t when = 0;  ///< ns since 1970
@@ -28,24 +28,24 @@ struct UndoMark {
 
 /// The steps of users. They are kept in a file with one JSON object per line, so that they can also
 /// be undone after a restart of the GCM. Keeps the newest kMaxSteps, or fewer if these exceed
-/// kMaxBytes. Rewrites the file when it is larger than twice kMaxBytes. If a crash cut off the last
-/// line, this line is ignored; other invalid lines are ignored with a warning.
+/// kMaxBytes. Rewrites the file when it is larger than twice kMaxBytes. Ignores the last line if a
+/// crash has cut it off. Ignores other invalid lines, with a warning.
 ///
 /// A new step is in memory at once. A separate thread writes it to the file, so a slow disk delays
 /// only callers that wait for `done`. A crash can lose only steps whose `done` was not called yet.
-/// If a step cannot be written, the error is logged, and the step stays in memory until the process
-/// ends.
+/// If a step cannot be written, the history logs the error and keeps the step in memory until the
+/// process ends.
 ///
 /// Thread safety: all functions except Close() may be called at any time, in any thread.
 class StepHistory {
  public:
   static constexpr std::size_t kMaxSteps = 1000;
   static constexpr std::size_t kMaxBytes = std::size_t{4} << 20U;
-  /// Called once when the step is written, or when writing has failed. The calls are made in the
-  /// order of the steps, in the history's thread or in Close().
+  /// Called once when the step is on the disk, or when writing has failed. The calls are made in
+  /// the order of the steps, in the history's thread or in Close().
   using Done = std::function<void()>;
 
-  /// Reads the file, if it exists. The history's thread logs if the file cannot be written.
+  /// Reads the file, if it exists. Logs, in the history's thread, if the file cannot be written.
   explicit StepHistory(std::filesystem::path file);
   StepHistory(const StepHistory&) = delete;
   StepHistory& operator=(const StepHistory&) = delete;
@@ -61,9 +61,10 @@ class StepHistory {
 
   /// Oldest first.
   [[nodiscard]] message::History steps() const;
-  /// Returns which program undid a step, and when; `who` is empty if this is not known.
+  /// Returns the program that undid a step, and the time of the undo; `who` is empty if the program
+  /// is unknown.
   [[nodiscard]] UndoMark undo_of(std::uint64_t id) const;
-  /// The newest step that was neither undone nor skipped.
+  /// Returns the newest step that was neither undone nor skipped.
   [[nodiscard]] std::optional<message::HistoryEntry> last() const;
 
  private:

@@ -27,8 +27,8 @@ Error Refused(const fs::path& path, const std::string& reason) {
   return {ErrorCode::kInvalid, path.string() + ": " + reason};
 }
 
-/// Reads at most kMaxSize bytes of the file, plus one byte, so that the caller can see that a file
-/// is too large.
+/// Reads at most kMaxSize bytes of the file, plus one byte. With this byte, the caller can see that
+/// a file is too large.
 Result<std::string> ReadBytes(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
   std::string text(SystemFile::kMaxSize + 1, '\0');
@@ -42,8 +42,8 @@ void AddComment(OrderedJson& json, const std::string& comment) {
   if (!comment.empty()) json["comment"] = comment;
 }
 
-/// The state to write into the file for a component that is now in `state`. A faulted component
-/// should become active again; a ready component becomes constructed.
+/// Returns the state to write into the file for a component that is now in `state`. A faulted
+/// component should become active again. A ready component becomes constructed.
 ComponentState DesiredFor(ComponentState state) {
   if (state == ComponentState::kFaulted) return ComponentState::kActive;
   if (state == ComponentState::kReady) return ComponentState::kConstructed;
@@ -113,8 +113,8 @@ OrderedJson JsonOf(const SystemFile& system) {
   return json;
 }
 
-/// Checks that the configurations are JSON and not nested too deeply. Must be called before the
-/// other functions, because these are recursive.
+/// Checks that the configurations are JSON and not nested too deeply. Must be called first, because
+/// the other functions are recursive.
 Result<void> CheckConfigurations(const SystemFile& system) {
   for (const auto& process : system.processes) {
     for (const auto& component : process.components) {
@@ -230,7 +230,7 @@ void CheckLeaders(const std::vector<SystemFile::Component>& components, const Fi
   }
 }
 
-/// Reads "start", which only a process that the GCM starts as an `lcm` has.
+/// Reads "start". Only a process that the GCM starts as an `lcm` has this key.
 SystemFile::Start ReadStart(const Json& json, const FileObject& process) {
   const FileObject object(json, process.Place("start"), {"restart"});
   if (object.Find("restart") == nullptr) return {};
@@ -287,8 +287,8 @@ class LinkReader {
   }
 
  private:
-  /// Checks that the component is in the file. Its interface cannot be checked before the component
-  /// exists.
+  /// Checks that the component is in the file. Its interface cannot be checked here, because the
+  /// component may not exist yet.
   void CheckComponent(const std::string& process, const std::string& component,
                       const std::string& place) const {
     if (index_.FindComponent(process, component) != nullptr) return;

@@ -16,8 +16,8 @@
 
 namespace tendon {
 
-/// The description of a whole system, as a user writes or saves it: which components run in which
-/// processes and states, and how they are connected. The file is JSON, version 1:
+/// The description of a whole system, which a user writes or saves. It says which components run in
+/// which processes and states, and how they are connected. The file is JSON, version 1:
 ///
 ///     {
 ///       "version": 1,
@@ -32,34 +32,40 @@ namespace tendon {
 ///       "layout": {"robot/arm": [120, 40]}
 ///     }
 ///
-/// A component may also have these keys: "configuration" is for its constructor. "period" is in s;
-/// the class chooses the period, so the value is only compared, never set. "thread" has fields of
-/// ThreadOptions. "runs_after" names a task of the same process; the component runs in its thread
-/// and cycle. "state" is "active" (the default), "suspended", "finished" or "constructed". A
-/// component with "thread" but without "runs_after" runs in a thread of its own; without both, its
-/// class chooses. If "class" is null, the program of the process creates the component itself.
+/// A component may also have these keys:
+/// - "configuration" is the argument for its constructor.
+/// - "period" is in s. The class sets the period, so this value is only compared with it.
+/// - "thread" has fields of ThreadOptions.
+/// - "runs_after" names a task of the same process. The component runs in the thread and in the
+///   cycles of this task.
+/// - "state" is "active" (the default), "suspended", "finished" or "constructed".
+///
+/// A component with "thread" but without "runs_after" has its own thread. Without both keys, its
+/// class decides. If "class" is null, the program of the process creates the component itself.
 ///
 /// A process with "start" is an `lcm` that the GCM starts on its own host: {"restart":
-/// "on-failure"}, or {} for no restarts. With "strict": true, a component is not started without
-/// the connections that it needs; otherwise it runs and waits for them. Each object may have a
-/// "comment". All these keys are optional, and so are "connections" and "layout".
+/// "on-failure"}, or {} for no restarts. With "strict": true, a component is started only if the
+/// connections that it needs are made; otherwise it runs and waits for them. Each object may have a
+/// "comment". All these keys, "connections" and "layout" are optional.
 struct SystemFile {
   /// A component to create.
   struct Component {
     std::string name;
-    std::string class_name;  ///< empty: the program of the process creates it itself
-    /// The name of the plug-in without path. Empty: any plug-in that has the class.
+    std::string class_name;  ///< empty if the program of the process creates it itself
+    /// The name of the plug-in without a path. If empty, any plug-in that has the class is used.
     std::string library;
-    std::string configuration;  ///< JSON, checked by the class; empty: the defaults of the class
+    std::string configuration;  ///< JSON, checked by the class; if empty, the class uses its
+                                ///< defaults
     double period = 0.0;        ///< s; 0 if unknown or not periodic
     std::optional<ThreadOptions> thread{};
     std::string runs_after{};  ///< the component after which this one runs, or empty
-    /// The desired state, one of kDesirable. In a description of a running system, the present
-    /// state, which can be any.
+    /// The desired state, which is one of kDesirable. For a component of a running system, the
+    /// present state, which can be any state.
     ComponentState state = ComponentState::kActive;
     std::string comment{};
 
-    /// Returns true if `thread` or `runs_after` is set, so the thread of the component is known.
+    /// Returns true if the file describes the thread of the component with `thread` or
+    /// `runs_after`.
     [[nodiscard]] bool tells_thread() const { return thread || !runs_after.empty(); }
 
     bool operator==(const Component&) const = default;
@@ -75,11 +81,11 @@ struct SystemFile {
     std::string name;
     std::vector<Component> components;
     std::string comment{};
-    std::optional<Start> start{};  ///< empty: the GCM does not start the process
+    std::optional<Start> start{};  ///< empty if the GCM does not start the process
 
     bool operator==(const Process&) const = default;
   };
-  /// A connection with its two ends, each `process/component/interface`.
+  /// A connection. Both names have the form `process/component/interface`.
   struct Connection {
     InterfaceName required;
     InterfaceName provided;
@@ -121,8 +127,8 @@ struct SystemFile {
 
 /// Reads a system file. Unknown keys and invalid values are errors. The error gives the position:
 /// "demo.json: line 12, column 5: unexpected ','" or "demo.json: line 7, column 20:
-/// processes[0].components[1].class: expected string, got number". Fails with kNotFound for a
-/// missing file, otherwise with kInvalid.
+/// processes[0].components[1].class: expected string, got number". The code is kNotFound for a
+/// missing file, otherwise kInvalid.
 Result<SystemFile> ReadSystemFile(const std::filesystem::path& path);
 
 /// Returns the content of the file, which must be a regular file. Reads at most one byte more than
@@ -132,9 +138,8 @@ Result<std::string> ReadSystemText(const std::filesystem::path& path);
 /// Parses the text of a system file. Error messages begin with `source`.
 Result<SystemFile> ParseSystemFile(std::string_view text, const std::string& source);
 
-/// Returns the text of a file from which `system` can be read again. The state of a faulted
-/// component is written as active. Fails with kInvalid if a configuration is not JSON or is too
-/// long.
+/// Returns a text from which `system` can be read again. The state of a faulted component is
+/// written as active. Fails with kInvalid if a configuration is not JSON or is too long.
 Result<std::string> SystemFileText(const SystemFile& system);
 
 /// Writes the file. An existing file is replaced completely or not at all; see

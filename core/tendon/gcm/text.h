@@ -16,14 +16,15 @@
 
 namespace tendon {
 
-/// Returns what a request to a GCM is about, for the audit log: "start robot/arm". The body is
-/// untrusted and may be malformed. Empty for other types of requests and for malformed bodies.
+/// Returns the object that a request to a GCM concerns, for the audit log: "start robot/arm".
+/// Returns an empty text for other types of requests. The body is untrusted; a malformed body also
+/// gives an empty text.
 [[nodiscard]] std::string AuditObject(MessageType type, std::span<const std::byte> body);
 
 /// The largest age of a health report that is shown as current. Members report every second.
 inline constexpr std::chrono::seconds kFreshHealth(3);
 
-/// Returns the last health report of a process, of any age; null if there is none.
+/// Returns the last health report of a process, of any age; null if it has never reported.
 [[nodiscard]] const message::ProcessHealth* LastHealth(const message::SystemHealth& health,
                                                        const ProcessDescription& process);
 
@@ -63,7 +64,8 @@ struct OutdatedPlugin {
 [[nodiscard]] std::optional<OutdatedPlugin> FindOutdatedPlugin(const std::string& process,
                                                                const PluginDescription& plugin);
 
-/// Finding and remedy in one sentence: "FINDING: REMEDY". Empty if the file is unchanged.
+/// Returns finding and remedy as one text: "FINDING: REMEDY". Returns an empty text if the file is
+/// unchanged.
 [[nodiscard]] std::string OutdatedPluginText(const std::string& process,
                                              const PluginDescription& plugin);
 
@@ -75,13 +77,14 @@ struct OutdatedPlugin {
 /// other steps.
 [[nodiscard]] std::string ChangesText(const message::HistoryEntry& step);
 
-/// IsLifecycleStep() is true for a step of the lifecycle of a component or of a process that the
-/// GCM has started. IsProcessStep() is true only for the latter.
+/// IsLifecycleStep() returns true for a step that changes the lifecycle of a component, or a
+/// process that the GCM has started. IsProcessStep() returns true only for a step that changes a
+/// process.
 [[nodiscard]] bool IsLifecycleStep(const message::HistoryEntry& step);
 [[nodiscard]] bool IsProcessStep(const message::HistoryEntry& step);
 
 /// Returns the process that executed the step and would undo it. If the step started a process,
-/// returns the started process.
+/// returns this process.
 [[nodiscard]] const std::string& ProcessOf(const message::HistoryEntry& step);
 
 /// Returns a version as text: "version 0.4.0, protocol 10".
@@ -92,8 +95,8 @@ struct VersionReport {
   std::string text;  ///< "version 0.3.0, protocol 10, but this program has another version"
   bool is_own = false;
 };
-/// Compares the version that a program has reported with `own`. If the program reported none, the
-/// text says so.
+/// Compares the version that a program has reported with `own`. If the program has reported no
+/// version, the text says this.
 [[nodiscard]] VersionReport CompareVersion(const Result<message::ProgramVersion>& told,
                                            const message::ProgramVersion& own);
 
@@ -104,7 +107,7 @@ struct VersionReport {
 /// Returns a time as text, in local time: "2025-11-21 15:40:03".
 [[nodiscard]] std::string WallTimeText(std::int64_t nanoseconds);
 
-/// The same with milliseconds: "2025-11-21 15:40:03.250".
+/// Like WallTimeText(), but with milliseconds: "2025-11-21 15:40:03.250".
 [[nodiscard]] std::string FineWallTimeText(std::int64_t nanoseconds);
 
 }  // namespace tendon

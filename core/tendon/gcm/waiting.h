@@ -8,12 +8,14 @@
 
 namespace tendon {
 
-/// Returns the required interfaces that a running component needs and that are not connected. Empty
-/// if the component does not run or its process is absent. All programs use this function.
+/// Returns the required interfaces that a running component needs and that are not connected.
+/// Returns an empty list if the component does not run or its process is absent. All programs use
+/// this function.
 [[nodiscard]] std::vector<UnsatisfiedInterface> WaitsOf(const ProcessEntry& process,
                                                         const ComponentDescription& component);
 
-/// The same, with a function `find` that finds a connection faster than the search in `process`.
+/// Like the function above, but with a function `find` that finds a connection faster than a search
+/// in `process`.
 [[nodiscard]] std::vector<UnsatisfiedInterface> WaitsOf(const ProcessEntry& process,
                                                         const ComponentDescription& component,
                                                         const FindConnection& find);

@@ -52,13 +52,13 @@ class BoundedReader {
   std::span<const std::byte> rest_;
 };
 
-/// Reads the parameters of an operation with one sequence of bytes or one string, and returns its
-/// content. Returns no value if `encapsulation` is malformed or contains anything else.
+/// Reads the parameters of an operation that has only one sequence of bytes or one string, and
+/// returns the content. Returns no value if `encapsulation` is malformed or has other content.
 std::optional<std::span<const std::byte>> ReadOnlyParameter(
     std::span<const std::byte> encapsulation);
 
-/// Writes one sequence of bytes as the only parameter, so that ReadOnlyParameter() can read it.
-/// Replaces the content of `encapsulation` and keeps its capacity.
+/// Writes one sequence of bytes as the only parameter, for ReadOnlyParameter(). Replaces the
+/// content of `encapsulation` and keeps its capacity.
 void WriteOnlyParameter(std::span<const std::byte> parameter, Bytes& encapsulation);
 
 }  // namespace tendon::ice

@@ -16,8 +16,9 @@
 namespace tendon::ice {
 namespace {
 
-/// The settings that are the same with and without TLS. If a subscriber does not read, its queue is
-/// limited and further messages are dropped. If it reads nothing for 10 s, it is removed.
+/// The settings that are the same with and without TLS. If a subscriber does not read, further
+/// messages are dropped when its queue is full. A subscriber that reads nothing for 10 s is
+/// removed.
 constexpr const char* kLimits = R"(
 IceBox.InheritProperties=1
 IceBox.Service.IceStorm=IceStormService,37:createIceStorm

@@ -10,9 +10,9 @@
 namespace tendon::ice {
 
 /// Connects to a broker and checks that it is trusted: with TLS, by its certificate; without TLS,
-/// by the user who owns the socket. The returned proxies use only the checked connection, so
-/// another process that takes the port later receives no messages. The functions block and throw
-/// exceptions of Ice. Thread-safe.
+/// by the user who owns the socket. The returned proxies use only the checked connection.
+/// Therefore, another process that takes the port later receives no messages. The functions block
+/// and throw exceptions of Ice. Thread-safe.
 class BrokerConnection {
  public:
   BrokerConnection(std::shared_ptr<Ice::Communicator> communicator, bool is_certified)

@@ -16,9 +16,9 @@
 namespace tendon::ice {
 namespace {
 
-/// Passes the messages of a topic to a handler. Without TLS, other processes cannot send messages
-/// to it, because its name is a random number that only the broker knows. With TLS, it accepts only
-/// messages from the broker.
+/// Passes the messages of a topic to a handler. Without TLS, only the broker can send messages to
+/// this servant, because its name is a random number that only the broker knows. With TLS, the
+/// servant accepts only messages from the broker.
 class SubscriberServant final : public Ice::BlobjectArray {
  public:
   SubscriberServant(Broadcast::MessageHandler handler, bool is_certified)
@@ -42,8 +42,8 @@ class SubscriberServant final : public Ice::BlobjectArray {
   }
 
  private:
-  /// Returns true if the connection comes from the broker. Remembers the last good connection, so
-  /// that it is checked only once.
+  /// Returns true if the connection comes from the broker. Stores the last good connection, so that
+  /// each connection is checked only once.
   bool IsOfBroker(const std::shared_ptr<Ice::Connection>& connection) {
     if (connection == good_.lock()) return true;
     const auto certificate = CertificateOf(*connection);

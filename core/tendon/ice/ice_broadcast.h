@@ -12,9 +12,9 @@
 
 namespace tendon::ice {
 
-/// Multicast through IceStorm. Uses generated code of Ice for the calls to the broker, because the
-/// broker is trusted (see BrokerConnection). The messages of a topic are untrusted, so they are
-/// read with BoundedReader.
+/// Multicast through IceStorm. The calls to the broker use generated code of Ice, because the
+/// broker is trusted (see BrokerConnection). The messages of a topic are untrusted, so
+/// BoundedReader reads them.
 class IceBroadcast final : public Broadcast {
  public:
   IceBroadcast(std::shared_ptr<Ice::Communicator> communicator, bool is_certified);
@@ -26,8 +26,8 @@ class IceBroadcast final : public Broadcast {
                                                   std::chrono::milliseconds timeout) override;
 
  private:
-  /// Returns the adapter that receives messages from the broker. It has the address of this machine
-  /// on the route to the broker, and any port.
+  /// Returns the adapter that receives messages from the broker. The adapter has a free port, and
+  /// the address of this machine on the route to the broker.
   std::shared_ptr<Ice::ObjectAdapter> AdapterAt(const std::string& host);
 
   const std::shared_ptr<Ice::Communicator> communicator_;

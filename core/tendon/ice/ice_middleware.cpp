@@ -76,8 +76,8 @@ Error WhyNotListening(const HostPort& place) {
   }
 }
 
-/// The error for a link that was not opened in time. `tls` is null without TLS, also in the
-/// functions below.
+/// Returns the error for a link that was not opened in time. Here and in the functions below, `tls`
+/// is null without TLS.
 Error TimedOut(const HostPort& place, std::chrono::milliseconds timeout, const Tls* tls) {
   return {
       ErrorCode::kTimeout,
@@ -144,8 +144,8 @@ class IceMiddleware final : public Middleware {
   [[nodiscard]] const Certificate* certificate() const override {
     return tls_ ? &tls_->certificate() : nullptr;
   }
-  /// Null if the certificate belongs to a person: with TLS, only the certificate of a process can
-  /// be used, because the broker connects to each subscriber.
+  /// Returns null if the certificate belongs to a person. With TLS, the broker connects to each
+  /// subscriber, so only the certificate of a process can be used.
   [[nodiscard]] Broadcast* broadcast() override {
     return tls_ && tls_->certificate().holder == Holder::kPerson ? nullptr : &broadcast_;
   }
@@ -214,7 +214,8 @@ class IceMiddleware final : public Middleware {
     return ++last_number_;
   }
 
-  /// Returns a new connection or the reason why there is none; empty if `deadline` passes first.
+  /// Returns a new connection, or the reason why there is no connection. Returns no value if
+  /// `deadline` passes first.
   std::optional<Connected> Connect(const HostPort& place, SteadyTime deadline) {
     const auto proxy =
         communicator_->stringToProxy("tendon:" + EndpointAt(place))

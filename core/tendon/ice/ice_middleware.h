@@ -10,12 +10,12 @@ namespace tendon {
 
 /// Makes a middleware that sends frames as invocations of ZeroC Ice (see tendon.ice). The
 /// invocations are oneway, except for Delivery::kDirect. Both directions use the connection that
-/// the opener has made. The middleware has a communicator of its own with fixed settings, so
-/// ICE_CONFIG is ignored. `exposure` says whether addresses of other machines are allowed; if they
-/// are, a warning is logged. The process ignores SIGPIPE afterwards.
+/// the opener has made. The middleware has its own communicator with fixed settings, so ICE_CONFIG
+/// is ignored. `exposure` says whether addresses of other machines are allowed; if so, a warning is
+/// logged. From now on, the process ignores SIGPIPE.
 std::unique_ptr<Middleware> MakeIceMiddleware(Exposure exposure);
 
-/// Makes such a middleware with TLS, for this machine and others. Accepts only peers with a
+/// Makes an Ice middleware with TLS, for this machine and others. Accepts only peers with a
 /// certificate of the same CA. Reads the list of revoked certificates again for each link. Fails
 /// with kDenied, kNotFound or kInvalid if the certificate in `credentials` is not valid.
 Result<std::unique_ptr<Middleware>> MakeIceMiddleware(const Credentials& credentials);

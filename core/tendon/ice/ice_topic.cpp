@@ -113,8 +113,7 @@ class TopicPublisher final : public std::enable_shared_from_this<TopicPublisher>
     complaint_.clear();
   }
 
-  /// Stores the topic. Returns false if End() was called meanwhile; then the caller must destroy
-  /// the topic.
+  /// Stores the topic. Returns false after End(); then the caller must destroy the topic.
   bool Keep(const std::shared_ptr<IceStorm::TopicPrx>& topic) {
     const std::scoped_lock lock(mutex_);
     if (!has_ended_) topic_ = topic;
@@ -131,13 +130,13 @@ class TopicPublisher final : public std::enable_shared_from_this<TopicPublisher>
     publisher_ = nullptr;
   }
 
-  /// Called when `publisher` has failed. Does nothing if `publisher` is not the present one.
+  /// Called when `publisher` has failed. Does nothing if the topic now has another publisher.
   void Lose(const std::shared_ptr<Ice::ObjectPrx>& publisher) {
     const std::scoped_lock lock(mutex_);
     if (publisher_ == publisher) publisher_ = nullptr;
   }
 
-  /// Logs the reason, unless it is the same as the last one.
+  /// Logs the reason, unless the last logged reason was the same.
   void LogOnce(const std::string& reason) {
     if (std::exchange(complaint_, reason) != reason) Log(LogLevel::kWarning, "broker", reason);
   }

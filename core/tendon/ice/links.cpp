@@ -27,8 +27,8 @@ SocketAddresses AddressesIfOpen(const Ice::Connection& connection) {
   return {};
 }
 
-/// Returns the text of the exception that the peer threw while it answered; empty if the link broke
-/// or is being closed.
+/// Returns the text of the exception that the peer threw while it answered. Returns an empty text
+/// if the link broke or is being closed.
 std::string FailureOfPeer(const Ice::Exception& why) {
   if (const auto* unknown = dynamic_cast<const Ice::UnknownException*>(&why)) {
     return unknown->unknown;
@@ -50,7 +50,7 @@ Bytes RefusalOf(const FrameHeader& request, const std::string& peer, const std::
 }
 
 /// Called before a link is closed. Returns true if sent data is being retransmitted without
-/// acknowledgement; closing the socket then resets the connection.
+/// acknowledgement. Then closing the socket resets the connection.
 bool IsUnacknowledged(const std::string& local, const std::string& peer) {
   const auto here = ParseAddress(local, 1);
   const auto there = ParseAddress(peer, 1);
@@ -91,9 +91,9 @@ IceLink::IceLink(std::shared_ptr<Ice::Connection> connection, std::uint64_t list
       local_(AddressesIfOpen(*connection_).local),
       certificate_(CertificateOf(*connection_)) {}
 
-/// A frame with Delivery::kDirect is sent as a two-way call of Ice, which can return an immediate
+/// Sends a frame with Delivery::kDirect as a two-way call of Ice, which can return an immediate
 /// answer without a second message. The call is asynchronous, so no thread waits for the answer.
-/// The acceptor always queues its frames, because no caller waits for its requests.
+/// The acceptor queues all its frames, because its requests have no waiting callers.
 Status IceLink::Send(std::span<const std::byte> frame, Delivery delivery) {
   const auto header = ReadWholeFrame(frame, kMaxPieceSize);
   if (!header) return Status::kInvalid;
@@ -190,7 +190,7 @@ void IceLink::CheckAdmission() {
 }
 
 /// Sends a marker, which the peer ignores. When Ice reports that the marker was sent, all earlier
-/// replies were sent too.
+/// replies have been sent, too.
 void IceLink::SendMarker() {
   if (is_marker_on_way_.Get()) return;
   is_marker_on_way_.Set(true);
@@ -244,7 +244,7 @@ bool IceLink::Forward(std::span<const std::byte> frame, std::size_t most,
 void IceLink::OnGone() {
   StartClosing({ErrorCode::kUnreachable, peer_ + " closed the connection"});
   pending_calls_.Release();
-  const std::scoped_lock delivery(delivery_);  // after the last frame
+  const std::scoped_lock delivery(delivery_);  // waits until the last frame is delivered
   if (const auto handler = std::exchange(handler_, nullptr)) handler->OnClosed(*reason_);
 }
 

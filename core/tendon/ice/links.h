@@ -26,10 +26,10 @@ struct SocketAddresses {
   std::string peer = "unknown";
 };
 
-/// One end of an Ice connection. Callbacks of Ice hold it only by shared pointers.
+/// One end of an Ice connection. Callbacks of Ice hold this object only by shared pointers.
 class IceLink final : public Link, public std::enable_shared_from_this<IceLink> {
  public:
-  /// `listener` identifies the listener that accepted the link; 0 if the link was opened here.
+  /// `listener` identifies the listener that accepted the link; 0 if this process opened the link.
   IceLink(std::shared_ptr<Ice::Connection> connection, std::uint64_t listener);
 
   Status Send(std::span<const std::byte> frame, Delivery delivery) override;
@@ -45,14 +45,15 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   void SetHandler(std::shared_ptr<LinkHandler> handler);
   /// Delivers one frame to the handler. Returns false if the peer may not send this frame.
   bool Deliver(std::span<const std::byte> frame);
-  /// Like Deliver(), but for a frame with Delivery::kDirect: an immediate or deferred reply may be
-  /// sent as the response of the Ice call. Ice queues any number of such replies and does not
-  /// report when they were sent. Therefore, if 2 MiB of them may be unsent, a marker is sent after
-  /// them, whose sending is reported. If 4 MiB may be unsent, replies are sent with Send(), which
-  /// limits the unsent bytes.
+  /// Like Deliver(), but for a frame with Delivery::kDirect. An immediate or deferred reply may be
+  /// sent as the response of the Ice call.
+  ///
+  /// Ice queues any number of these replies and does not report when they were sent. If 2 MiB of
+  /// them may be unsent, a marker is sent after them, because Ice reports when the marker was sent.
+  /// If 4 MiB may be unsent, further replies are sent with Send(), which limits the unsent bytes.
   bool DeliverAsked(std::span<const std::byte> frame, ReplySlot& answer);
-  /// Returns true if fewer than 4 MiB of such replies may be unsent, so a reply may be sent as the
-  /// response of its call.
+  /// Returns true if a reply may be sent as the response of its call: fewer than 4 MiB of these
+  /// replies may be unsent.
   [[nodiscard]] bool MayReturn() const { return OnWay() < kMostReturned; }
   /// Counts a reply of `size` bytes that was sent as the response of its call.
   void CountReturned(std::size_t size) { returned_.Add(size); }
@@ -66,17 +67,18 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   void CheckAdmission();
 
   // The next three functions are called with the outcome of a message. `size` is the number of
-  // bytes that the link counts as unsent for this message; it is set to 0.
+  // bytes that the link counts as unsent for this message. The functions set it to 0.
 
-  /// Called when the message was sent. Then all replies before it were sent too, which are the
-  /// first `returned_before` bytes of CountReturned().
+  /// Called when the message was sent. Then all earlier replies were sent, too: the first
+  /// `returned_before` bytes of CountReturned().
   void OnSent(std::size_t& size, std::uint64_t returned_before);
-  /// Called when the message could not be sent or has no answer. If this is because the peer has
-  /// thrown an exception, delivers a refusal of `request`.
+  /// Called when the message could not be sent or has no answer. If the peer has thrown an
+  /// exception, delivers a refusal of `request`.
   void OnFailed(std::size_t& size, const std::optional<FrameHeader>& request,
                 const Ice::Exception& why);
   /// Called when the message was answered. `answer` is one parameter, which is a frame or empty.
-  /// The bytes are valid as long as `owner` is held; if it is null, only during the call.
+  /// Its bytes are valid as long as `owner` is held. If `owner` is null, they are valid only during
+  /// the call.
   void OnAnswer(std::size_t& size, std::span<const std::byte> answer,
                 std::shared_ptr<const void> owner);
 
@@ -113,12 +115,12 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
 
   std::mutex mutex_;
   std::optional<Error> reason_;  // why the link is closed or is being closed
-  std::size_t unsent_ = 0;       // bytes; small requests are counted until they are answered
+  std::size_t unsent_ = 0;       // in bytes; small requests count until they are answered
 
   /// The largest size of a frame that the peer may send; 0 after the link was closed.
   Published<std::size_t> limit_{kMaxUnauthenticatedFrameSize};
   SharedCounter<> returned_;            // bytes of all returned replies
-  Published<std::uint64_t> confirmed_;  // bytes of these that are certainly sent
+  Published<std::uint64_t> confirmed_;  // the part of these bytes that is certainly sent
   Flag is_marker_on_way_;
   PendingCalls pending_calls_;
 };
@@ -135,8 +137,8 @@ class Links {
   /// Calls PendingCalls::ReleaseOld() of all links.
   void ReleaseOldCalls(SteadyTime now);
 
-  /// Closes the links that `listener` has accepted; with 0, closes all links, also those that are
-  /// added later. Before it returns, OnClosed() was called for all their handlers.
+  /// Closes the links that `listener` has accepted. With 0, closes all links, also links that are
+  /// added later. All calls of OnClosed() have returned before this function returns.
   void CloseAll(std::uint64_t listener);
 
  private:
@@ -146,13 +148,13 @@ class Links {
   std::map<Ice::Connection*, std::shared_ptr<IceLink>> links_;
 };
 
-/// Returns the IP addresses in the information about a connection; null if there are none.
+/// Returns the IP addresses in the information about a connection; null if it contains none.
 std::shared_ptr<Ice::IPConnectionInfo> AddressIn(std::shared_ptr<Ice::ConnectionInfo> info);
 SocketAddresses AddressesOf(const Ice::IPConnectionInfo& address);
 
-/// Sets options of a connection's socket with os::AdoptSocket(): child processes do not inherit the
-/// socket, because they would keep its port in use, and the kernel does not delay its data. The
-/// cost grows with the number of sockets of the process.
+/// Sets options of a connection's socket with os::AdoptSocket(). Child processes then do not
+/// inherit the socket, which would keep its port in use. The kernel does not delay the socket's
+/// data. The cost grows with the number of sockets of the process.
 void AdoptSocket(const Ice::Connection& connection);
 
 /// Returns the identity of an Endpoint, which is the same at both ends.

@@ -43,7 +43,7 @@ void OutgoingMessage::handleInvokeResponse(bool /*ok*/, OutgoingAsyncBase* self)
     try {
       owner = std::make_shared<IceInternal::Buffer>();
       owner->swapBuffer(in);           // does not move the bytes
-    } catch (const std::bad_alloc&) {  // then the answer is copied instead
+    } catch (const std::bad_alloc&) {  // the answer is copied instead
       owner.reset();
     }
   }

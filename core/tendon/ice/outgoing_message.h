@@ -18,7 +18,7 @@ namespace tendon::ice {
 /// Reports its outcome to the link once. Must be created with std::make_shared().
 class OutgoingMessage final : public IceInternal::OutgoingAsync {
  public:
-  /// The values that the link needs back when the message was sent.
+  /// The values that the link needs when Ice has sent the message.
   struct SendAccounting {
     std::size_t size = 0;  ///< bytes that the link counts as unsent for this message
     std::uint64_t returned_before = 0;
@@ -38,8 +38,8 @@ class OutgoingMessage final : public IceInternal::OutgoingAsync {
   void Send(const std::string& operation, std::span<const std::byte> bytes);
 
  private:
-  // Called by Ice. The results of the first three functions decide whether Ice calls the last
-  // three.
+  // Called by Ice. The results of the first three functions decide whether Ice calls the last three
+  // functions.
   bool handleSent(bool is_done, bool was_sent) override {
     return !was_sent && (is_done || accounting_.size >= kLarge);
   }
@@ -49,7 +49,7 @@ class OutgoingMessage final : public IceInternal::OutgoingAsync {
   void handleInvokeException(const Ice::Exception& why, OutgoingAsyncBase* self) const override;
   void handleInvokeResponse(bool ok, OutgoingAsyncBase* self) const override;
 
-  /// A request of at least this size is no longer counted as unsent when it was sent, because its
+  /// A request of at least this size is no longer counted as unsent after it was sent, because its
   /// answer may take long. A smaller request is counted until it is answered.
   static constexpr std::size_t kLarge = std::size_t{16} << 10U;
 

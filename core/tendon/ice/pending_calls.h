@@ -11,24 +11,24 @@
 
 namespace tendon::ice {
 
-/// The calls of one peer that Ice has dispatched and that have no reply yet. While there is such a
-/// call, Ice does not close the connection when it is idle, does not complete a graceful close, and
-/// cannot end the adapter. Thread-safe.
+/// The calls of one peer that Ice has dispatched and that have no reply yet. Such a call prevents
+/// Ice from closing an idle connection, from completing a graceful close, and from ending the
+/// adapter. Thread-safe.
 class PendingCalls {
  public:
   using Call = std::shared_ptr<IceInternal::IncomingAsync>;
-  /// If a call takes longer, Ice's call is answered with an empty reply, and the reply frame is
-  /// sent later in a separate message.
+  /// A call that takes longer is answered with an empty reply of Ice. Then the reply frame is sent
+  /// later in a separate message.
   static constexpr std::chrono::milliseconds kOpenAtMost{500};
 
-  /// Adds a call. If Release() was called before or memory is exhausted, answers the call with an
-  /// empty reply instead.
+  /// Adds a call. After Release(), or if memory is exhausted, answers the call with an empty reply
+  /// instead.
   void Add(const Call& call) noexcept;
   /// Returns true if the caller now owns the reply; at most one caller gets true.
   [[nodiscard]] bool Take(const Call& call);
   /// Answers calls that are older than kOpenAtMost with an empty reply. Called regularly.
   void ReleaseOld(SteadyTime now) noexcept;
-  /// Answers all calls, also those that are added later, with an empty reply.
+  /// Answers all calls with an empty reply, also calls that are added later.
   void Release() noexcept;
 
  private:
@@ -37,7 +37,7 @@ class PendingCalls {
   std::map<Call, SteadyTime> calls_;  // open calls, with the times when they were added
 };
 
-/// Answers a call with an empty reply. The reply frame is sent separately or not at all.
+/// Answers a call with an empty reply. The reply frame is sent in a separate message or not at all.
 void AnswerWithNothing(IceInternal::IncomingAsync& call) noexcept;
 /// Answers a call with a failure, because its reply frame was begun but not completed.
 void AnswerWithFailure(IceInternal::IncomingAsync& call) noexcept;

@@ -13,10 +13,10 @@
 
 namespace tendon::ice {
 
-/// Closes accepted connections that are not admitted after kPatience. This is necessary because the
-/// timeout of Ice closes only a silent connection, not one that sends a byte from time to time. As
-/// an observer of Ice, this object is notified of every new connection; it checks each connection
-/// later in the thread of Ice's timer. Thread-safe.
+/// Closes accepted connections that are not admitted after kPatience. The timeout of Ice does not
+/// do this: it closes only a silent connection, not one that sends a byte from time to time. As an
+/// observer of Ice, this object is notified of every new connection. It checks each connection
+/// later, in the thread of Ice's timer. Thread-safe.
 class PendingHandshakes final : public Ice::Instrumentation::CommunicatorObserver {
  public:
   static constexpr std::chrono::seconds kPatience{3};
@@ -25,8 +25,8 @@ class PendingHandshakes final : public Ice::Instrumentation::CommunicatorObserve
 
   explicit PendingHandshakes(std::shared_ptr<Links> links) : links_(std::move(links)) {}
 
-  /// Begins to check the connections of a communicator, which must have been created with this
-  /// observer.
+  /// Begins to check the connections of a communicator. The communicator must have been created
+  /// with this observer.
   void Watch(const std::shared_ptr<Ice::Communicator>& communicator);
 
  private:

@@ -40,8 +40,8 @@ void PendingTlsHandshakes::OnInfo(const SSL* link, int what, int /*value*/) {
   }
 }
 
-/// Removes the handshake. Called before the socket is closed, so the socket number cannot be in use
-/// by another connection yet.
+/// Removes the handshake. Called before the socket is closed, so no other connection can have the
+/// same socket number yet.
 void PendingTlsHandshakes::OnFreed(void* parent, void* /*own*/, CRYPTO_EX_DATA* /*data*/,
                                    int /*index*/, long /*argument*/, void* /*pointer*/) {
   const SSL& link = *static_cast<const SSL*>(parent);

@@ -10,15 +10,15 @@
 namespace tendon::ice {
 
 /// The unfinished TLS handshakes of accepted connections. The timeout of Ice ends only a silent
-/// handshake, not one in which the peer sends a byte from time to time. Therefore, if a handshake
-/// begins while kMany are unfinished, those older than kPatience are ended, so that they do not use
-/// up the sockets. Thread-safe; called by OpenSSL.
+/// handshake, not one in which the peer sends a byte from time to time. Therefore, when a handshake
+/// begins while kMany are unfinished, this class ends the handshakes that are older than kPatience,
+/// so that they do not use up the sockets. Thread-safe; called by OpenSSL.
 class PendingTlsHandshakes {
  public:
   static constexpr std::chrono::seconds kPatience{3};
   static constexpr std::size_t kMany = 32;
 
-  /// Begins to watch the handshakes of `context`. This object must outlive them.
+  /// Begins to watch the handshakes of `context`. This object must outlive the handshakes.
   void Watch(SSL_CTX& context);
 
  private:

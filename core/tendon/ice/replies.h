@@ -11,8 +11,7 @@
 
 namespace tendon::ice {
 
-/// A slot for a reply frame that is sent as the response to the call that Ice is dispatching at
-/// present.
+/// A slot for a reply frame that is sent as the response to the call that Ice is dispatching now.
 class ImmediateReply final : public ReplySlot {
  public:
   ImmediateReply(IceLink& link, IceInternal::Incoming& incoming)
@@ -38,8 +37,8 @@ class DeferredReply final : public ReplySlot {
   DeferredReply& operator=(const DeferredReply&) = delete;
   ~DeferredReply() override;
 
-  /// From now on, this object is responsible for the reply to `call`, which may become an empty
-  /// reply. Must be called once.
+  /// Makes this object responsible for the reply to `call`, which may become an empty reply. Must
+  /// be called once.
   void Take(PendingCalls::Call call) noexcept;
 
  private:

@@ -72,8 +72,8 @@ bool EndpointServant::Dispatch(std::span<const std::byte> parameters, const Ice:
   if (!link) {
     throw Ice::ObjectNotExistException("tendon", 0, current.id, current.facet, current.operation);
   }
-  // Contexts are not used, and Ice keeps a context in memory as long as the call is open. Therefore
-  // a peer must not send one.
+  // Contexts are not used, and Ice keeps a context in memory while the call is open. Therefore, a
+  // peer must not send a context.
   if (!current.ctx.empty()) CutOff(*link, "it sends a context with '" + current.operation + "'");
   if (current.operation == "ice_ping") return Write(kNothing, incoming);
   const bool is_frame = current.operation == "frame";

@@ -21,7 +21,7 @@ class EndpointServant : public Ice::Object {
   bool _iceDispatch(IceInternal::Incoming& incoming, const Ice::Current& current) override;
 
  protected:
-  /// Returns the link of a connection; null if there is none.
+  /// Returns the link of a connection; null if it has no link.
   virtual std::shared_ptr<IceLink> LinkOf(const std::shared_ptr<Ice::Connection>& connection);
 
   [[nodiscard]] const std::shared_ptr<Links>& links() const { return links_; }
@@ -39,8 +39,8 @@ class AcceptingServant final : public EndpointServant {
   AcceptingServant(std::shared_ptr<Links> links, AcceptLink accept, std::uint64_t listener)
       : EndpointServant(std::move(links)), accept_(std::move(accept)), listener_(listener) {}
 
-  /// Closes the accepted links and accepts no more. Before it returns, OnClosed() was called for
-  /// all their handlers.
+  /// Closes the accepted links and accepts no more links. All calls of OnClosed() have returned
+  /// before this function returns.
   void Stop();
 
  private:

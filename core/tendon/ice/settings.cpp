@@ -80,22 +80,23 @@ Ice::InitializationData Settings() {
   set("Ice.MessageSizeMax", KibibytesFor(kMaxReturned));
   set("Ice.RetryIntervals", "-1");
   set("Ice.Default.CollocationOptimized", "0");
-  // A connection on which no data can be sent for this time (ms) counts as lost.
+  // A connection counts as lost if no data can be sent on it for this time (ms).
   set("Ice.Override.Timeout", "3000");
   set("Ice.Override.ConnectTimeout", "3000");
   set("Ice.Override.CloseTimeout", "750");
-  // Clients send heartbeats, and servers close a silent connection 2 to 4 s after its peer
-  // disappeared. Servers do not send heartbeats: if an end sent heartbeats itself, it would not
-  // notice that it receives nothing. Therefore the opener must ping the peer, as WatchOver() does.
+  // Clients send heartbeats, and servers close a silent connection 2 to 4 s after its peer has
+  // disappeared. Servers do not send heartbeats, because an end that sends heartbeats does not
+  // notice that it receives nothing. Therefore, the opener must ping the peer, as MonitorPeer()
+  // does.
   set("Ice.ACM.Timeout", "1");
   set("Ice.ACM.Client.Heartbeat", "3");  // always
   set("Ice.ACM.Client.Close", "0");
   set("Ice.ACM.Server.Heartbeat", "0");
   set("Ice.ACM.Server.Close", "1");  // when idle, but not while a call is open; see PendingCalls
-  // One thread serves all opened connections, and one thread all accepted ones. If the pool could
-  // grow, Ice would wake another thread for each message, which then waits for the next message;
-  // this costs 4 futex and 2 epoll calls. More threads are not needed, because long calls are
-  // executed by WorkerPool. One thread also keeps the order of frames on each connection.
+  // One thread serves all opened connections, and one thread serves all accepted connections. One
+  // thread also keeps the order of frames on each connection. If the pool could grow, Ice would
+  // wake another thread for each message, only to wait for the next message; this costs 4 futex and
+  // 2 epoll calls. More threads are not needed, because WorkerPool executes long calls.
   set("Ice.ThreadPool.Server.Size", "1");
   set("Ice.ThreadPool.Server.SizeMax", "1");
   set("Ice.ThreadPool.Client.Size", "1");

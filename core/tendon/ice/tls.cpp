@@ -14,7 +14,7 @@
 namespace tendon::ice {
 namespace {
 
-/// Returns the certificate of the peer as PEM text; empty if there is none.
+/// Returns the certificate of the peer as PEM text; empty without a certificate.
 std::string ShownBy(const IceSSL::ConnectionInfo& info) {
   return info.certs.empty() ? std::string() : info.certs.front()->encode();
 }
@@ -52,8 +52,8 @@ int ShowOwnOf(SSL* link, void* tls) {
 }  // namespace
 
 Result<std::shared_ptr<Tls>> Tls::Make(Credentials credentials) {
-  // Uses absolute paths, because the files are read again later, and the working directory may be
-  // another one then.
+  // Uses absolute paths, because the files are read again later, when the program may have another
+  // working directory.
   credentials = {.certificate = std::filesystem::absolute(credentials.certificate),
                  .authority = std::filesystem::absolute(credentials.authority)};
   auto own = openssl::LocalCertificate::Read(credentials);

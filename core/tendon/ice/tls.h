@@ -28,8 +28,8 @@ class Tls : public std::enable_shared_from_this<Tls> {
 
  public:
   /// Reads the certificate and key of this program. Fails with kDenied, kNotFound or kInvalid if
-  /// one of them is not valid. Logs a warning if the certificate expires soon. If the certificate
-  /// is renewed later, the new one is used for the next link.
+  /// one of them is not valid. Logs a warning if the certificate expires soon. A renewed
+  /// certificate is used for the next link.
   static Result<std::shared_ptr<Tls>> Make(Credentials credentials);
 
   /// Adds TLS to the settings. Must be called before a communicator is created with them.
@@ -37,8 +37,9 @@ class Tls : public std::enable_shared_from_this<Tls> {
   /// Installs the checks of certificates. Must be called before the first connection is made.
   void CheckPeersOf(const Ice::Communicator& communicator);
 
-  /// The error for a link to `place` that was not opened because of the peer's certificate. Uses
-  /// the reason of this class if it has refused the peer; otherwise `reason`, which comes from Ice.
+  /// Returns the error for a link to `place` that was not opened because of the peer's certificate.
+  /// If this class has refused the peer, uses its own reason. Otherwise uses `reason`, which comes
+  /// from Ice.
   Error NotTrusted(const HostPort& place, const std::string& reason);
   /// The error if the peer closed the connection. Most likely, the peer does not trust the
   /// certificate of this program.
@@ -71,12 +72,12 @@ class Tls : public std::enable_shared_from_this<Tls> {
   PendingTlsHandshakes handshakes_;
   AuditLog audit_;
   std::mutex mutex_;
-  std::optional<RefusedPeer> refused_;  // the last peer that was refused on a link opened here
+  std::optional<RefusedPeer> refused_;  // last refused peer of a link that this process opened
 };
 
 /// Returns the certificate of the peer; empty without TLS. Throws an Ice exception if the
-/// connection is already closed; otherwise a peer with a certificate could be treated as one
-/// without TLS.
+/// connection is already closed, because a missing certificate would then look like a peer without
+/// TLS.
 std::optional<Certificate> CertificateOf(const Ice::Connection& connection);
 
 }  // namespace tendon::ice

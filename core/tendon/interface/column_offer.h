@@ -9,12 +9,12 @@
 
 namespace tendon {
 
-/// A read command that returns the newest cell of a column as it is stored in the table: a CDR
-/// body, which a caller with the column's type converts. kNoSample before the first row, and if the
-/// newest row has no value. `table` must outlive it.
+/// A read command that returns the newest cell of a column as the table stores it: a CDR body,
+/// which a caller with the column's type converts. Returns kNoSample before the first row, or if
+/// the newest row has no value. The table must outlive the offer.
 class ColumnOffer final : public Offer {
  public:
-  /// The output type of `description` is that of the column.
+  /// `description` must have the type of the column as its output type.
   ColumnOffer(MemberDescription description, const StateTable& table, std::size_t column);
 
   [[nodiscard]] bool uses_mailbox() const override { return false; }
@@ -25,8 +25,8 @@ class ColumnOffer final : public Offer {
   const std::size_t column_;
 };
 
-/// Adds one such command per column to `interface`, through which others read the table. `table`
-/// must outlive `interface`.
+/// Adds one such command per column to `interface`, so that other components can read the table.
+/// `table` must outlive `interface`.
 void AddColumnReads(const StateTable& table, ProvidedInterface& interface);
 
 }  // namespace tendon

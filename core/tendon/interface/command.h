@@ -26,10 +26,10 @@ class ArgumentWriter {
   /// Returns the size of the encoded argument, in bytes.
   [[nodiscard]] virtual std::size_t size() const = 0;
   /// Encodes the argument into `place`, which has size() bytes. Returns false if the size of the
-  /// argument has changed meanwhile. May throw whatever the codec throws.
+  /// argument has changed since size() was called. Throws the exceptions of the codec.
   [[nodiscard]] virtual bool WriteTo(std::span<std::byte> place) const = 0;
-  /// Returns the encoded argument. It is in memory of the caller and valid during the call. May
-  /// throw whatever the codec throws.
+  /// Returns the encoded argument. It is in memory of the caller and valid during the call. Throws
+  /// the exceptions of the codec.
   [[nodiscard]] virtual std::span<const std::byte> Encoded() const = 0;
 };
 
@@ -54,37 +54,38 @@ class CommandBase {
   virtual Status ExecuteFrom(const ArgumentWriter& in, AnswerSink& out) {
     return ExecuteEncoded(in.Encoded(), out);
   }
-  /// Like ExecuteEncoded(), but waits for at most `timeout` until the call was executed. Replaces
-  /// the content of `out`, which keeps its capacity.
+  /// Like ExecuteEncoded(), but waits at most `timeout` for the end of the execution. Replaces the
+  /// content of `out`, which keeps its capacity.
   virtual Status WaitEncoded(std::span<const std::byte> /*in*/, std::vector<std::byte>& /*out*/,
                              std::chrono::nanoseconds /*timeout*/) {
     return Status::kUnsupported;
   }
 
-  /// The first of two steps that replace WaitEncoded() for callers that must not block. If it
-  /// returns kQueued, `call` identifies the call until EndEncoded(), and `ended` is notified when
-  /// the server has finished the call or has stopped before. Any other status is final. `ended`
-  /// must outlive the command.
+  /// Starts a call without blocking; together with EndEncoded() it replaces WaitEncoded(). After
+  /// kQueued, `call` identifies the call until EndEncoded(), and `ended` is notified when the
+  /// server has finished the call or has stopped before it. Any other status is final. `ended` must
+  /// outlive the command.
   virtual Status BeginEncoded(std::span<const std::byte> /*in*/, std::vector<std::byte>& /*out*/,
                               Wakeup<>& /*ended*/, std::size_t& /*call*/) {
     return Status::kUnsupported;
   }
   [[nodiscard]] virtual bool HasEnded(std::size_t /*call*/) { return true; }
-  /// Returns the outcome of a call that BeginEncoded() has queued. A call that has not ended is
-  /// abandoned, as if its deadline had passed.
+  /// Returns the outcome of a call that BeginEncoded() has queued. If the call has not ended,
+  /// abandons it, as WaitEncoded() does at its deadline.
   virtual Status EndEncoded(std::size_t /*call*/, std::vector<std::byte>& /*out*/) {
     return Status::kUnsupported;
   }
 
-  /// Returns the age of the value that the last read returned. 0 if every read goes to the server;
-  /// the largest value if no value was read.
+  /// Returns the age of the value that the last read returned. Returns 0 if every read goes to the
+  /// server, and the largest value if no value was read.
   [[nodiscard]] virtual std::chrono::nanoseconds age() const { return {}; }
 
   /// For event handlers. Called with true when the component that raises the event has faulted, and
   /// with false when it is about to restart.
   virtual void SetSourceFaulted(bool /*faulted*/) {}
 
-  /// True if this command may be cast to Command<In, Out>. The fingerprints must already be equal.
+  /// True if this command may be cast to Command<In, Out>. The caller has already checked that the
+  /// fingerprints are equal.
   template <Payload In, Payload Out>
   [[nodiscard]] bool Is() const {
     return in_layout_ == LayoutOf<In>() && out_layout_ == LayoutOf<Out>();
@@ -102,9 +103,9 @@ class Command : public CommandBase {
   Command() : CommandBase(LayoutOf<In>(), LayoutOf<Out>()) {}
 
   virtual Status Execute(const In& in, Out& out) = 0;
-  /// Waits until the call was executed. Returns kTimeout if the call was not executed and will not
-  /// be executed, and kOutcomeUnknown if its execution was started. A command that runs in the
-  /// caller's thread ignores `timeout`.
+  /// Waits until the call is executed. Returns kTimeout if the call was not executed and never will
+  /// be. Returns kOutcomeUnknown if the execution has started. A command that runs in the caller's
+  /// thread ignores `timeout`.
   virtual Status Wait(const In& in, Out& out, std::chrono::nanoseconds /*timeout*/) {
     return Execute(in, out);
   }

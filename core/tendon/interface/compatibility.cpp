@@ -35,7 +35,7 @@ std::string DifferenceWords(Fingerprint needed, Fingerprint offered, const Schem
   return "fields, units or shapes differ";
 }
 
-/// Describes the offered member, in just enough words to show the difference.
+/// Describes the offered member, with only the words that show the difference.
 std::string OfferedWords(const MemberDescription& needed, const MemberDescription& offered,
                          const SchemaLookup& find) {
   if (needed.signature.kind != offered.signature.kind) {

@@ -16,14 +16,14 @@ struct Mismatch {
 
   Kind kind = Kind::kMissing;
   std::string member;
-  std::string text;  ///< "missing write command MoveTo", one clause, for people
+  std::string text;  ///< for people: "missing write command MoveTo"
 };
 
 /// The result of a comparison of a required and a provided interface. LCM, `gcm` and `gcm-gui` all
 /// use this result.
 struct Compatibility {
   int needed = 0;   ///< number of functions and handlers that are not optional
-  int matched = 0;  ///< how many of them the provided interface offers
+  int matched = 0;  ///< number of these that the provided interface offers
   std::vector<Mismatch> mismatches;
 
   [[nodiscard]] bool fits() const { return mismatches.empty(); }
@@ -41,7 +41,8 @@ using SchemaLookup = std::function<std::optional<Schema>(Fingerprint)>;
                                     const ProvidedDescription& provided,
                                     const SchemaLookup& find = FindSchema);
 
-/// The error text of a refused connection: "teleoperation/Robot does not fit arm/Control: ...".
+/// Returns the error text of a refused connection: "teleoperation/Robot does not fit arm/Control:
+/// ...".
 [[nodiscard]] std::string Refusal(const std::string& required, const std::string& provided,
                                   const Compatibility& compatibility);
 

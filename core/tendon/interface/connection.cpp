@@ -22,7 +22,8 @@ void LetDrain(const Mailbox* mailbox, std::chrono::steady_clock::time_point dead
   }
 }
 
-/// Returns the function that would make the calling thread wait for itself; empty if there is none.
+/// Returns the function with which the calling thread would wait for itself; empty if no function
+/// does.
 std::optional<std::string> WaitForItself(const RequiredInterface& required,
                                          const ProvidedInterface& provided) {
   if (required.inbox() == nullptr || required.inbox() != provided.inbox()) return std::nullopt;
@@ -157,15 +158,15 @@ std::size_t Connection::Close(std::chrono::milliseconds patience) {
   if (is_notified_here()) required_.AnnounceNone();
   const auto deadline = std::chrono::steady_clock::now() + patience;
   if (commands_ != nullptr) {
-    // Callers that wait use the binding. Therefore their calls are executed or cancelled before the
-    // binding is destroyed.
+    // A caller that waits uses the binding. Therefore, all calls with waiting callers are executed
+    // or cancelled before the binding is destroyed.
     commands_->Close();
     LetDrain(commands_, deadline);
     commands_->completions().Cancel();
   }
   required_.Withdraw();
   for (const Subscription& one : subscriptions_) one.event->Unsubscribe(*one.handler);
-  LetDrain(commands_, deadline);  // calls that were posted meanwhile
+  LetDrain(commands_, deadline);  // calls that were posted during Close()
   if (events_ != nullptr && !events_->is_held()) LetDrain(events_, deadline);
   const auto last = std::max(deadline, std::chrono::steady_clock::now() + kGrace);
   const std::uint64_t number = commands_ != nullptr ? commands_->number() : 0;

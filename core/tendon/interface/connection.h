@@ -12,11 +12,11 @@
 
 namespace tendon {
 
-/// Connects a required interface to a provided one in the same process. It consists of a mailbox
-/// for calls, a mailbox for events, and the bound commands. The connection lasts from Make() to the
-/// destruction of this object.
+/// Connects a required interface to a provided one in the same process. The connection has a
+/// mailbox for calls, a mailbox for events, and the bound commands. It lasts until this object is
+/// destroyed.
 ///
-/// Used by managers only, one at a time; both components may run meanwhile.
+/// For managers; one thread at a time. Both components may run during all functions.
 class Connection {
  public:
   /// Binds all functions and handlers, or none. Fails with kIncompatible if the interfaces do not
@@ -39,12 +39,13 @@ class Connection {
   ~Connection();
 
   /// Refuses new calls and events, and gives both ends at most `patience` to execute the accepted
-  /// ones. Then callers that still wait get kNotConnected, and all data is freed. If a handler has
-  /// not returned, its data is freed when it returns. Component::OnDisconnected() and
-  /// OnClientGone() run in the components' own threads. If the component of `required` has no
-  /// thread, OnDisconnected() runs in the calling thread, before everything else. Returns the
-  /// number of accepted calls and events that were dropped. Never call it from a thread that
-  /// executes a mailbox of either end.
+  /// ones. After that, callers that still wait get kNotConnected, and all data is freed. If a
+  /// handler has not returned, its data is freed when it returns. Returns the number of accepted
+  /// calls and events that were dropped.
+  ///
+  /// Component::OnDisconnected() and OnClientGone() run in the components' own threads. If the
+  /// component of `required` has no thread, OnDisconnected() runs in the calling thread, before
+  /// everything else. Never call Close() from a thread that executes a mailbox of either end.
   std::size_t Close(std::chrono::milliseconds patience);
 
   /// The time when the connection was made.

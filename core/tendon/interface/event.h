@@ -10,22 +10,22 @@
 namespace tendon {
 
 /// The base class of Event, which authors use. It holds the handlers of an event of any type. One
-/// thread raises the event, or many if the component has no thread of its own. Managers subscribe
-/// handlers at any time.
+/// thread raises the event, or many threads if the component has no thread of its own. Managers
+/// subscribe handlers at any time.
 class EventBase : public MemberCaller {
  public:
   ~EventBase() override;
 
-  /// Adds a handler, which is called from now on, through a converting command if needed. Events
-  /// that do not reach `handler` are also counted in `lost`. `handler` and `lost` must live until
+  /// Adds a handler, which is called from now on, through a converting command if needed. `lost`
+  /// also counts the events that do not reach `handler`. `handler` and `lost` must live until
   /// Unsubscribe() returns.
   void Subscribe(CommandBase& handler, SharedCounter<>* lost = nullptr);
   /// Removes a handler. When this function returns, the handler does not run and is not called
   /// again.
   void Unsubscribe(CommandBase& handler);
 
-  /// Notifies the handlers that the source of the event has faulted, or works again. Called by a
-  /// thread that may raise the event.
+  /// Notifies the handlers that the source of the event has faulted, or that it works again. Called
+  /// by a thread that may raise the event.
   void SetSourceFaulted(bool faulted);
 
   /// Number of times that the event did not reach a handler, summed over all handlers. The reason
@@ -70,14 +70,14 @@ class EventBase : public MemberCaller {
   Flag enabled_{true};
   Gate<List> current_;
   SharedCounter<> lost_;
-  std::mutex mutex_;  // taken by managers only
+  std::mutex mutex_;  // locked only by managers
   std::unique_ptr<List> list_;
 };
 
-/// An event that a component raises by calling this object in its own thread. All connected
-/// handlers are notified. Raising never waits, locks or allocates. A handler whose mailbox is full
-/// misses the event, and both components count the lost event. Direct handlers run in the thread
-/// that raises.
+/// An event that a component raises by calling this object in its own thread. Each connected
+/// handler is notified. Raising an event never waits, locks or allocates. If the mailbox of a
+/// handler is full, the handler misses the event, and both components count the lost event. Direct
+/// handlers run in the thread that raises the event.
 template <typename T>
 class Event final : public EventBase {
   static_assert(RequirePayload<T>());

@@ -36,9 +36,9 @@ class EventWaiter {
   EventWaiter(const EventWaiter&) = delete;
   EventWaiter& operator=(const EventWaiter&) = delete;
 
-  /// Waits for an event. Returns kDone and the newest value; returns at once if an event was raised
-  /// since the last wait. Returns kTimeout if no event is raised in time, kNotConnected if there is
-  /// no source (any more), and kNotActive while the source is faulted.
+  /// Waits for an event, and returns kDone and the newest value. Returns at once if an event was
+  /// raised since the last wait. Returns kTimeout if no event is raised in time, kNotConnected if
+  /// there is no connection to a source, and kNotActive while the source is faulted.
   Status Wait(T& value, std::chrono::nanoseconds timeout) requires(!std::is_same_v<T, None>) {
     return Await(value, timeout);
   }

@@ -9,9 +9,11 @@ namespace tendon {
 
 /// The caller's end of a command, as a member of the calling component. The six kinds of functions
 /// have their own names, from VoidFunction to WriteReturnFunction, at the end of this file. A
-/// function is bound when its required interface is connected. A call returns kNotConnected before
-/// that, kDisabled while the server has disabled the command, and kNotActive while the server does
-/// not run. Reads also work while the server is stopped, but not while it is faulted.
+/// function is bound when its required interface is connected.
+///
+/// A call returns kNotConnected before the function is bound, kDisabled while the server has
+/// disabled the command, and kNotActive while the server does not run. Reads also work while the
+/// server is stopped, but not while it is faulted.
 ///
 /// A call of a void or write function never waits, locks or allocates. A read runs the server's
 /// code in the calling thread. If the server is in another process and the function is not
@@ -20,8 +22,8 @@ namespace tendon {
 ///
 ///     move_to_.Wait(goal, 50ms)
 ///
-/// It returns kTimeout if the call was not executed and will not be executed, kOutcomeUnknown if
-/// its execution was started and the result is unknown, kNotConnected if the connection ended, and
+/// Wait() returns kTimeout if the call was not executed and never will be, kOutcomeUnknown if its
+/// execution has started but the result is unknown, kNotConnected if the connection has ended, and
 /// kWouldDeadlock if the server runs in the calling thread. Functions that return a value can only
 /// be called with Wait().
 ///
@@ -60,8 +62,8 @@ class Function final : public MemberCaller {
   }
 
   /// Returns the age of the value that a mirrored function read last; see
-  /// RequiredInterface::Mirror(). 0 if each read goes to the server; the largest value if nothing
-  /// was read yet or there is no server.
+  /// RequiredInterface::Mirror(). Returns 0 if each read goes to the server, and the largest value
+  /// if no value was read or there is no server.
   [[nodiscard]] std::chrono::nanoseconds age() requires kIsRead {
     std::chrono::nanoseconds age = std::chrono::nanoseconds::max();
     if (binding_ == nullptr) return age;
@@ -72,7 +74,7 @@ class Function final : public MemberCaller {
     return age;
   }
 
-  /// True if a call now would reach a server.
+  /// True if a call would reach a server now.
   [[nodiscard]] bool is_connected() {
     return binding_ != nullptr && binding_->Enter([this](const BoundMember* members) {
       return members != nullptr && members[index_].is_reached();

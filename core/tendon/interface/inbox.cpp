@@ -70,7 +70,7 @@ void Inbox::List::ForEachReady(ReadyFlag<>::IfEmpty if_empty, Action action) con
   for (FlagRow* const row : rows) {
     for (auto flag = row->flags.begin(); flag != row->flags.end() && mailbox != end;
          ++flag, ++mailbox) {
-      if (*mailbox == nullptr) continue;  // not in this list, but perhaps in a newer one
+      if (*mailbox == nullptr) continue;  // removed from this list
       std::size_t waiting = 0;
       const auto has_calls = [&] {
         waiting = (*mailbox)->size();

@@ -16,8 +16,8 @@
 
 namespace tendon {
 
-/// Holds all mailboxes of one component, for commands and for events, and the identity of the
-/// thread that empties them.
+/// Holds all mailboxes of one component, for commands and for events. Also stores which thread
+/// empties them.
 ///
 /// Thread safety: the component's thread calls ExecuteQueued(). Managers call Open() and Remove()
 /// at any time.
@@ -30,16 +30,15 @@ class Inbox {
   Inbox& operator=(const Inbox&) = delete;
   ~Inbox();
 
-  /// Adds a mailbox, which the inbox owns until Remove(). If `event_time` is given, it holds, while
-  /// a call is executed, the time at which the call was posted. Locks and allocates.
+  /// Adds a mailbox, which the inbox owns until Remove(). While a call is executed, `event_time`,
+  /// if given, holds the time at which the call was posted. Locks and allocates.
   Mailbox& Open(std::size_t capacity, Mailbox::SlotShape argument,
                 CallerThreads callers = CallerThreads::kOneThread,
                 SteadyTime* event_time = nullptr);
 
-  /// Closes and removes `mailbox`. Waits until no thread executes its calls, and then frees the
-  /// mailbox and `commands`, to which its slots refer. If a handler has not returned by `deadline`,
-  /// the mailbox and the commands are freed later. Returns the number of calls that were never
-  /// executed.
+  /// Closes and removes `mailbox`. Waits until no thread executes its calls. Then frees the mailbox
+  /// and `commands`, to which its slots refer. If a handler has not returned by `deadline`, frees
+  /// the mailbox and the commands later. Returns the number of calls that were never executed.
   std::size_t Remove(Mailbox& mailbox, std::vector<std::unique_ptr<CommandBase>> commands = {},
                      SteadyTime deadline = SteadyTime::max());
 
@@ -56,8 +55,8 @@ class Inbox {
   /// thread executes calls.
   std::size_t DiscardQueued();
 
-  /// Sets whether calls are accepted. If they are not, new calls are refused with kNotActive, and
-  /// callers that already wait get kNotActive.
+  /// Sets whether calls are accepted. If not, new calls are refused with kNotActive, and callers
+  /// that already wait get kNotActive as well.
   void SetAccepting(bool accepting);
   [[nodiscard]] bool accepting() const noexcept { return server_.accepting.Get(); }
 
@@ -77,8 +76,8 @@ class Inbox {
   /// Number of queued calls in all mailboxes.
   [[nodiscard]] std::size_t size() const;
 
-  /// The fill level of a mailbox. fill() returns the fill level of the mailbox that is fullest
-  /// relative to its capacity; zeros if there is no mailbox. fill() locks.
+  /// The fill level of a mailbox. fill() locks, and returns the level of the mailbox that is
+  /// fullest relative to its capacity; zeros if there is no mailbox.
   struct Fill {
     std::size_t waiting = 0;
     std::size_t capacity = 0;
@@ -114,7 +113,7 @@ class Inbox {
   std::size_t FreePlace(List& list);
 
   Mailbox::Server server_;    // read by callers
-  mutable std::mutex mutex_;  // taken by managers, never by ExecuteQueued()
+  mutable std::mutex mutex_;  // locked by managers, never by ExecuteQueued()
   std::vector<std::unique_ptr<FlagRow>> rows_;
   std::vector<std::unique_ptr<Mailbox>> mailboxes_;
   std::unique_ptr<List> list_;

@@ -8,17 +8,17 @@
 namespace tendon {
 
 /// One member of an interface: a command, an event, a function (which needs a command) or a handler
-/// (which needs an event). The names of the payload types are for people; only the signature
+/// (which needs an event). The names of the payload types are only for people. The signature alone
 /// decides whether two members fit.
 struct MemberDescription {
   std::string name;
   Signature signature;
   std::string in_type;
   std::string out_type;
-  bool optional = false;  ///< for functions and handlers: the interface also connects without it
+  bool optional = false;  ///< functions and handlers: not needed for a connection
   std::string hazard;     ///< for commands: "motion" if a call can move something
-  /// For commands, in seconds: the effect of a call ends if no other call renews it within this
-  /// time. If 0, the effect does not end.
+  /// For commands, in seconds. The effect of a call ends if no other call renews it within this
+  /// time. 0 means that the effect does not end.
   double expires_after = 0.0;
 
   bool operator==(const MemberDescription&) const = default;

@@ -35,8 +35,8 @@ class Mailbox {
   class Entry {
    public:
     virtual ~Entry() = default;
-    /// Executes the call. Runs in the executing thread. May throw whatever the author's code
-    /// throws; the slot is freed anyway.
+    /// Executes the call in the executing thread. Throws the exceptions of the author's code; the
+    /// slot is freed anyway.
     virtual void ExecuteSlot(std::byte* argument, std::size_t slot) = 0;
     /// Called instead of ExecuteSlot() if the call will not be executed.
     virtual void DropSlot(std::size_t /*slot*/) noexcept {}
@@ -52,11 +52,11 @@ class Mailbox {
     void Cover(const SlotShape& other);
   };
 
-  /// Bytes before the argument of a slot: the pointer to its entry, and in timed slots also the
-  /// time.
+  /// Number of bytes before the argument of a slot: the pointer to its entry, and also the time if
+  /// the slots have times.
   static constexpr std::size_t kEntryBytes = sizeof(Entry*);
   static constexpr std::size_t kTimedEntryBytes = kEntryBytes + sizeof(SteadyTime);
-  /// Returns the size of a slot in bytes, if its argument has `before` bytes in front of it.
+  /// Returns the size of a slot in bytes; `before` is the number of bytes before its argument.
   [[nodiscard]] static std::size_t SlotBytes(const SlotShape& argument, std::size_t before);
 
   /// Data about the called component, which all its mailboxes share.
@@ -68,8 +68,8 @@ class Mailbox {
   };
 
   /// `server` and `ready` must outlive the mailbox. `ready` is raised after a call is posted. If
-  /// `event_time` is given, each slot holds the time at which its call was posted, and executing
-  /// the slot copies this time to `event_time`.
+  /// `event_time` is given, each slot also stores the time at which its call was posted; the
+  /// executing thread copies this time to `event_time` before the call.
   Mailbox(std::size_t capacity, SlotShape argument, CallerThreads callers, const Server& server,
           ReadyFlag<>& ready, SteadyTime* event_time = nullptr, std::uint64_t number = 0);
 
@@ -77,11 +77,10 @@ class Mailbox {
   [[nodiscard]] std::uint64_t number() const noexcept { return number_; }
 
   /// Claims a slot, and returns the memory for the argument of the next call. With many callers,
-  /// each claimed slot must be published. Returns null if the mailbox is closed or full; a call
-  /// that finds it full is counted in refused(). In a thread with BlockWhenFull, waits for room
-  /// first.
+  /// each claimed slot must be published. Returns null if the mailbox is closed or full; if it is
+  /// full, counts the call in refused(). In a thread with BlockWhenFull, waits for room first.
   std::byte* Claim() noexcept;
-  /// Like Claim(), but claims a reserved slot. Null if all reserved slots are in use.
+  /// Like Claim(), but claims a reserved slot. Returns null if all reserved slots are in use.
   std::byte* ClaimReserved() noexcept;
   /// The reason why Claim() returned null.
   [[nodiscard]] Status refusal() const noexcept;
@@ -93,15 +92,15 @@ class Mailbox {
   /// Called instead of Publish() if the argument could not be created. The server skips the slot.
   void GiveUp(std::byte* argument) noexcept;
 
-  /// Executes the oldest call. Returns false if there is none.
+  /// Executes the oldest call. Returns false if no call is queued.
   bool ExecuteOne();
-  /// Frees the oldest call without executing it. Returns false if there is none.
+  /// Frees the oldest call without executing it. Returns false if no call is queued.
   bool DropOne() noexcept;
 
   /// From now on, Claim() returns null.
   void Close() noexcept { closed_.Set(true); }
   [[nodiscard]] bool is_open() const noexcept { return !closed_.Get() && accepting(); }
-  /// Until Release(), calls are accepted, but not executed.
+  /// From now on, calls are accepted, but not executed until Release().
   void Hold() noexcept { held_.Set(true); }
   void Release() noexcept { held_.Set(false); }
   [[nodiscard]] bool is_held() const noexcept { return held_.Get(); }
@@ -147,7 +146,7 @@ class Mailbox {
     return slot + sizeof(Entry*);  // NOLINT(bugprone-sizeof-expression): a slot begins with it
   }
 
-  std::optional<SlotRing<>> one_;  // exactly one of the two is used
+  std::optional<SlotRing<>> one_;  // one of the two members is used
   std::optional<SharedSlotRing<>> many_;
   std::size_t capacity_;
   std::size_t argument_offset_;

@@ -38,7 +38,7 @@ enum class Overflow {
 class ColumnBase;
 class StateTable;
 
-/// A column of a state table; null pointers if there is none.
+/// A column of a state table; null pointers without a column.
 struct ColumnSource {
   const StateTable* table = nullptr;
   const ColumnBase* column = nullptr;
@@ -60,8 +60,8 @@ class Offer {
     description_.hazard = std::move(hazard);
     return *this;
   }
-  /// Sets the effect of a full mailbox. Call it in the constructor; only queued void and write
-  /// commands and handlers use it.
+  /// Sets the effect of a full mailbox. Only for queued void and write commands, and for handlers.
+  /// Call it in the constructor.
   Offer& SetOverflow(Overflow overflow) {
     overflow_ = overflow;
     return *this;
@@ -73,14 +73,17 @@ class Offer {
            !WaitsForServer(description_.signature.kind);
   }
 
-  /// Limits how long the effect of a call lasts. Each call renews the effect, even a call that the
-  /// command refuses. If no call was executed for `after`, or the client of the last call is gone,
-  /// `method` runs in the component's thread: in ProcessQueuedCommands(), or at the latest at the
-  /// end of the next cycle. In this way, a robot stops when the connection to its operator breaks.
-  /// `method` also runs if another command has ended or replaced the effect meanwhile, so it must
-  /// check whether the effect still lasts. `after` is 1 ms to 3600 s. Call this function in the
-  /// constructor, for queued commands of a task. Throws ConfigurationError for commands that are
-  /// not queued.
+  /// Limits how long the effect of a call lasts. Then a robot stops when the connection to its
+  /// operator breaks. `method` runs if no call was executed for the time `after` (1 ms to 3600 s),
+  /// or if the client of the last call is gone. Every executed call renews the effect, even if the
+  /// command's own code refuses the request.
+  ///
+  /// `method` runs in the component's thread, in ProcessQueuedCommands() or at the end of the next
+  /// cycle. It also runs if another command has ended or replaced the effect, so it must check
+  /// whether the effect still lasts.
+  ///
+  /// Call this function in the constructor, for queued commands of a task. Throws
+  /// ConfigurationError for commands that are not queued.
   template <typename Owner, std::derived_from<Owner> Object>
   Offer& ExpiresAfter(std::chrono::nanoseconds after, void (Owner::*method)(), Object* object) {
     return SetExpiry(after, [method, object] { (object->*method)(); });
@@ -95,14 +98,14 @@ class Offer {
   }
   [[nodiscard]] const ColumnSource& source() const { return source_; }
 
-  /// Callers of a disabled command get kDisabled; calls that are already queued are still executed.
-  /// Any thread.
+  /// After Disable(), callers of the command get kDisabled. Calls that are already queued are still
+  /// executed. Any thread.
   void Enable() noexcept { enabled_.Set(true); }
   void Disable() noexcept { enabled_.Set(false); }
   [[nodiscard]] const Flag& enabled() const noexcept { return enabled_; }
 
-  /// Declares that each call is refused. Consoles show `sentence`, which says why; the status of
-  /// other calls is that of the command. Interfaces connect all the same.
+  /// Declares that each call is refused. `sentence` says why, and consoles show it. Callers that do
+  /// not show it get the status that the command returns. Interfaces still connect.
   Offer& SetRefusal(std::string sentence) {
     refusal_ = std::move(sentence);
     return *this;
@@ -113,7 +116,7 @@ class Offer {
   /// Sets the component; called by its interface. The component must outlive all commands.
   void SetComponent(const ComponentAccess* component) { component_ = component; }
 
-  /// Declares that a call only copies from a state table.
+  /// Declares that a call only copies from a state table, and runs no code of the component.
   Offer& SetReadsTableOnly() {
     reads_table_only_ = true;
     return *this;
@@ -124,8 +127,7 @@ class Offer {
     return uses_mailbox() ? !has_mailbox : !reads_table_only_;
   }
 
-  /// True if slots of the mailbox refer to the result of Bind(), so that both must be freed
-  /// together.
+  /// True if slots of the mailbox refer to the result of Bind(). Then both must be freed together.
   [[nodiscard]] virtual bool uses_mailbox() const { return true; }
   /// The memory that the argument needs in a mailbox slot.
   [[nodiscard]] virtual Mailbox::SlotShape shape() const { return {}; }
@@ -201,7 +203,7 @@ class FilteredOffer final : public QueuedOffer<Filtered, None, Handler> {
   Filter filter_;
 };
 
-/// The side that is at fault if code in the caller's thread throws.
+/// Says which side is faulty if code throws in the caller's thread.
 enum class ExceptionPolicy {
   kCaller,     ///< the caller gets kFailed, because its argument may be the cause
   kComponent,  ///< in addition, the component is faulted

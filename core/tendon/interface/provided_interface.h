@@ -21,9 +21,9 @@ namespace tendon {
 
 /// A named set of commands and events that a component offers.
 ///
-/// Fill it in the component's constructor. A duplicate or invalid name, or adding a member after
-/// the component was started, throws ConfigurationError. Events and the objects of methods must
-/// outlive the interface; use members of the component.
+/// Fill it in the component's constructor. A duplicate or invalid name throws ConfigurationError,
+/// and so does adding a member after the component was started. Events and the objects of methods
+/// must outlive the interface; use members of the component.
 class ProvidedInterface {
  public:
   /// Calls are queued in `inbox` for the component's thread. If `inbox` is null, calls run in the
@@ -49,8 +49,8 @@ class ProvidedInterface {
     return AddQueued<In, None>(CommandKind::kWrite, std::move(name),
                                [method, object](const In& in, None&) { (object->*method)(in); });
   }
-  /// Adds a command whose caller waits for the reply, until a deadline. Use it only for quick
-  /// methods: a reply after the deadline is lost.
+  /// Adds a command whose caller waits for the reply until a deadline. Use it only for quick
+  /// methods, because a reply after the deadline is lost.
   template <typename Owner, typename Out, std::derived_from<Owner> Object>
   Offer& AddCommandVoidReturn(void (Owner::*method)(Out&), Object* object, LocatedName name) {
     return AddQueued<None, Out>(
@@ -66,7 +66,7 @@ class ProvidedInterface {
         [method, object](const In& in, Out& out) { (object->*method)(in, out); });
   }
   /// Adds a write command with the argument type `In`. `filter(in, filtered)` runs in the caller's
-  /// thread; if it throws, the caller gets kFailed. `filtered` is queued.
+  /// thread, and `filtered` is queued. If `filter` throws, the caller gets kFailed.
   template <typename In, typename Filtered, typename Owner, typename Argument,
             std::derived_from<Owner> Object>
   Offer& AddCommandFilteredWrite(void (*filter)(const In&, Filtered&),
@@ -82,8 +82,8 @@ class ProvidedInterface {
 
   // Commands that run in the caller's thread and read only rows of a state table.
 
-  /// Adds a read of the newest value in a column of `table`. It returns kNoSample before the first
-  /// row. Allocates nothing for payloads of fixed size.
+  /// Adds a read of the newest value in a column of `table`. The read returns kNoSample before the
+  /// first row. It allocates nothing for payloads of fixed size.
   template <Payload T>
   Offer& AddCommandReadState(const StateTable& table, const T& variable, LocatedName name) {
     const Column<T>& column = table.Find(variable);
@@ -92,8 +92,8 @@ class ProvidedInterface {
         .SetSource({&table, &column})
         .SetReadsTableOnly();
   }
-  /// Adds a read of the value that is `delay` rows older than the newest. It returns kNoSample
-  /// until this value exists, or if the table is too short to keep it.
+  /// Adds a read of the value that is `delay` rows older than the newest. The read returns
+  /// kNoSample until this value exists, and always if the table is too short to keep the value.
   template <Payload T>
   Offer& AddCommandReadState(const StateTable& table, const T& variable, LocatedName name,
                              std::size_t delay) {
@@ -146,7 +146,8 @@ class ProvidedInterface {
   /// Adds a read of a value that never changes after the method has returned it, such as an image
   /// or a map. For another process, the value is encoded without copying it first; callers in this
   /// process get a copy. If the method returns null, the caller gets kNoSample. The method runs in
-  /// the caller's thread, which frees the value if it is the last holder.
+  /// the caller's thread. The last thread that uses the value frees it; this may be the caller's
+  /// thread.
   template <typename Owner, Payload Out, std::derived_from<Owner> Object>
   Offer& AddCommandRead(std::shared_ptr<const Out> (Owner::*method)() const, const Object* object,
                         LocatedName name, ThreadSafe) {
@@ -185,8 +186,8 @@ class ProvidedInterface {
 
   [[nodiscard]] Inbox* inbox() const { return inbox_; }
   [[nodiscard]] const ComponentAccess* component() const { return component_; }
-  /// The threads that raise the events of this interface. If the component has no thread of its
-  /// own, any thread may raise them.
+  /// Returns the threads that raise the events of this interface: any thread if the component has
+  /// no thread of its own.
   [[nodiscard]] CallerThreads raisers() const {
     return inbox_ == nullptr ? CallerThreads::kManyThreads : CallerThreads::kOneThread;
   }

@@ -53,14 +53,14 @@ void RequiredInterface::AdmitPeerAtRest() noexcept {
 
 void RequiredInterface::Announce(Peer& peer) {
   peer.number = ++peers_;
-  peer_.Set(peer.number);  // set before the component can see the peer and compare numbers
+  peer_.Set(peer.number);  // before the component sees the peer
   announced_.Exchange(&peer);
   if (has_listener()) return component_->ReportPeerChanged(*this);
   if (TakePeer()) binding_.Exchange(peer.members);
 }
 
 void RequiredInterface::Withdraw() noexcept {
-  announced_.Exchange(nullptr);  // from here on, no thread can admit the peer
+  announced_.Exchange(nullptr);  // after this line, no thread can admit the peer
   binding_.Exchange(nullptr);
 }
 

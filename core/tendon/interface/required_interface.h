@@ -25,7 +25,7 @@ enum class Need { kRequired, kOptional };
 /// provided interface. Members are added in the component's constructor, as in ProvidedInterface.
 class RequiredInterface {
  public:
-  /// Events are queued in `inbox`. If the component has no thread, `inbox` is null. Then handlers
+  /// Events are queued in `inbox`. `inbox` is null if the component has no thread; then handlers
   /// run in the thread that raises the event, and any thread may call the functions. If `component`
   /// is null, handlers always run.
   RequiredInterface(std::string name, Inbox* inbox, Need need = Need::kRequired,
@@ -80,8 +80,8 @@ class RequiredInterface {
     AddDirect<In>(CommandKind::kWrite, std::move(name), need, CallMethod<In>(method, object));
   }
 
-  /// Passes the events of this name to `waiter`, a member of the component. One thread of the
-  /// component waits for the events.
+  /// Passes the events of this name to `waiter`, a member of the component, so that one thread of
+  /// the component can wait for the events.
   template <Payload T>
   void AddEventWaiter(EventWaiter<T>& waiter, LocatedName name, Need need = Need::kRequired) {
     constexpr CommandKind kKind = std::same_as<T, None> ? CommandKind::kVoid : CommandKind::kWrite;
@@ -90,8 +90,8 @@ class RequiredInterface {
              name.location);
   }
 
-  /// Sets the threads that call the functions of this interface. For a task, this is the task's own
-  /// thread, unless its constructor allows other threads, such as callbacks of a driver.
+  /// Sets the threads that call the functions of this interface. By default, only the task's own
+  /// thread calls them. A constructor can allow other threads, such as callbacks of a driver.
   void SetCallers(CallerThreads callers) { binding_.SetCallers(callers, inbox_); }
 
   /// Sets the capacity of the mailbox for calls at the server, and of the mailbox for events here:
@@ -102,20 +102,22 @@ class RequiredInterface {
   /// Set it before the connection is made.
   void SetReadDeadline(std::chrono::milliseconds deadline);
 
-  /// Makes reads of `function` (already added) return a local copy, updated about 50 times a
-  /// second, if the server is in another process. A read does not wait or lock and, after the first
-  /// one, does not allocate; it returns kNoSample before the first copy arrives. Function::age()
-  /// returns the age of the copy. Works only with AddCommandReadState() without a delay: connecting
-  /// to any other command of another process is refused. Within one process, Mirror() has no
-  /// effect.
+  /// Makes reads of `function` return a local copy if the server is in another process. The copy is
+  /// updated about 50 times a second. `function` must already be added.
+  ///
+  /// A read does not wait or lock, and allocates only the first time. It returns kNoSample before
+  /// the first copy arrives. Function::age() returns the age of the copy.
+  ///
+  /// Within one process, Mirror() has no effect. In another process, the command must come from
+  /// AddCommandReadState() without a delay; a connection to any other command is refused.
   template <Payload T>
   void Mirror(const Function<CommandKind::kRead, None, T>& function) {
     MarkMirrored(function);
   }
 
-  /// Returns the steady-clock time at which the current or last event handled by the component's
-  /// thread was raised; for an event of another process, the time of its arrival. Not for direct
-  /// handlers, which run when the event is raised.
+  /// Returns the steady-clock time at which the event was raised that the component's thread
+  /// handles, or has handled last. For an event of another process, returns the time of its
+  /// arrival. Not for direct handlers, which run when the event is raised.
   [[nodiscard]] SteadyTime event_time() const { return event_time_; }
   /// Number of events that did not reach their handlers, because the mailbox was full, the
   /// component was not active, or a handler threw. If a handler keeps only the latest event, a
@@ -124,8 +126,8 @@ class RequiredInterface {
 
   /// True if there is a connection. Functions reach the peer only after Component::OnConnected().
   [[nodiscard]] bool is_connected() const noexcept { return peer_.Get() != kNoPeer; }
-  /// Increases with each new peer, at Component::OnConnected(); 0 before the first. A changed
-  /// number means that earlier data came from another peer. Any thread.
+  /// Returns a number that increases with each new peer, at Component::OnConnected(); 0 before the
+  /// first peer. If the number has changed, earlier data came from another peer. Any thread.
   [[nodiscard]] std::uint64_t generation() const noexcept { return generation_.Get(); }
 
   // For managers, connections and proxies.
@@ -161,21 +163,21 @@ class RequiredInterface {
   }
   /// Called when the component has handled kGone.
   void ForgetPeer() noexcept { reported_peer_ = kNoPeer; }
-  /// Called after kNew. Starts the next generation. Returns false if the peer was disconnected
-  /// meanwhile.
+  /// Called after kNew. Starts the next generation. Returns false if the peer has been disconnected
+  /// in between.
   bool TakePeer() noexcept;
-  /// From now on, calls reach the peer and its events are handled, unless the peer was disconnected
-  /// meanwhile.
+  /// From now on, calls reach the peer and its events are handled. Does nothing if the peer has
+  /// been disconnected.
   void AdmitPeer() noexcept;
 
-  /// Like AdmitPeer(), but for managers, while the component does not run. OnConnected() is called
-  /// when the component starts. Does nothing if many threads may call.
+  /// Like AdmitPeer(), but called by a manager while the component does not run. OnConnected() is
+  /// called when the component starts. Does nothing if many threads may call the functions.
   void AdmitPeerAtRest() noexcept;
 
  private:
   friend class Connection;
 
-  /// The data of a connection that the component uses.
+  /// The data about a connection that the component uses.
   struct Peer {
     const BoundMember* members = nullptr;
     Mailbox* events = nullptr;
@@ -193,7 +195,7 @@ class RequiredInterface {
   void Announce(Peer& peer);
   /// Removes the peer. When this function returns, no call reaches the peer.
   void Withdraw() noexcept;
-  /// Notifies the component that it has no peer any more.
+  /// Notifies the component that it has lost its peer.
   void AnnounceNone();
 
   struct NamedCaller {

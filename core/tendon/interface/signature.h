@@ -8,15 +8,15 @@
 
 namespace tendon {
 
-/// How a command is executed. It is part of the signature, so that a function which should be a
-/// harmless read can never bind to a command that blocks.
+/// How a command is executed. The kind is part of the signature, so a function that should be a
+/// harmless read never binds to a command that blocks.
 enum class CommandKind : std::int32_t {
   kVoid,           ///< no argument; queued to the server's thread
-  kWrite,          ///< one argument in; queued to the server's thread
-  kRead,           ///< one argument out; runs in the caller's thread
-  kQualifiedRead,  ///< one argument in, one out; runs in the caller's thread
-  kVoidReturn,     ///< one argument out; runs in the server's thread, the caller waits
-  kWriteReturn,    ///< one argument in, one out; runs in the server's thread, the caller waits
+  kWrite,          ///< an argument; queued to the server's thread
+  kRead,           ///< a result; runs in the caller's thread
+  kQualifiedRead,  ///< an argument and a result; runs in the caller's thread
+  kVoidReturn,     ///< a result; runs in the server's thread, and the caller waits
+  kWriteReturn,    ///< an argument and a result; otherwise like kVoidReturn
 };
 
 template <>

@@ -13,8 +13,8 @@ namespace tendon {
 /// its provided interfaces. Each event has a text. Every message is also logged. Make it a member
 /// of the component.
 ///
-/// Thread safety: the same as for the component's events. Sending costs as much as Log(). In a
-/// cycle, sending allocates nothing after each mailbox slot has held the longest text once.
+/// Thread safety: the same as for the component's events. Sending a message costs as much as Log().
+/// In a cycle, it allocates only until each mailbox slot has held the longest text once.
 class StatusMessages {
  public:
   /// Adds the events to `interface`; `source` is the name under which they are logged.

@@ -8,8 +8,8 @@
 
 namespace tendon {
 
-/// Limits the total number of units that all threads hold. Wait-free; costs nothing without a
-/// limit. Does not order other data.
+/// Limits the total number of units that all threads hold. Wait-free. A budget without a limit
+/// costs nothing. Take() and Give() do not order accesses to other memory.
 template <typename Atomics = StdAtomics>
 class Budget {
  public:
@@ -17,9 +17,9 @@ class Budget {
 
   explicit Budget(std::uint64_t most = kNoLimit) : most_(most) {}
 
-  /// Takes `n` units if the total stays within the limit, or if no units are taken, so that a
-  /// single large request succeeds. May fail spuriously while another thread's request is being
-  /// refused.
+  /// Takes `n` units and returns true if the total stays within the limit. If no units are taken,
+  /// any request succeeds, even one above the limit. A request may fail without need while another
+  /// thread's request is being refused.
   [[nodiscard]] bool Take(std::uint64_t n) noexcept {
     if (most_ == kNoLimit) return true;
     const std::uint64_t before = taken_.fetch_add(n, std::memory_order_relaxed);
@@ -27,7 +27,7 @@ class Budget {
     Give(n);
     return false;
   }
-  /// Returns units that were taken.
+  /// Gives back `n` units that Take() has taken.
   void Give(std::uint64_t n) noexcept {
     if (most_ != kNoLimit) taken_.fetch_sub(n, std::memory_order_relaxed);
   }

@@ -47,9 +47,9 @@ class Completion {
   /// posted the call.
   void Free() noexcept { state_.store(kFree, std::memory_order_release); }  // (A)
 
-  /// Waits until the call was executed, until `deadline`, or until `interrupted()` returns true,
-  /// which is checked after Interrupt(). If the call was not executed, the record now belongs to
-  /// the server.
+  /// Waits until the call is executed, until `deadline`, or until `interrupted()` returns true.
+  /// Interrupt() makes this function check `interrupted()` again. If the call was not executed, the
+  /// record now belongs to the server.
   template <typename Predicate>
   Ending Await(Predicate interrupted, SteadyTime deadline) {
     wakeup_.WaitUntil(
@@ -63,15 +63,15 @@ class Completion {
 
   // For the server.
 
-  /// Called before the execution. Returns false if the caller has gone; then the call must not be
-  /// executed.
+  /// Called before the execution. Returns false if the caller has stopped waiting; then the server
+  /// must not execute the call.
   bool Start() noexcept {
     if (state_.exchange(kStarted, std::memory_order_acq_rel) != kAbandoned) return true;  // (C)
     Free();
     return false;
   }
-  /// Called after the execution. A caller that sees the state "done" also sees everything that was
-  /// written before.
+  /// Called after the execution. A caller that sees the state "done" also sees everything that the
+  /// server wrote before this call.
   void Finish(Status status) noexcept {
     // The listener is read before the exchange, because after the state has become done, the next
     // caller may already have set its own listener.
@@ -82,8 +82,8 @@ class Completion {
     if (listener != nullptr) listener->Notify();
   }
 
-  /// Any thread: makes the caller check `interrupted()`; also notifies the listener of a call that
-  /// was posted before.
+  /// Makes the caller check `interrupted()`. Also notifies the listener, if the call has one. Any
+  /// thread.
   void Interrupt() noexcept {
     wakeup_.Notify();
     Wakeup<Atomics>* const listener = listener_.load(std::memory_order_acquire);  // (D)
@@ -93,10 +93,10 @@ class Completion {
  private:
   enum State : std::uint32_t { kFree, kPending, kStarted, kDone, kAbandoned };
 
-  // (A) data that the last caller has read may be overwritten
-  // (B) data that the server has written may be read
-  // (C) a caller that has gone no longer uses the record
-  // (D) the listener may be used
+  // (A) the next caller may overwrite the data that the last caller has read
+  // (B) the caller may read the data that the server has written
+  // (C) the server may free the record: its caller no longer uses it
+  // (D) the server may use the listener
   typename Atomics::template Atomic<State> state_{kFree};
   Wakeup<Atomics> wakeup_;
   typename Atomics::template Atomic<Wakeup<Atomics>*> listener_{nullptr};

@@ -7,8 +7,8 @@
 
 namespace tendon {
 
-/// A number that one thread increments and any thread may read. As cheap as a plain variable; does
-/// not order other data.
+/// A number that one thread increments and any thread may read. As cheap as a plain variable. It
+/// does not order accesses to other memory.
 template <typename Atomics = StdAtomics>
 class Counter {
  public:

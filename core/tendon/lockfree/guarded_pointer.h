@@ -7,9 +7,9 @@
 
 namespace tendon {
 
-/// A pointer that one thread uses in its calls while another thread replaces it and learns when the
-/// old object is no longer in use. A call costs three plain stores; a replacement costs a memory
-/// barrier in the whole process.
+/// A pointer that one thread uses in its calls. Another thread can replace the pointer, and learns
+/// when the old object is no longer in use. A call costs three plain stores; a replacement costs a
+/// memory barrier in the whole process.
 ///
 /// Thread safety: one thread makes Calls, which may be nested. Other threads use Exchange() and
 /// Get(), one thread at a time. They must not do so inside a Call, because they would wait forever.

@@ -33,8 +33,8 @@ class NoticeList {
     }
   }
 
-  /// True if a notice that was not taken yet satisfies `predicate(const T&)`. Called by the sending
-  /// thread.
+  /// True if the receiver has not taken some notice that satisfies `predicate(const T&)`. Only for
+  /// the sending thread.
   template <typename Predicate>
   [[nodiscard]] bool HasUnread(Predicate predicate) const {
     for (const Node& node : notices_) {

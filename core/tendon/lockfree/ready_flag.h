@@ -14,10 +14,12 @@ namespace tendon {
 ///
 /// As in Wakeup, no item is missed: the producer publishes, then reads the flag; the consumer
 /// lowers the flag, then looks for items. With a full fence between the two steps on both sides, at
-/// least one side sees what the other side has stored. A producer usually finds the flag already
-/// raised; then it writes nothing that the consumer reads, except the queue. If another producer
-/// has just raised the flag, (B) makes this producer read the sleeper's flag afterwards, so the
-/// wake-up need not wait for the other producer. (The simulator does not model this.)
+/// least one side sees what the other side has stored.
+///
+/// A producer usually finds the flag already raised. Then it writes only to the queue, and to
+/// nothing else that the consumer reads. Another producer may have raised the flag a moment before;
+/// then (B) orders this producer's read of the sleeper's flag after that store, so this producer
+/// can wake the sleeper itself. (The simulator does not model this.)
 template <typename Atomics = StdAtomics>
 class ReadyFlag {
  public:
@@ -33,9 +35,9 @@ class ReadyFlag {
 
   enum class IfEmpty { kLeaveUp, kLower };
 
-  /// Consumer: calls `has_items()` only if the flag is raised. kLower lowers the flag if there are
-  /// no items; if a consumer lowers the flag at each check, fast producers must raise it again and
-  /// again.
+  /// Consumer: calls `has_items()` if the flag is raised, and returns its result. kLower lowers the
+  /// flag if there are no items. A consumer should not do this at every check, because fast
+  /// producers would have to raise the flag again each time.
   template <typename Predicate>
   bool IsReady(Predicate has_items, IfEmpty if_empty) noexcept {
     if (!up_.load(std::memory_order_relaxed)) return false;  // orders nothing

@@ -31,7 +31,8 @@ class SharedSlotRing {
         turn_shift_(static_cast<unsigned>(std::countr_zero(storage()))),
         published_(std::make_unique<Index[]>(storage())) {}
 
-  /// Claims and returns a free slot, which must be published. Returns null if the ring is full.
+  /// Claims and returns a free slot, which the caller must publish. Returns null if the ring is
+  /// full.
   std::byte* Claim() noexcept { return ClaimWithin(capacity_); }
   /// Like Claim(), but may use the reserve. Returns null if the reserve is used up as well.
   std::byte* ClaimReserved() noexcept { return ClaimWithin(capacity_ + reserve_); }
@@ -43,8 +44,8 @@ class SharedSlotRing {
     turns.store(turns.load(std::memory_order_relaxed) + 1, std::memory_order_release);  // (A)
   }
 
-  /// Consumer: returns the oldest slot, and the same slot again until Release(). Returns null if it
-  /// is not published yet.
+  /// Consumer: returns the oldest slot, and the same slot again until Release(). Returns null if
+  /// the ring is empty or the oldest slot is not published yet.
   std::byte* Front() noexcept {
     const std::uint64_t read = read_.load(std::memory_order_relaxed);
     std::byte* const slot = slots_.At(read);

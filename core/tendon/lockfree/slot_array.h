@@ -40,7 +40,7 @@ class SlotArray {
         static_cast<std::byte*>(std::align(alignment, count_in_memory() * stride_, first, size));
   }
 
-  /// Returns the slot of an index that is never reset.
+  /// Returns the slot for an index. Indices grow without limit and go round the ring.
   [[nodiscard]] std::byte* At(std::uint64_t index) const noexcept {
     return slots_ + (index & mask_) * stride();
   }

@@ -28,8 +28,8 @@ class TripleBuffer {
     return (old & kFresh) != 0;
   }
 
-  /// Returns the newest value, which is valid until the reader's next Take(). Returns null if it
-  /// was already taken.
+  /// Returns the newest value, which is valid until the reader's next Take(). Returns null if the
+  /// reader has already taken the newest value.
   T* Take() noexcept {
     if (!is_fresh()) return nullptr;
     // (B) hands the reader's value back; pairs with (A).

@@ -22,17 +22,17 @@ struct ColumnDescription {
   bool operator==(const ColumnDescription&) const = default;
 };
 
-/// The description of a state table. The table is also the provided interface `state` (the table
-/// named "state") or `state-NAME`, with one read command per column.
+/// The description of a state table. A provided interface with the name `state` (for the table
+/// "state") or `state-NAME` gives access to the table, with one read command per column.
 struct TableDescription {
-  std::string name;          ///< also that of its provided interface: "state" or "state-NAME"
+  std::string name;          ///< the provided interface of the table is "state" or "state-NAME"
   std::uint64_t length = 0;  ///< number of rows that are kept
   std::vector<ColumnDescription> columns;
 
   bool operator==(const TableDescription&) const = default;
 };
 
-/// Whether the file of a plug-in has changed since the plug-in was loaded.
+/// Says whether the file of a plug-in has changed since the plug-in was loaded.
 enum class PluginState : std::int32_t {
   kCurrent,  ///< the file contains the loaded version
   kChanged,  ///< the file contains another version; only a new process can load it
@@ -57,7 +57,7 @@ struct PluginDescription {
   /// Time at which the loaded version was written, ns since 1970 (for people).
   std::int64_t written = 0;
   PluginState state = PluginState::kCurrent;
-  std::int64_t written_now = 0;  ///< only for kChanged: time at which the present file was written
+  std::int64_t written_now = 0;  ///< only for kChanged: time at which the file was written again
 
   bool operator==(const PluginDescription&) const = default;
 };
@@ -66,16 +66,16 @@ struct PluginDescription {
 struct ComponentDescription {
   std::string name;
   std::string class_name;
-  std::string library;        ///< name of the plug-in; empty if it comes from none
+  std::string library;        ///< name of the plug-in; empty if the class is not from a plug-in
   std::string configuration;  ///< JSON, as given to the component; empty if none was given
   ComponentState state = ComponentState::kConstructed;
   std::string fault;  ///< the reason of the fault
-  /// Time of the fault, ns since 1970 (for people); 0 if there was none.
+  /// Time of the fault, ns since 1970 (for people); 0 if there was no fault.
   std::int64_t fault_time = 0;
   std::string warning;  ///< a problem of an active component: "missed 8 x 10 ms"
-  double period = 0.0;  ///< s; 0 if the component has none
-  /// The options of its own thread, as one entry; also set while the component runs after another
-  /// one. Empty if it never has a thread of its own.
+  double period = 0.0;  ///< s; 0 if the component has no period
+  /// The options of its own thread, as one entry. They are also set while the component runs after
+  /// another one. Empty if the component never has a thread of its own.
   std::vector<ThreadOptions> thread{};
   std::string leader{};  ///< the component after which this one runs, or empty
   SharedList<ProvidedDescription> provided;
@@ -86,7 +86,7 @@ struct ComponentDescription {
 };
 
 enum class ConnectionState : std::int32_t {
-  kPending,  ///< requested, but the peer does not exist yet or is faulted
+  kPending,  ///< the peer does not exist yet, or it is faulted
   kActive,
   kFailed,  ///< the peer has refused the connection
 };
@@ -101,8 +101,8 @@ inline constexpr auto kPayload<ConnectionState> = DescribeEnum(
   return NameOf(state);
 }
 
-/// A connection. It belongs to the process of its required interface, which has at most one
-/// connection.
+/// A connection. It belongs to the process of its required interface. A required interface has at
+/// most one connection.
 struct ConnectionDescription {
   std::uint64_t id = 0;  ///< unique within the process of the required side
   InterfaceName required;
@@ -131,11 +131,11 @@ struct ConnectionCounts {
   /// The last measured round-trip time to the other process; negative if it is unknown or both ends
   /// are in one process.
   std::chrono::nanoseconds round_trip{-1};
-  std::uint64_t taken = 0;        ///< calls and events taken from a mailbox: executed or sent
+  std::uint64_t taken = 0;        ///< calls and events that have left a mailbox
   std::uint64_t capacity = 0;     ///< number of calls that the server's mailbox can hold
   std::uint64_t waiting = 0;      ///< number of calls in the server's mailbox now
   std::uint64_t refused = 0;      ///< calls refused because the server's mailbox was full
-  std::uint64_t replaced = 0;     ///< calls replaced by newer ones, where only the latest is kept
+  std::uint64_t replaced = 0;     ///< calls replaced by newer calls of the same command
   std::uint64_t lost_events = 0;  ///< events that did not reach the client
 
   bool operator==(const ConnectionCounts&) const = default;
@@ -144,7 +144,7 @@ struct ConnectionCounts {
 /// The fill level of a component's fullest mailbox.
 struct MailboxFill {
   std::uint64_t waiting = 0;   ///< number of calls or events in the mailbox now
-  std::uint64_t capacity = 0;  ///< number that the mailbox can hold; 0 if not connected
+  std::uint64_t capacity = 0;  ///< number of calls or events that it can hold; 0 if not connected
 
   bool operator==(const MailboxFill&) const = default;
 };

@@ -10,9 +10,9 @@
 
 namespace tendon {
 
-/// Loads component classes from plug-ins. A plug-in is a shared library `NAME.so` that exports
-/// TendonRegisterComponents. It is searched in several folders. A plug-in stays loaded and
-/// unchanged until the process ends, even if its file changes; files() shows such changes.
+/// Loads component classes from plug-ins. A plug-in is a shared library `NAME.so` that exports the
+/// function TendonRegisterComponents. The loader searches several folders. A plug-in stays loaded
+/// and unchanged until the process ends, even if its file changes; files() shows such changes.
 ///
 /// Used by one thread at a time.
 class ComponentLoader {
@@ -22,12 +22,12 @@ class ComponentLoader {
   explicit ComponentLoader(std::vector<std::filesystem::path> folders = {});
 
   /// Loads the plug-in with the name `library`, which has no path. Does nothing if it is already
-  /// loaded. A plug-in is first loaded in a separate process as a test; if this fails, it is not
-  /// loaded in this process and adds no class.
+  /// loaded. First loads the plug-in in a separate process as a test. If the test fails, this
+  /// process does not load the plug-in.
   ///
-  /// Fails with kInvalid for a name with '/' or "..", with kNotFound (the error lists the searched
-  /// folders and suggests a name), and with kFailed (the error says which file, what was expected
-  /// and what was found).
+  /// Errors: kInvalid if the name contains '/' or ".."; kNotFound if there is no such plug-in (the
+  /// error lists the searched folders and suggests a name); kFailed if the plug-in cannot be loaded
+  /// (the error says which file, what was expected and what was found).
   Result<void> Load(const std::string& library);
 
   /// Loads the plug-in if necessary, and creates a component of one of its classes.

@@ -25,9 +25,9 @@ struct ComponentClass {
 ///       registry.Add<arm::SimulatedArm>("SimulatedArm");
 ///     }
 ///
-/// The constructor of a class takes a name, or a name and a configuration. The configuration is a
-/// described payload with the name `Configuration` in the class. Members that are missing in the
-/// JSON have their default values.
+/// The constructor of a class takes a name, or a name and a configuration. The configuration has
+/// the type `Configuration`, a described payload inside the class. Members that are missing in the
+/// JSON text have their default values.
 class ComponentRegistry {
  public:
   using Factory = std::function<Result<std::unique_ptr<Component>>(const std::string& name,

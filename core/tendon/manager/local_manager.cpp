@@ -109,8 +109,9 @@ LocalManager::Entry LocalManager::MakeEntry(std::unique_ptr<Component> component
                                             ComponentOrigin origin) {
   component->Seal();
   if (auto* client = dynamic_cast<ManagerClient*>(component.get())) client->OnAdding(*this);
-  // The component may be destroyed by a thread that waits for its state and does not hold the lock.
-  // The lock is needed, because the destructor also changes the tasks that run after this one.
+  // The last owner of a component may be a thread that waits for the component's state and does not
+  // hold the lock. Then the destructor needs the lock, because it also changes the tasks that run
+  // after this component.
   const auto destroy = [this](Component* one) {
     const auto destroyed = Lock();
     delete one;
@@ -133,7 +134,8 @@ Result<void> LocalManager::Remove(const std::string& component, Patience patienc
   {
     const auto lock = Lock();
     if (Find(component) != removed.get()) {
-      return Error{ErrorCode::kNotFound, "component '" + component + "' was removed meanwhile"};
+      return Error{ErrorCode::kNotFound,
+                   "component '" + component + "' was removed by another request"};
     }
     OnRemoving(*removed);  // also removes pending connections
     DisconnectAll(component);
@@ -173,7 +175,7 @@ Result<void> LocalManager::TryTakeOut(const std::shared_ptr<Component>& componen
                    "component '" + component->name() + "' is not removed: " + left.error().message};
     }
   }
-  Detach(*component);  // again, because connections may have been made since
+  Detach(*component);  // again, because other threads may have made connections
   std::erase_if(entries_, [&](const Entry& one) { return one.component == component; });
   return {};
 }
@@ -538,8 +540,8 @@ Result<void> LocalManager::StopInOrder(const IsMeant& is_meant, SteadyTime deadl
   return end.Run(deadline);
 }
 
-/// Returns true if the component is at rest and no request for it is in progress, because the
-/// request might start it.
+/// Returns true if the component is at rest and no request for it is in progress. A request in
+/// progress might start the component.
 bool LocalManager::IsAtRest(const Component& component) const {
   const auto lock = Lock();
   return component.is_at_rest() && !serializer_.IsInUse(component);
@@ -553,7 +555,7 @@ void LocalManager::LetExecute(const Component& client, SteadyTime deadline) cons
   }
 }
 
-/// Ignores servers whose calls are executed by this thread: they execute nothing while this thread
+/// Ignores servers whose calls this thread executes, because they execute nothing while this thread
 /// waits.
 bool LocalManager::HasCallsUnderWay(const Component& client) const {
   const auto lock = Lock();
@@ -577,15 +579,15 @@ std::vector<OrderlyShutdown::Member> LocalManager::InEndOrder(const IsMeant& is_
     const Task* const leader = task == nullptr ? nullptr : task->leader();
     const auto own = std::ranges::find_if(
         entries_, [&](const Entry& entry) { return entry.component.get() == leader; });
-    // The leader may belong to another manager, or may just have been removed.
+    // The leader may belong to another manager, or may have been removed.
     if (own != entries_.end())
       needed[i].push_back(static_cast<std::size_t>(own - entries_.begin()));
   }
   for (const auto& [id, connection] : connections_) {
     const std::size_t client = numbers.at(connection.description.required.component);
     const std::size_t server = numbers.at(connection.description.provided.component);
-    // A server that runs after its own client ends with this client at the latest, so it cannot end
-    // later.
+    // A server that runs after its own client ends together with the client, so it cannot end after
+    // the client.
     if (RunsAfter(*entries_[server].component, *entries_[client].component)) continue;
     needed[client].push_back(server);
   }
@@ -651,7 +653,7 @@ Result<void> LocalManager::MakeRequest(const std::shared_ptr<Component>& compone
   if (!turn.is_ours()) return RequestInProgress(component->name());
   if (Find(component->name()) != component.get()) {
     return Error{ErrorCode::kNotFound,
-                 "component '" + component->name() + "' was removed meanwhile"};
+                 "component '" + component->name() + "' was removed by another request"};
   }
   return WithoutLock(lock, [&] { return request(*component); });
 }

@@ -32,7 +32,7 @@ struct ComponentOrigin {
   std::string configuration{};  ///< JSON, as given to the component; empty if none was given
 };
 
-/// How a component runs; does not include its class and configuration.
+/// Settings that say how a component runs, without its class and configuration.
 struct RunSettings {
   std::optional<ThreadOptions> thread{};  ///< empty if it has no thread of its own
   std::string leader{};                   ///< the component after which it runs, or empty
@@ -45,8 +45,8 @@ struct RunSettings {
 
 class LocalManager;
 
-/// A component that works on all components of its manager, such as a recorder, also derives from
-/// this class.
+/// The second base class of a component that works on all components of its manager, such as a
+/// recorder.
 class ManagerClient {
  public:
   ManagerClient() = default;
@@ -76,8 +76,8 @@ class LocalManager {
 
   // Components.
 
-  /// Creates a component T(name, arguments...) and adds it. Throws ConfigurationError if the name
-  /// is already in use.
+  /// Creates a component T(name, arguments...) and adds it. Throws ConfigurationError if a
+  /// component with this name exists.
   template <std::derived_from<Component> T, typename... Arguments>
   T& Add(LocatedName name, Arguments&&... arguments) {
     auto component =
@@ -90,23 +90,24 @@ class LocalManager {
   Component& Add(std::unique_ptr<Component> component, ComponentOrigin origin);
 
   /// Stops the component while its connections still work, and waits until servers have executed
-  /// its last calls. Then disconnects and destroys it. Fails with kTimeout if the component does
-  /// not stop; then it still exists, but without connections.
+  /// its last calls. Then disconnects and destroys the component. Fails with kTimeout if the
+  /// component does not stop; then it still exists, but has no connections.
   Result<void> Remove(const std::string& component, Patience patience = kPatience);
 
-  /// Replaces the component with the same name by `component`, and destroys the old one. At any
-  /// time, there is a component with this name, and the observer is called once. The new component
-  /// runs after the same leader. Connections within this process are kept if the new component
-  /// fits; connections to other processes end. Fails with kFailed if the old component is not at
-  /// rest or other components run after it, and with kTimeout like RunAfter(). If it fails, nothing
-  /// is changed.
+  /// Replaces the component that has the same name as `component`, and destroys the old one. Other
+  /// threads always find a component with this name, and the observer is called once. The new
+  /// component runs after the same leader. Connections within this process are kept if the new
+  /// component fits; connections to other processes end.
+  ///
+  /// Fails with kFailed if the old component is not at rest or other components run after it, and
+  /// with kTimeout like RunAfter(). A failure changes nothing.
   Result<void> Replace(std::unique_ptr<Component> component, ComponentOrigin origin,
                        Patience patience = kPatience);
 
   // Connections.
 
   /// Connects a required interface to a provided interface; possible at any time. A name without a
-  /// process means this process. Fails with kNotFound (the error suggests a name), kExists, or
+  /// process means this process. Errors: kNotFound (the error suggests a name), kExists,
   /// kIncompatible (the error says why).
   virtual Result<ConnectionId> Connect(const InterfaceName& required,
                                        const InterfaceName& provided);
@@ -116,11 +117,11 @@ class LocalManager {
 
   // Lifecycle.
 
-  /// From its next start on, `component` makes a cycle after each cycle of `leader`, in the
-  /// leader's thread; see ThreadedTask::RunAfter(). Fails with kFailed if the component is not at
-  /// rest or never has a thread of its own, or if the two would run after each other. Fails with
-  /// kTimeout if a cycle of the former leader does not end within `patience`; then nothing is
-  /// changed.
+  /// Makes `component` run after `leader` from its next start on: it makes a cycle after each cycle
+  /// of `leader`, in the leader's thread (ThreadedTask::RunAfter()). Fails with kFailed if the
+  /// component is not at rest or never has a thread of its own, or if the two would run after each
+  /// other. Fails with kTimeout, and changes nothing, if a cycle of the former leader does not end
+  /// within `patience`.
   Result<void> RunAfter(const std::string& component, const std::string& leader,
                         Patience patience = kPatience);
 
@@ -135,22 +136,23 @@ class LocalManager {
   /// Stops a component. Components that run after it are stopped first. After the stop, waits for
   /// at most kDrainPatience until servers have executed the last calls of its Cleanup().
   Result<void> Stop(const std::string& component, Patience patience = kPatience);
-  /// Brings a component at rest to the state that a file requests: for kActive, starts it; for
-  /// kSuspended, starts and then suspends it; for any other state, does nothing. If the component
+  /// Brings a component at rest to the state that a file requests. For kActive, starts it. For
+  /// kSuspended, starts and then suspends it. For any other state, does nothing. If the component
   /// cannot be suspended within `patience`, stops it, because it must not run; the error then says
-  /// if it was stopped.
+  /// whether the stop has succeeded.
   Result<void> TransitionTo(const std::string& component, ComponentState wanted,
                             Patience patience = kPatience);
-  /// Starts all components that are not active, one after the other, in the order in which they
-  /// were added, but leaders before the components that run after them. `patience` is the total
-  /// time. If one start fails, starts the others nevertheless, and returns the first error.
+  /// Starts all components that are not active, one after the other. The order is that in which
+  /// they were added, but leaders come before the components that run after them. `patience` is the
+  /// total time. If a start fails, starts the others nevertheless, and returns the first error.
   Result<void> StartAll(Patience patience = kPatience);
   /// Suspends all active components in the reverse order of StartAll().
   Result<void> SuspendAll(Patience patience = kPatience);
-  /// Stops all running components: clients before their servers, so that the servers can still
-  /// execute the clients' last calls, and components before their leaders. Components that do not
-  /// depend on each other are stopped at the same time. If connections form a cycle, one server
-  /// must be stopped before its client; the order in which components were added decides which one.
+  /// Stops all running components. Clients are stopped before their servers, so that the servers
+  /// can still execute the clients' last calls. Components are stopped before their leaders.
+  /// Components that do not depend on each other are stopped at the same time. If connections form
+  /// a cycle, one server must be stopped before its client; the order in which components were
+  /// added decides which one.
   Result<void> StopAll(Patience patience = kPatience);
   /// These functions wait until the component, or all components, are in this state. They fail with
   /// kTimeout if this takes longer than `patience`, and with kFailed if a component is faulted.
@@ -164,8 +166,8 @@ class LocalManager {
   [[nodiscard]] Component* Find(const std::string& component) const;
   [[nodiscard]] std::vector<ComponentDescription> components() const;
   [[nodiscard]] Result<RunSettings> SettingsOf(const std::string& component) const;
-  /// Returns the connections. If a component is faulted, its connections are pending until it is
-  /// started again; the reason contains the fault.
+  /// Returns the connections. The connections of a faulted component are pending until it is
+  /// started again; their reason contains the fault.
   [[nodiscard]] virtual std::vector<ConnectionDescription> connections() const;
   /// Returns the counts of a connection. Fails with kNotFound if `required` is not connected, and
   /// with kFailed if the connection is not active.
@@ -176,8 +178,8 @@ class LocalManager {
 
   /// How long a disconnect waits for servers to execute accepted calls.
   static constexpr std::chrono::milliseconds kDrainPatience{500};
-  /// How long the destructor waits for all components to stop before it disconnects them. With this
-  /// time, a program ends within 2 s after a termination request.
+  /// How long the destructor waits for all components to stop before it disconnects them. This time
+  /// lets a program end within 2 s after a termination request.
   static constexpr std::chrono::milliseconds kEndPatience{1300};
 
  protected:
@@ -191,14 +193,14 @@ class LocalManager {
   [[nodiscard]] std::unique_lock<std::recursive_mutex> TryLock() const;
   /// Sets a function that is called after every change of components, states or connections. It is
   /// called in the thread that made the change, for example in the thread of a component that
-  /// becomes faulted. It must be quick and must not call this object. After the return, the former
-  /// observer is not called any more.
+  /// becomes faulted. The function must be quick and must not call this object. After SetObserver()
+  /// has returned, the former observer is not called.
   void SetObserver(std::function<void()> observer);
   /// Calls the observer.
   void NotifyChanged() const;
   ConnectionId NextConnectionId() { return ++last_connection_; }
-  /// Called while the lock is held, before a component is removed, so that everything that depends
-  /// on it can be removed first.
+  /// Called under the lock before a component is removed. A derived class can then remove
+  /// everything that depends on the component.
   virtual void OnRemoving(const Component& /*component*/) {}
   /// Returns true if calls of `client` are still queued at servers that can execute them.
   [[nodiscard]] virtual bool HasCallsUnderWay(const Component& client) const;
@@ -226,20 +228,20 @@ class LocalManager {
   /// Returns all components, leaders before the components that run after them.
   [[nodiscard]] Components InOrder() const;
   using IsMeant = std::function<bool(const Component&)>;
-  /// Returns the components for which `is_meant` is true. Each comes after its clients and after
-  /// the components that run after it.
+  /// Returns the components for which `is_meant` is true, in the order in which they must end: each
+  /// comes after its clients and after the components that run after it.
   [[nodiscard]] std::vector<OrderlyShutdown::Member> InEndOrder(const IsMeant& is_meant) const;
   Result<void> StopInOrder(const IsMeant& is_meant, SteadyTime deadline);
   [[nodiscard]] bool IsAtRest(const Component& component) const;
-  /// Waits until servers have executed the calls of `client`; logs a warning if `deadline` passes
-  /// first.
+  /// Waits until servers have executed the calls of `client`. Logs a warning if this takes longer
+  /// than until `deadline`.
   void LetExecute(const Component& client, SteadyTime deadline) const;
   Result<void> RequestState(const std::string& component, const Request& request,
                             ComponentState wanted, Patience patience);
   Result<void> RequestStateOfAll(const Components& components, const Request& request,
                                  ComponentState wanted, Patience patience);
   /// Waits until no other request for the component is in progress, then makes the request. Does
-  /// not wait for its effect.
+  /// not wait until the request takes effect.
   Result<void> MakeRequest(const std::shared_ptr<Component>& component, const Request& request,
                            SteadyTime deadline);
   [[nodiscard]] static Error RequestInProgress(const std::string& component);
@@ -256,7 +258,7 @@ class LocalManager {
   Result<void> TryRunAfter(const std::string& component, const std::string& leader,
                            SteadyTime deadline);
   Result<void> TryTakeOut(const std::shared_ptr<Component>& component, SteadyTime deadline);
-  /// Replaces the entry with the same name by `given`. Afterwards, `given` is the former entry.
+  /// Replaces the entry that has the same name as `given`. Afterwards, `given` is the former entry.
   Result<void> TryReplace(Entry& given, SteadyTime deadline);
   void ReplaceEntry(Entry& given, Component& former);
   void Attach(Component& component);

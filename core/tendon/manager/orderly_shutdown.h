@@ -27,8 +27,8 @@ class OrderlyShutdown {
   /// The functions that stop components and query them.
   struct Actions {
     std::function<bool(const Component&)> is_at_rest;
-    /// Requests the stop of a component. If it returns kTimeout, the request was not possible now
-    /// and is repeated later.
+    /// Requests the stop of a component. A result kTimeout means that the request was not possible
+    /// now; it is repeated later.
     std::function<Result<void>(const std::shared_ptr<Component>&)> stop;
     /// Returns true if calls that the component has sent are not executed yet.
     std::function<bool(const Component&)> has_calls_under_way;
@@ -38,8 +38,8 @@ class OrderlyShutdown {
 
   /// Stops the components, and returns when all have ended. At `deadline`, requests the stop of all
   /// remaining components, even if others still call them, and returns at most kGrace later.
-  /// Returns the first error. If last calls of a component were not executed in time, logs a
-  /// warning.
+  /// Returns the first error. Logs a warning if last calls of a component were not executed in
+  /// time.
   Result<void> Run(SteadyTime deadline);
 
   static constexpr std::chrono::milliseconds kGrace{100};
@@ -51,7 +51,7 @@ class OrderlyShutdown {
 
  private:
   enum class Phase {
-    kWaits,  ///< for the members that must end before it
+    kWaits,  ///< waits for the members that must end before it
     kRequested,
     kEnded,  ///< has ended, but its last calls may not be executed yet
     kDone,

@@ -42,8 +42,8 @@ Result<void> CheckAbi(void* library) {
                                        "; build the plug-in again against this version of Tendon"};
 }
 
-/// A library is identified by its path and the hash of its content, so a file that was written
-/// again is another library.
+/// Identifies a library by its path and the hash of its content. A file with new content is
+/// therefore another library.
 using LoadedFile = std::pair<fs::path, std::array<std::uint64_t, 2>>;
 std::mutex loaded_mutex;
 std::map<LoadedFile, void*>& LoadedLibraries() {

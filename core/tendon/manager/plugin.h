@@ -20,9 +20,9 @@ struct Plugin {
 };
 
 /// Loads a plug-in and lets it register its classes. First tests it with ProbePlugin(). Loads a
-/// copy of the file, so that the file may be written again while the process runs. If this process
-/// has already loaded the same content of this file, it is not loaded again. An error says which
-/// file, what was expected and what was found. Thread-safe.
+/// copy of the file, so that the file can be overwritten while the process runs. Content that this
+/// process has already loaded from this file is not loaded again. An error says which file, what
+/// was expected and what was found. Thread-safe.
 Result<Plugin> LoadPlugin(const std::filesystem::path& file,
                           std::chrono::milliseconds patience = std::chrono::seconds(30));
 

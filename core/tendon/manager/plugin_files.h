@@ -32,7 +32,7 @@ class PluginFiles {
 
   static PluginDescription Describe(Loaded& loaded);
 
-  std::mutex update_mutex_;  // one Update() at a time; locked before mutex_
+  std::mutex update_mutex_;  // held during Update(); locked before mutex_
   std::vector<Loaded> loaded_;
   mutable std::mutex mutex_;  // guards the members below
   std::vector<PluginDescription> descriptions_;

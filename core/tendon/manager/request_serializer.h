@@ -19,8 +19,9 @@ class RequestSerializer {
   /// The right to make one request for a component.
   class Turn {
    public:
-    /// Waits until no other request for the component is in progress; the lock is released while it
-    /// waits. Gives up at `deadline`, but not before kShortest has passed; then is_ours() is false.
+    /// Waits until no other request for the component is in progress, and releases the lock during
+    /// the wait. Gives up at `deadline`, but not before kShortest has passed; then is_ours() is
+    /// false.
     Turn(RequestSerializer& serializer, const Component& component,
          std::unique_lock<std::recursive_mutex>& lock, SteadyTime deadline);
     Turn(const Turn&) = delete;

@@ -22,7 +22,7 @@ struct UnsatisfiedInterface {
 /// of its functions or event handlers is not optional.
 [[nodiscard]] bool IsNeeded(const RequiredDescription& required);
 
-/// Returns the connection of the required interface with this name; null if there is none.
+/// Returns the connection of the required interface with this name; null if it has none.
 using FindConnection =
     std::function<const ConnectionDescription*(const std::string& required_interface)>;
 
@@ -30,8 +30,8 @@ using FindConnection =
 [[nodiscard]] std::vector<UnsatisfiedInterface> UnmetNeedsOf(const ComponentDescription& component,
                                                              const FindConnection& find);
 
-/// The same; `connections` are all connections of the component's process. The cost is proportional
-/// to the number of connections times the number of interfaces.
+/// Like the function above. `connections` are all connections of the component's process. The cost
+/// is proportional to the number of connections times the number of interfaces.
 [[nodiscard]] std::vector<UnsatisfiedInterface> UnmetNeedsOf(
     const ComponentDescription& component, const std::vector<ConnectionDescription>& connections);
 

@@ -18,8 +18,8 @@ class Component;
 class Task;
 
 /// Detects periodic tasks whose cycle blocks. A task is overdue if no cycle has begun for three
-/// periods plus 50 ms. Logs this once, and logs once more when the task continues. Tasks without a
-/// period are ignored.
+/// periods plus 50 ms. The watchdog logs when a task becomes overdue, and when the task continues.
+/// It ignores tasks without a period.
 ///
 /// One thread checks all tasks every 50 ms. It is started when the first task is added.
 /// Thread-safe.
@@ -51,7 +51,7 @@ class Watchdog {
   struct Watched {
     const Task* task;
     std::string warning;
-    SteadyTime since{};  // when its last cycle began
+    SteadyTime since{};  // the time when its last cycle began
   };
 
   struct Finding {

@@ -23,8 +23,8 @@ template <>
 inline constexpr auto kPayload<Error> = Describe("tendon.Error", Field{"code", &Error::code},
                                                  Field{"message", &Error::message});
 
-/// A payload that forms the whole body of a frame. A vector of bytes is excluded, because it is an
-/// encoded body already.
+/// A payload that forms the whole body of a frame. A vector of bytes is no Message, because it is
+/// already an encoded body.
 template <typename T>
 concept Message = Payload<T> && !std::convertible_to<const T&, std::span<const std::byte>>;
 
@@ -35,8 +35,8 @@ template <Message T>
   return body;
 }
 
-/// Decodes a body. Fails with kInvalid if the bytes are not a valid T; the error names the type. To
-/// decode an Error, use ReadRefusal().
+/// Decodes a body. Fails with kInvalid if the bytes are not a valid T; the error names the type.
+/// Use ReadRefusal() to decode an Error.
 template <Payload T>
 Result<T> DecodeBody(std::span<const std::byte> body) {
   T value{};

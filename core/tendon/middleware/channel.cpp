@@ -58,8 +58,8 @@ bool IsOnThisMachine(const Link& link) {
   return !address || CheckExposure(address->host, Exposure::kLoopbackOnly).ok();
 }
 
-/// Returns the Hello for the handshake on `link`. It keeps the cookie only if the peer is on this
-/// machine and the link has no TLS, because TLS does not need a cookie.
+/// Returns the Hello for the handshake on `link`. The Hello has the cookie only if the peer is on
+/// this machine and the link has no TLS, which needs no cookie.
 Hello For(const Link& link, Hello mine) {
   if (link.certificate() != nullptr || !IsOnThisMachine(link)) mine.cookie = 0;
   return mine;
@@ -137,7 +137,7 @@ Result<void> Channel::Greet(const std::shared_ptr<Link>& link, SteadyTime deadli
                      UnauthenticatedPeers::kRefused, link->certificate());
   const Bytes greeting = handshake_->Greet();
   lock.unlock();
-  (void)Send(MessageType::kHello, 1, 0, greeting);  // if it fails, OnClosed() is called
+  (void)Send(MessageType::kHello, 1, 0, greeting);  // after a failure, OnClosed() is called
   lock.lock();
   if (!changed_.wait_until(lock, deadline, [&] { return greeted_ || reason_; })) {
     is_open_.Set(false);
@@ -307,7 +307,7 @@ void Channel::OnTooMuch(const FrameHeader& header) {
 }
 
 /// Decides whether a large frame is stored. Called with its first part, so that a message of 64 MiB
-/// is refused before all of it is sent.
+/// can be refused before all of it is sent.
 bool Channel::IsWanted(const FrameHeader& header) {
   if (header.type == MessageType::kReply || header.type == MessageType::kRefusal) {
     return requests_.IsAwaited(header.request);
@@ -318,9 +318,9 @@ bool Channel::IsWanted(const FrameHeader& header) {
   return !refusal;
 }
 
-/// Handles a complete large message. This may take long, and this thread does not read from its
-/// peers meanwhile. Therefore a ProgressSender repeatedly sends the number of received bytes to the
-/// peer. A reply is moved to its requester, not copied.
+/// Handles a complete large message. This may take long, and the thread does not read from its
+/// peers during this time. Therefore, a ProgressSender repeatedly reports to the peer how many
+/// bytes have arrived. A reply is moved to its requester, not copied.
 void Channel::HandleLarge(PartAssembly::Frame frame) {
   std::optional<LargeMessageInProgress> mark;
   std::optional<ProgressSender> sign;
@@ -466,8 +466,8 @@ Result<Answer> Channel::Call(MessageType type, std::uint32_t handle,
   return NoAnswer(PeerName(), timeout);
 }
 
-/// Returns true if a reply of this size may be sent as the response to a direct request. Such a
-/// reply is not sent in parts, so it must be small or the link must be fast.
+/// Returns true if a reply of this size may be sent as the response to a direct request. A response
+/// is not sent in parts, so it must be small or the link must be fast.
 bool Channel::FitsInSlot(std::size_t size) {
   if (!outgoing_parts_.MustSendInParts(kOwnLane, size)) return true;
   return size <= kMaxReturned && outgoing_parts_.is_quick();

@@ -42,15 +42,16 @@ namespace tendon {
 /// - PartSender sends a large message of this end in parts, as fast as the peer acknowledges them.
 ///   PartReceiver joins the parts that the peer sends.
 /// - ChannelHandler, written by the owner, receives the notices and requests of the peer. It
-/// answers
-///   a request with a Responder, now or later. A ReplyBatcher sends many replies in one message.
+///   answers a request with a Responder, now or later. A ReplyBatcher sends many replies in one
+///   message.
 class Channel final : public std::enable_shared_from_this<Channel>, private LinkHandler {
   struct Key {};
 
  public:
   /// Opens a link and does the handshake; blocks for at most `timeout`. Fails like
-  /// Middleware::Open(), or if the peer refuses: with kIncompatible for another protocol version,
-  /// and with kDenied for a wrong cookie. Must not be called in a thread of the middleware.
+  /// Middleware::Open(). Also fails if the peer refuses: with kIncompatible for another protocol
+  /// version, and with kDenied for a wrong cookie. Must not be called in a thread of the
+  /// middleware.
   static Result<std::shared_ptr<Channel>> Open(Middleware& middleware, const std::string& address,
                                                const Hello& mine,
                                                std::shared_ptr<ChannelHandler> handler,
@@ -80,11 +81,11 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   /// Sends a request; never blocks. Calls the handler exactly once: in a thread of the middleware,
   /// in Expire(), or before this function returns if the request could not be sent. The handler
   /// receives the reply, the refusal of the peer, kTimeout (outcome unknown), or kUnreachable if
-  /// the channel was closed before the reply arrived.
+  /// the channel was closed before the reply.
   void Request(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                std::chrono::milliseconds timeout, ReplyHandler handler, Lane lane = kCommonLane,
                Delivery delivery = Delivery::kQueued);
-  /// Like Request(), but does not call the handler if the request cannot be sent now. Then fails
+  /// Like Request(), but never calls the handler if the request cannot be sent now. Instead, fails
   /// like Link::Send().
   Status TryRequest(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                     std::chrono::milliseconds timeout, ReplyHandler handler,
@@ -108,15 +109,15 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
                      std::chrono::milliseconds timeout);
 
   /// Ends requests that have timed out. Closes the channel if the peer has stopped in the middle of
-  /// a large message. Must be called regularly by the owner of the channel; WatchOver() and
-  /// KeepExpiring() do this. The timeout of Call() does not depend on it.
+  /// a large message. The owner of the channel must call it regularly; MonitorPeer() and
+  /// KeepExpiring() do this. Call() has its own timer.
   void Expire(SteadyTime now);
 
   /// Closes the channel. ChannelHandler::OnClosed() is called later. Idempotent; may be called from
   /// a handler.
   void Close();
-  /// Closes the channel because the peer misbehaves or does not answer. `what` describes this and
-  /// becomes part of the reason: "has not answered for 2 s".
+  /// Closes the channel because the peer misbehaves or does not answer. `what` describes the fault
+  /// of the peer and becomes part of the reason: "has not answered for 2 s".
   void CutOff(const std::string& what);
 
   /// Wait-free.
@@ -124,13 +125,13 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   /// The peer's Hello; empty before OnOpen().
   [[nodiscard]] const Hello& peer() const { return peer_; }
   [[nodiscard]] std::string peer_address() const;
-  /// The last time at which a part of a large message arrived, or the peer acknowledged one. If
-  /// this was recent, the peer is alive, although its other messages may be delayed by the parts.
+  /// The last time when a part of a large message arrived, or when the peer acknowledged a part. If
+  /// this was recent, the peer is alive, even if its other messages are late because of the parts.
   [[nodiscard]] SteadyTime last_part() const { return last_part_.Get(); }
   /// Number of answers that arrived after their requests had ended.
   [[nodiscard]] std::uint64_t late_replies() const;
 
-  /// `link` is the link if it was accepted; null if this end opens the link.
+  /// `link` is an accepted link, or null if this end opens the link.
   Channel(Key key, Hello mine, std::shared_ptr<ChannelHandler> handler, std::shared_ptr<Link> link,
           UnauthenticatedPeers unauthenticated);
 
@@ -203,7 +204,7 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::shared_ptr<Link> link_;
-  Hello peer_;            // constant once the channel is open
+  Hello peer_;            // does not change after the channel is open
   bool greeted_ = false;  // set after OnOpen()
   Lane last_lane_ = kCommonLane;
   std::optional<Error> reason_;  // why the channel is closed or is being closed

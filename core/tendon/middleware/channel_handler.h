@@ -36,9 +36,9 @@ class ChannelHandler {
   virtual void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
                         std::span<const std::byte> body);
 
-  /// Called with the header when the first part of a large message has arrived. If this returns an
-  /// error, the message is discarded; if it is a request, it is refused with the error. By default,
-  /// accepts all messages.
+  /// Called with the header when the first part of a large message has arrived. If this function
+  /// returns an error, the message is discarded; if the message is a request, it is refused with
+  /// the error. By default, accepts all messages.
   virtual std::optional<Error> WhyNotTaken(const Channel& channel, const FrameHeader& header);
 
   /// Called exactly once for every link that was opened, as the last call, even if the handshake

@@ -20,7 +20,7 @@ struct Waits {
   }
 
   std::mutex mutex;
-  std::multiset<std::thread::id> ended;  // default-constructed: all threads
+  std::multiset<std::thread::id> ended;  // a default-constructed id means all threads
   std::uint64_t last_number = 0;
   std::map<std::uint64_t, PendingConnect> all;
 };

@@ -9,8 +9,8 @@
 namespace tendon {
 
 /// While this object exists, no thread of this program opens links: attempts in progress are
-/// cancelled at once, and new ones fail. Used when a program ends, because its threads may be
-/// waiting for a link to a process that hangs. Thread-safe.
+/// cancelled at once, and new attempts fail. Used when a program ends, because its threads may wait
+/// for a link to a process that hangs. Thread-safe.
 class ConnectCancellation {
  public:
   ConnectCancellation() : ConnectCancellation(std::thread::id()) {}
@@ -21,15 +21,15 @@ class ConnectCancellation {
   ~ConnectCancellation();
 
  private:
-  const std::thread::id thread_;  // default-constructed: all threads
+  const std::thread::id thread_;  // a default-constructed id means all threads
 };
 
 /// Registers that this thread waits for a link, so that a ConnectCancellation can end the wait.
 class CancellableConnect {
  public:
-  /// A ConnectCancellation calls `give_up`, which must end the wait and must not block. The call
-  /// may be made several times, in any thread, and before this constructor returns; it is never
-  /// made after the destructor.
+  /// A ConnectCancellation calls `give_up`, which must end the wait and must not block. `give_up`
+  /// may be called several times, in any thread, and even before this constructor returns. It is
+  /// never called after the destructor.
   explicit CancellableConnect(std::function<void()> give_up);
   CancellableConnect(const CancellableConnect&) = delete;
   CancellableConnect& operator=(const CancellableConnect&) = delete;

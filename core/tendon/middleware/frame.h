@@ -33,19 +33,19 @@ struct FrameHeader {
   MessageType type = MessageType::kHello;
   std::uint64_t request = 0;  ///< 0: no answer is expected
   std::uint32_t size = 0;     ///< bytes of the body
-  /// The destination in the receiver, which has issued this number and checks it.
+  /// The addressee in the receiver's process. The receiver has issued this number and checks it.
   std::uint32_t handle = 0;
 
   static constexpr std::uint32_t kMagic = 0x4e444e54;  // "TNDN"
-  /// Must be increased when a message or its meaning changes, because bodies do not contain the
-  /// names of their fields. Both ends of a link must use the same version.
+  /// Must be increased when a message or its meaning changes. Both ends of a link must use the same
+  /// version, because bodies do not contain the names of their fields.
   static constexpr std::uint16_t kProtocolVersion = 10;
   static constexpr std::size_t kSize = 24;
 };
 
 /// The largest size of a frame, including the header. Only the direct response to a request with
-/// Delivery::kDirect may be this large. Here the limit can be higher, because this program has
-/// chosen the peer and sent the request.
+/// Delivery::kDirect may be this large. The limit can be higher here, because this program has
+/// chosen the peer and has requested the response.
 inline constexpr std::size_t kMaxFrameSize = (std::size_t{1} << 20U) + (std::size_t{64} << 10U);
 /// The largest size of all other frames. It is smaller, because any peer can make this process
 /// store such a frame. Larger messages are sent in parts.

@@ -16,7 +16,7 @@ using message::Digest;
 using message::Greeting;
 using message::Proof;
 
-/// The data that a proof covers. Parts of variable length are encoded with their size, so that
+/// The data that a proof covers. Parts of variable length are encoded with their size, so that two
 /// different data never have the same bytes.
 struct Covered {
   std::uint8_t role = 0;
@@ -51,7 +51,7 @@ Digest Sign(std::uint64_t cookie, const Covered& covered) {
   return digest;
 }
 
-/// Compares in constant time, so that the time does not reveal where the two differ.
+/// Compares in constant time, so that the time does not show where the digests differ.
 bool AreEqual(const Digest& one, const Digest& other) {
   return CRYPTO_memcmp(one.data(), other.data(), one.size()) == 0;
 }
@@ -62,7 +62,7 @@ void FillWithRandom(std::array<std::uint8_t, 16>& nonce) {
   std::memcpy(nonce.data(), random.data(), sizeof random);
 }
 
-/// The error for different protocol versions, written for the user of the opener.
+/// Returns the error for different protocol versions. The text is for the user of the opener.
 Error VersionsDiffer(const std::string& acceptor, unsigned its, unsigned openers) {
   return {ErrorCode::kIncompatible, acceptor + " speaks protocol version " + std::to_string(its) +
                                         ", but this program speaks version " +
@@ -94,7 +94,7 @@ Result<Handshake::Step> Handshake::Take(const FrameHeader& header,
   const bool is_opener = stage_ == Stage::kChallenge || stage_ == Stage::kWelcome;
   if (is_opener && header.type == MessageType::kRefusal) return ReadRefusal(body, address_);
   constexpr unsigned kOurs = FrameHeader::kProtocolVersion;
-  if (header.version != kOurs) {  // the format of its body is not known
+  if (header.version != kOurs) {  // then the format of the body is unknown
     return is_opener ? VersionsDiffer(address_, header.version, kOurs)
                      : VersionsDiffer(mine_.name, kOurs, header.version);
   }

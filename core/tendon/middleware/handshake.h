@@ -46,15 +46,14 @@ struct Proof {
 ///     opener     kProof      Proof, and the session, which an impostor must not get
 ///     acceptor   kWelcome    None
 ///
-/// The header of each frame contains the protocol version of the sender. If the version of a frame
-/// is another one, the receiver does not read the body; it refuses the link and says which program
-/// must be updated. A kRefusal is read in any version, so the encoding of an Error must never
-/// change.
+/// The header of each frame contains the protocol version of the sender. If the two versions
+/// differ, the receiver does not read the body; it refuses the link and says which program must be
+/// updated. A kRefusal is read in every version, so the encoding of an Error must never change.
 ///
-/// A proof is computed from both greetings, so it is valid only on this link. It also covers the
-/// acceptor's address as the opener knows it, so a process at another address cannot relay the
-/// proof. With TLS, both cookies are 0: the certificates prove the identity, and also contain the
-/// name and role of the peer.
+/// A proof is computed from both greetings, so it is valid only on this link. The proof also covers
+/// the acceptor's address as the opener knows it, so that a process at another address cannot relay
+/// the proof. With TLS, both cookies are 0; instead, the certificates prove the identity, the name
+/// and the role of the peer.
 ///
 /// An object handles one end of one link. Not thread-safe.
 class Handshake {
@@ -76,8 +75,8 @@ class Handshake {
     bool has_answer = false;    ///< true if `type` and `body` must be sent to the peer
     std::optional<Hello> peer;  ///< set by the last step, when the peer is authenticated
   };
-  /// Handles the next frame of the peer. If the peer is not accepted, returns an error; its text is
-  /// for the user of the opener.
+  /// Handles the next frame of the peer. Returns an error if the peer is not accepted; the text of
+  /// the error is for the user of the opener.
   Result<Step> Take(const FrameHeader& header, std::span<const std::byte> body);
 
  private:

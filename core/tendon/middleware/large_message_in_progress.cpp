@@ -22,7 +22,7 @@ struct BusyThreads {
 };
 
 BusyThreads& AllBusyThreads() {
-  static BusyThreads& threads = *new BusyThreads;  // never destroyed: threads may outlive statics
+  static BusyThreads& threads = *new BusyThreads;  // never destroyed: threads may use it
   return threads;
 }
 
@@ -47,8 +47,8 @@ Since& SinceOfThisThread() {
   return thread.since;
 }
 
-/// Returns until when work that began at `since` excuses the silence of peers; kNothing if the work
-/// is too short.
+/// Returns the time until which work that began at `since` excuses the silence of peers. Returns
+/// kNothing if the work has not taken long enough.
 SteadyTime ExcusedBy(SteadyTime since, SteadyTime now) {
   const bool excuses = since != kNothing && now - since >= LargeMessageInProgress::kShort;
   return excuses ? std::min(now, since + LargeMessageInProgress::kAtMost) : kNothing;

@@ -71,8 +71,8 @@ class DeliveryThread {
   /// Returns true if no more links are accepted.
   [[nodiscard]] bool is_closing() const { return is_closing_.Get(); }
 
-  /// Closes every end and ends the thread. Before it returns, OnClosed() was called for all their
-  /// handlers.
+  /// Closes every end and ends the thread. All calls of OnClosed() have returned before this
+  /// function returns.
   void Stop();
   /// See LoopbackMiddleware::Crash().
   void Crash();
@@ -137,8 +137,8 @@ struct ListeningEndpoint {
   bool is_open = true;  // used only in the delivery thread
 
   void Enter(const std::shared_ptr<End>& end);
-  /// Closes the links that the listener has accepted. Before it returns, OnClosed() was called for
-  /// all their handlers.
+  /// Closes the links that the listener has accepted. All calls of OnClosed() have returned before
+  /// this function returns.
   void Close();
 };
 
@@ -283,7 +283,7 @@ class End final : public Link, public std::enable_shared_from_this<End> {
   void Expect(SteadyTime due) {
     thread_->PostAt(due, [self = shared_from_this()] { self->DeliverDue(); });
   }
-  /// Delivers the frames that are due, in order: a delayed frame also delays all later frames.
+  /// Delivers the frames that are due, in order. A delayed frame also delays all later frames.
   void DeliverDue() {
     while (true) {
       DelayedFrame delayed;
@@ -339,17 +339,17 @@ class End final : public Link, public std::enable_shared_from_this<End> {
   const std::shared_ptr<DeliveryThread> thread_;
   const std::string local_name_;
   const std::string peer_name_;
-  const ListeningEndpoint* const endpoint_;  // its listener or null; only compared
+  const ListeningEndpoint* const endpoint_;  // null if not accepted; never dereferenced
   std::weak_ptr<End> other_;
   std::shared_ptr<LinkHandler> handler_;
 
   std::mutex mutex_;
   bool is_admitted_ = false;
-  std::size_t waiting_ = 0;           // bytes sent and not yet delivered
+  std::size_t waiting_ = 0;           // bytes sent but not delivered yet
   std::deque<DelayedFrame> delayed_;  // not delivered to the thread yet
-  bool delivers_nothing_ = false;     // closed at this end; delivers nothing more
-  bool sends_nothing_ = false;        // crashed; sends nothing more
-  bool has_ended_ = false;            // closed at one of the ends; accepts nothing more
+  bool delivers_nothing_ = false;     // this end is closed
+  bool sends_nothing_ = false;        // this end has crashed
+  bool has_ended_ = false;            // one of the ends is closed
 };
 
 void LoopbackReply::Deliver() const { end_->Reply(frame_); }

@@ -31,8 +31,8 @@ struct Frame {
 
 enum class FaultAction { kPass, kDrop, kHold };
 
-/// The fault that is injected into a frame. The sender does not notice it, unless the link becomes
-/// full.
+/// The fault that is injected into a frame. The sender does not notice the fault, unless the link
+/// becomes full.
 struct Fault {
   FaultAction action = FaultAction::kPass;
   std::chrono::nanoseconds delay{0};  ///< used only with kPass
@@ -40,8 +40,8 @@ struct Fault {
 
 inline constexpr Fault kPass{};
 inline constexpr Fault kDrop{.action = FaultAction::kDrop};
-/// Holds the frame until ReleaseHeld(). As after every delay, later frames of the link are
-/// delivered only after this one. Frames that are held or delayed when the link is closed are lost.
+/// Holds the frame until ReleaseHeld(). A delayed frame also delays all later frames of the link.
+/// When the link is closed, all its held or delayed frames are lost.
 inline constexpr Fault kHold{.action = FaultAction::kHold};
 }  // namespace loopback
 
@@ -49,7 +49,8 @@ inline constexpr Fault kHold{.action = FaultAction::kHold};
 /// the faults that a test injects. Thread-safe.
 class LoopbackNetwork {
  public:
-  /// Returns the fault for a frame. Called in the sender's thread. If it is null, all frames pass.
+  /// Returns the fault for a frame. Called in the sender's thread. Without an injector, all frames
+  /// pass.
   using FaultInjector = std::function<loopback::Fault(const loopback::Frame& frame)>;
   void SetFaultInjector(FaultInjector fault_injector);
   void ReleaseHeld();
@@ -71,7 +72,7 @@ class LoopbackNetwork {
 
   std::mutex mutex_;
   FaultInjector fault_injector_;
-  std::vector<std::weak_ptr<loopback::End>> holders_;  // ends that hold frames back
+  std::vector<std::weak_ptr<loopback::End>> holders_;  // ends with held frames
   std::uint32_t last_port_ = 49151;
   std::map<std::string, std::shared_ptr<loopback::ListeningEndpoint>> endpoints_;
 };
@@ -89,8 +90,8 @@ class LoopbackMiddleware final : public Middleware {
                                      std::shared_ptr<LinkHandler> handler,
                                      std::chrono::milliseconds timeout) override;
 
-  /// Behaves as if the process were killed: OnClosed() is called at the peers, its addresses become
-  /// free, and it sends and receives nothing more.
+  /// Simulates that the process is killed: OnClosed() is called at the peers, the addresses become
+  /// free, and this object sends and receives nothing more.
   void Crash();
 
  private:

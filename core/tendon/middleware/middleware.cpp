@@ -25,8 +25,8 @@ bool IsHost(std::string_view host) {
   return !host.empty() && host.front() != '-' && host.find_first_not_of(kLetters) == host.npos;
 }
 
-/// Returns true for four decimal numbers of which the first is 127. The whole text is parsed,
-/// because "127.0.0.1.example" is the name of another host.
+/// Returns true for four decimal numbers that begin with 127. Parses the whole text, because
+/// "127.0.0.1.example" is the name of another host.
 bool IsLoopbackNumber(std::string_view host) {
   for (int part = 0; part < 4; ++part) {
     const auto dot = host.find('.');

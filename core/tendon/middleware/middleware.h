@@ -27,8 +27,8 @@ inline constexpr std::size_t kSendWindow = std::size_t{8} << 20U;
 enum class Delivery {
   kQueued,
   /// For a request whose sender waits for the answer. If the link has a direct path back, the peer
-  /// can send its answer there as the response to this frame. If not, the link queues the frame.
-  /// The order relative to queued frames is kept.
+  /// can send its answer on this path, as the response to this frame. Otherwise, the link queues
+  /// the frame. The order relative to queued frames is kept.
   kDirect,
 };
 
@@ -42,13 +42,13 @@ class Link {
 
   /// Copies one whole frame and sends it; never blocks. Frames arrive in the order of the calls.
   /// kQueued does not mean that the frame was delivered. Fails with kQueueFull, and sends nothing,
-  /// if more than kSendWindow bytes would be buffered; with kInvalid if this is not a frame of at
-  /// most kMaxPieceSize bytes; with kNotConnected if the link is closed.
+  /// if more than kSendWindow bytes would be buffered. Fails with kInvalid if the bytes are not a
+  /// frame of at most kMaxPieceSize bytes, and with kNotConnected if the link is closed.
   virtual Status Send(std::span<const std::byte> frame, Delivery delivery = Delivery::kQueued) = 0;
 
-  /// Marks the peer as authenticated, so it may now send frames of up to kMaxPieceSize bytes.
-  /// Before this call, the link is closed if a frame larger than kMaxUnauthenticatedFrameSize
-  /// arrives. An accepted link is also closed if Admit() is not called within 3 s. This limits the
+  /// Marks the peer as authenticated, so that it may send frames of up to kMaxPieceSize bytes.
+  /// Before this call, a frame larger than kMaxUnauthenticatedFrameSize closes the link. An
+  /// accepted link is also closed if Admit() is not called within 3 s. These rules limit the
   /// resources that an unauthenticated peer can use. Idempotent; may be called from a handler.
   virtual void Admit() = 0;
 
@@ -83,7 +83,7 @@ class LinkHandler {
   virtual void OnLentFrame(std::span<const std::byte> frame, std::shared_ptr<const void> owner);
 
   /// Called instead of OnFrame() for a frame that was sent with Delivery::kDirect, if the link has
-  /// a direct path back. `answer` is an empty slot. A reply written to it is sent on the direct
+  /// a direct path back. `answer` is an empty slot. A reply in this slot is sent on the direct
   /// path, after all frames that were sent during this call. By default, calls OnFrame().
   virtual void OnDirectFrame(std::span<const std::byte> frame, ReplySlot& answer);
 
@@ -92,8 +92,8 @@ class LinkHandler {
 };
 
 /// Accepts links at an address until it is destroyed. The destructor also closes the accepted
-/// links, and returns when OnClosed() was called for all of them. Must not be destroyed by a
-/// handler.
+/// links, and returns when all calls of OnClosed() have returned. A handler must not destroy a
+/// listener.
 class Listener {
  public:
   Listener() = default;
@@ -111,8 +111,9 @@ class Listener {
 using AcceptLink = std::function<std::shared_ptr<LinkHandler>(const std::shared_ptr<Link>&)>;
 
 /// A transport between processes: loopback, plain TCP, or Ice. A program chooses one when it
-/// starts. The destructor closes all links that are still open; afterwards no handler is called. A
-/// listener may be destroyed later, but accepts no more links. Must not be destroyed by a handler.
+/// starts. The destructor closes all open links; afterwards no handler is called. A listener may be
+/// destroyed later than its middleware, but accepts no more links. A handler must not destroy a
+/// middleware.
 class Middleware {
  public:
   Middleware() = default;
@@ -136,15 +137,15 @@ class Middleware {
 
   /// Opens a new link. Blocks until the link is open or `timeout` has passed; resolving a host name
   /// may take longer. Fails with kUnreachable, kTimeout, kInvalid, or with kDenied like Listen().
-  /// If it fails, the handler is either not called at all, or OnClosed() was called before the
-  /// return. Must not be called from a handler.
+  /// After a failure, the handler was either never called, or OnClosed() has returned. Must not be
+  /// called from a handler.
   virtual Result<std::shared_ptr<Link>> Open(const std::string& address,
                                              std::shared_ptr<LinkHandler> handler,
                                              std::chrono::milliseconds timeout) = 0;
 };
 
-/// To which machines links may lead. kLoopbackOnly: only this machine. kInsecure: any machine,
-/// unencrypted. kCertified: any machine, with TLS on every link, also on this machine.
+/// The machines to which links may lead. kLoopbackOnly: only this machine. kInsecure: any machine,
+/// unencrypted. kCertified: any machine, with TLS on every link, also within this machine.
 enum class Exposure { kLoopbackOnly, kInsecure, kCertified };
 
 /// Host and port of an address.
@@ -153,9 +154,9 @@ struct HostPort {
   std::uint16_t port = 0;
 };
 
-/// Splits and checks "host:port" or "[::1]:port". An error is, for example, "port 'abc': expected
-/// 1..65535". `lowest_port` must be 0 for an address to listen at, otherwise 1. "localhost" becomes
-/// 127.0.0.1.
+/// Splits and checks "host:port" or "[::1]:port". `lowest_port` is 0 for an address to listen at,
+/// otherwise 1. "localhost" becomes 127.0.0.1. An example of an error is "port 'abc': expected
+/// 1..65535".
 Result<HostPort> ParseAddress(const std::string& address, std::uint16_t lowest_port);
 
 /// Returns "host:port"; an IPv6 address is put in brackets.
@@ -171,9 +172,9 @@ Result<HostPort> ParseAllowedAddress(const std::string& address, std::uint16_t l
 
 // The rest of this file is for implementations of links, and for the channels that use them.
 
-/// Memory of a link for a reply frame that is the response to a direct request (Delivery::kDirect).
-/// The body is written directly into the memory that the link sends. May be used by one thread at a
-/// time.
+/// Memory of a link for a reply frame, which is the response to a direct request
+/// (Delivery::kDirect). The body is written directly into the memory that the link sends. One
+/// thread at a time.
 class ReplySlot {
  public:
   ReplySlot() = default;
@@ -181,8 +182,8 @@ class ReplySlot {
   ReplySlot& operator=(const ReplySlot&) = delete;
   virtual ~ReplySlot() = default;
 
-  /// Writes the header and returns memory for the body; all of it must be written before End(). If
-  /// the reply can no longer be sent as the response, returns no value and changes nothing. Must be
+  /// Writes the header and returns memory for the body, which must be filled before End(). Returns
+  /// no value, and changes nothing, if the reply can no longer be sent as the response. Must be
   /// called at most once. May throw std::bad_alloc; then there is no frame.
   std::optional<std::span<std::byte>> Begin(const FrameHeader& header) {
     assert(!has_begun_);
@@ -192,14 +193,14 @@ class ReplySlot {
     has_begun_ = room.has_value();
     return room;
   }
-  /// Completes the frame. If this is not called, there is no frame, and the link may report this to
-  /// the peer.
+  /// Completes the frame. Without this call there is no frame, and the link may report this to the
+  /// peer.
   void End() {
     is_there_ = true;
     OnEnd();
   }
 
-  /// Returns another slot for the same reply, to which any thread can write later; this slot stays
+  /// Returns another slot for the same reply, to which any thread can write later. This slot stays
   /// empty. If the other slot is destroyed unused, the link stops waiting for the reply. Returns
   /// null after Begin(), or if the link cannot defer replies.
   [[nodiscard]] std::unique_ptr<ReplySlot> Defer() {
@@ -225,8 +226,8 @@ class ReplySlot {
   std::size_t size_ = 0;
 };
 
-/// The reason for closing a link if the peer sends bytes that are not a frame, or too large a
-/// frame.
+/// Returns the reason for closing a link whose peer has sent bytes that are not a frame, or a frame
+/// that is too large.
 [[nodiscard]] Error NoFrame(const std::string& peer);
 
 /// Returns a listener with this address. Its destructor calls `close`.

@@ -16,7 +16,7 @@ template <typename T>
 class OneShotValue {
  public:
   /// Sets the value and wakes the waiting thread. Returns false if a value was set before, or if
-  /// the other thread does not wait any more.
+  /// the other thread has stopped waiting.
   bool Give(T value) {
     {
       const std::scoped_lock lock(mutex_);
@@ -29,8 +29,8 @@ class OneShotValue {
     return true;
   }
 
-  /// Waits for the value until `deadline`. Returns no value if none was set in time; a later Give()
-  /// then fails.
+  /// Waits for the value until `deadline`. Returns no value if no value was set in time; a later
+  /// Give() then fails.
   std::optional<T> WaitUntil(SteadyTime deadline) {
     wakeup_.WaitUntil([this] { return given_.Get(); }, deadline);
     const std::scoped_lock lock(mutex_);

@@ -27,15 +27,15 @@ bool MayBeLarge(MessageType type) {
   }
 }
 
-/// Returns true for replies and refusals. They are not counted in the budget, because this end has
+/// Returns true for replies and refusals. The budget does not count them, because this end has
 /// requested them.
 bool IsAnswer(MessageType type) {
   return type == MessageType::kReply || type == MessageType::kRefusal;
 }
 
 /// Reserves memory for `more` bytes of a body that will have `size` bytes. Reserves more than
-/// needed, so that the body is seldom copied, but at most 1 MiB or eight times the bytes that have
-/// arrived, because `size` is only announced by the peer.
+/// needed, so that the body is seldom copied. The limit is 1 MiB or eight times the bytes that have
+/// arrived, because the peer has only announced `size`.
 void MakeRoom(Bytes& body, std::size_t more, std::size_t size) {
   constexpr std::size_t kAtFirst = std::size_t{1} << 20U;
   const std::size_t needed = body.size() + more;
@@ -47,7 +47,7 @@ void MakeRoom(Bytes& body, std::size_t more, std::size_t size) {
 
 Budget<>& PartAssembly::BudgetOfProcess() {
   constexpr std::size_t kMost = std::size_t{512} << 20U;
-  static auto& budget = *new Budget<>(kMost);  // never destroyed: threads may outlive statics
+  static auto& budget = *new Budget<>(kMost);  // never destroyed, because threads may still use it
   return budget;
 }
 
@@ -61,7 +61,7 @@ PartAssembly::Progress PartAssembly::Add(std::uint32_t number, std::span<const s
   const std::size_t left = unfinished.header.size - unfinished.come;
   const auto more = is_first ? part.subspan(FrameHeader::kSize) : part;
   const std::size_t least = std::min(kLeastPartSize - (part.size() - more.size()), left);
-  // Only the last part may be smaller than `least`, which bounds the work per byte.
+  // Only the last part may be smaller than `least`. This limits the work per byte.
   if (more.size() > left || more.size() < least) return Progress::kNonsense;
   taken_ += part.size();
   unfinished.last_part = clock_.Now();
@@ -106,8 +106,8 @@ void PartAssembly::ReleaseBudget(UnfinishedFrame& unfinished) {
   kept_ -= std::exchange(unfinished.kept, 0);
 }
 
-/// Returns the counter for a frame of this size. There are two, because a PartSender has at most
-/// one huge frame in progress, and kSendWindow bytes of other frames.
+/// Returns the counter for a frame of this size. There are two counters, because a PartSender has
+/// at most one huge frame in progress, and kSendWindow bytes of other frames.
 std::size_t& PartAssembly::ClaimsFor(std::size_t size) {
   return size > kSendWindow ? claimed_.of_huge : claimed_.of_others;
 }

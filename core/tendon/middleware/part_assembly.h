@@ -15,10 +15,9 @@
 
 namespace tendon {
 
-/// Assembles the frames that a peer sends in parts (part_sender.h). The peer may have as many
-/// unfinished bytes at a time as a PartSender sends; a peer that begins more violates the protocol.
-/// Memory is allocated for bytes that have arrived, not for the size that the peer has announced.
-/// Not thread-safe.
+/// Assembles the frames that a peer sends in parts (part_sender.h). A peer may begin only as many
+/// unfinished bytes as a PartSender sends; more bytes violate the protocol. Memory is allocated for
+/// bytes that have arrived, not for the size that the peer has announced. Not thread-safe.
 class PartAssembly {
  public:
   /// Called with the header of a frame that needs more than one part. If it returns false, the
@@ -41,7 +40,7 @@ class PartAssembly {
   enum class Progress {
     kMoreToCome,
     kWhole,        ///< a frame is complete
-    kNonsense,     ///< not a part that the peer may send
+    kNonsense,     ///< the peer must not send this part
     kOutOfMemory,  ///< no memory for the frame
     kTooMuch       ///< the budget is used up: the frame is discarded
   };
@@ -55,8 +54,8 @@ class PartAssembly {
   Progress Add(std::uint32_t number, std::span<const std::byte> part, Frame& frame);
 
   /// How long to wait for the next part of a frame. The sender may first handle a large message for
-  /// up to LargeMessageInProgress::kAtMost. Then it sends one part of each of its frames in turn,
-  /// each part within PartSender::kPartTime.
+  /// up to LargeMessageInProgress::kAtMost. After that, it sends one part of each of its frames in
+  /// turn, each part within PartSender::kPartTime.
   static constexpr std::chrono::seconds kPatience =
       LargeMessageInProgress::kAtMost + std::chrono::seconds(10);
   /// The time at which the oldest unfinished frame times out; max() if there is no unfinished

@@ -36,7 +36,7 @@ class PartReceiver {
     given_up_.Set(assembly_.given_up());
   }
 
-  /// True if bytes have arrived since the last report that was sent.
+  /// True if bytes have arrived that were not reported yet.
   [[nodiscard]] bool has_news() const { return taken_.Get() != reported_taken_.Get(); }
   /// Calls `send(bytes) -> Status` with the number of bytes that have arrived since the link was
   /// opened. Only one report is sent at a time, so that the numbers arrive in order.
@@ -47,9 +47,9 @@ class PartReceiver {
     if (send(taken)) reported_taken_.Set(taken);
   }
 
-  /// Returns true if the peer has stopped in the middle of a message. Allows for pauses: the peer
+  /// Returns true if the peer has stopped in the middle of a message. Pauses are allowed: the peer
   /// sends no parts while it handles a large message, and this end reads no parts while it handles
-  /// one.
+  /// a large message.
   [[nodiscard]] bool IsUnfinishedTooLong(SteadyTime now) const {
     return now >=
            std::max(given_up_.Get(), LargeMessageInProgress::Last(now) + PartAssembly::kPatience);

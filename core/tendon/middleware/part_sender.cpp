@@ -27,8 +27,8 @@ Status PartSender::Add(Link& link, Lane lane, const FrameHeader& header,
   const std::scoped_lock lock(mutex_);
   if (is_closed_) return Status::kNotConnected;
   frame.number = ++last_number_;
-  // The numbers of NewLane() go up from 1, those of lanes for single messages go down from the
-  // largest number.
+  // NewLane() numbers lanes upwards from 1. Lanes for single messages are numbered downwards from
+  // the largest number.
   if (lane == kOwnLane) lane = kOwnLane - frame.number;
   Enter(lane, std::move(frame));
   is_busy_.Set(true);

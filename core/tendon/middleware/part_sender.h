@@ -52,19 +52,19 @@ class PartSender {
   explicit PartSender(const Clock& clock = SteadyClock()) : clock_(clock) {}
 
   /// Returns true if a frame of `size` bytes must be sent with Add(), because it is larger than a
-  /// part or another frame of its lane is waiting here. All other frames can be sent directly on
-  /// the link.
+  /// part, or because another frame of its lane waits here. All other frames can be sent directly
+  /// on the link.
   [[nodiscard]] bool MustSendInParts(Lane lane, std::size_t size);
 
   /// Copies the frame and begins to send it. Fails like Link::Send(). All waiting frames together
-  /// may have kSendWindow bytes. In addition, one frame at a time may be larger than this. Only
-  /// other frames that wait here can cause kQueueFull.
+  /// may have kSendWindow bytes. In addition, one frame at a time may be larger than this window.
+  /// Only the frames that wait here can cause kQueueFull.
   Status Add(Link& link, Lane lane, const FrameHeader& header, std::span<const std::byte> body);
 
   /// Called when the peer reports that it has received `bytes` in total since the link was opened.
   /// Returns false if this number is not possible.
   bool OnTaken(Link& link, std::uint64_t bytes);
-  /// Continues if the link was full. Must be called after each sent or received frame, and
+  /// Continues to send if the link was full. Must be called after each sent or received frame, and
   /// regularly, because a link does not report when it has room again.
   void Resume(Link& link);
 
@@ -79,8 +79,8 @@ class PartSender {
   [[nodiscard]] bool is_quick() const { return clock_.Now() < quick_until_.Get(); }
 
  private:
-  /// A frame, with memory for one more header in front of it. Each part is sent without copying it:
-  /// the header of a part overwrites the end of the previous part, which was sent already.
+  /// A frame, with memory for one more header in front of it. Each part is sent without a copy: the
+  /// header of a part overwrites the end of the previous part, which has already been sent.
   struct Frame {
     std::uint32_t number = 0;
     Bytes bytes;
@@ -97,8 +97,8 @@ class PartSender {
   };
 
   /// A measurement of the link's speed with one part. `bytes` is the number of unacknowledged bytes
-  /// at the moment when the part is sent, including the part. The time until all of them are
-  /// acknowledged gives the speed.
+  /// when the part is sent, including the part. The speed follows from the time until all of these
+  /// bytes are acknowledged.
   struct Probe {
     std::uint64_t end = 0;
     std::size_t bytes = 0;
@@ -114,7 +114,7 @@ class PartSender {
   Status SendPart(Link& link, Frame& frame);
 
   const Clock& clock_;
-  Flag is_busy_;  // set while there are lanes_
+  Flag is_busy_;  // true while lanes_ is not empty
   Published<std::size_t> part_size_{kLeastPartSize};
   Published<SteadyTime> quick_until_;
   mutable std::mutex mutex_;
@@ -124,8 +124,8 @@ class PartSender {
   std::map<Lane, std::deque<Frame>> lanes_;
   std::deque<SentFrame> on_way_;
   std::size_t waiting_ = 0;       // bytes of frames that are not larger than the window
-  std::size_t huge_waiting_ = 0;  // bytes of the one larger frame
-  std::uint64_t sent_ = 0;        // bytes since the link was opened
+  std::size_t huge_waiting_ = 0;  // bytes of the frame that is larger than the window
+  std::uint64_t sent_ = 0;        // bytes sent since the link was opened
   std::uint64_t taken_ = 0;
   std::optional<Probe> probe_;
 };

@@ -15,12 +15,13 @@ inline constexpr std::size_t kMaxPayload = std::size_t{64} << 20U;
 /// The largest size in bytes of a body: a value and the other fields of its message.
 inline constexpr std::size_t kMaxBodySize = kMaxPayload + (std::size_t{64} << 10U);
 
-/// The error for a value that is too large, of code kInvalid: "'cloud' of 80 000 000 B exceeds
-/// max_payload 67 108 864 B". If `owner` is given, it is appended: " of robot/arm/Cloud".
+/// Returns the error for a value that is too large, with code kInvalid: "'cloud' of 80 000 000 B
+/// exceeds max_payload 67 108 864 B". If `owner` is given, the text ends with " of
+/// robot/arm/Cloud".
 [[nodiscard]] Error ExceedsMaxPayload(std::string_view what, std::size_t size,
                                       std::string_view owner = {});
 
-/// The error for a body of `size` bytes that a link has refused with `status`.
+/// Returns the error for a body of `size` bytes that a link has refused with `status`.
 [[nodiscard]] Error WhyNotSent(Status status, const std::string& peer, std::size_t size);
 
 }  // namespace tendon

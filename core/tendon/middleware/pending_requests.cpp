@@ -7,8 +7,8 @@
 
 namespace tendon {
 
-/// Returns a free slot with a new number. At most half of the entries are in use, so a number whose
-/// entry is free is found after few attempts.
+/// Returns a free slot with a new number. At most half of the entries are in use, so a few attempts
+/// find a number whose entry is free.
 PendingRequests::Slot& PendingRequests::Take() {
   constexpr std::size_t kFirst = 16;
   if (free_.empty()) {
@@ -67,8 +67,8 @@ PendingRequests::Slot* PendingRequests::AddAwaited() {
   return &slot;
 }
 
-/// Called when a BlockingRequest does not wait any more. Frees its slot and returns the outcome, if
-/// there is one.
+/// Called when a BlockingRequest stops waiting. Frees its slot and returns the outcome, if it is
+/// known.
 std::optional<Result<Answer>> PendingRequests::Leave(Slot& slot) {
   const std::scoped_lock lock(mutex_);
   (void)Remove(slot.request);
@@ -92,7 +92,7 @@ bool PendingRequests::Finish(std::uint64_t request, Result<Answer> outcome) {
   return FinishLocked(lock, request, std::move(outcome));
 }
 
-/// Ends a request, and releases the lock before it calls a handler or wakes a caller. If it returns
+/// Ends a request. Releases the lock before it calls a handler or wakes a caller. If it returns
 /// false, the lock is still held.
 bool PendingRequests::FinishLocked(std::unique_lock<std::mutex>& lock, std::uint64_t request,
                                    Result<Answer> outcome) {

@@ -22,8 +22,8 @@
 
 namespace tendon {
 
-/// The body of an answer. It is stored here, or refers to memory of another object, so that a large
-/// answer need not be copied.
+/// The body of an answer. The body is stored here, or it refers to memory of another object, so
+/// that a large answer need not be copied.
 class Answer {
  public:
   explicit Answer(Bytes own) : own_(std::move(own)) {}
@@ -48,8 +48,8 @@ class Answer {
   std::shared_ptr<const void> owner_;
 };
 
-/// The requests of one channel that wait for an answer. Calls each handler exactly once, while no
-/// lock is held, and logs its exceptions. Allocates memory only if more requests wait than ever
+/// The requests of one channel that wait for an answer. Calls each handler exactly once, without
+/// holding a lock, and logs its exceptions. Allocates memory only when more requests wait than ever
 /// before; handlers may allocate. Thread-safe.
 class PendingRequests {
  public:
@@ -70,11 +70,11 @@ class PendingRequests {
   /// as late.
   void OnAnswer(std::uint64_t request, Result<Answer> answer);
 
-  /// Returns true if the request still waits for its answer. If not, counts the answer as late.
+  /// Returns true if the request still waits for its answer. Otherwise counts the answer as late.
   bool IsAwaited(std::uint64_t request);
 
-  /// Ends the requests that have timed out, with an error that names `peer`. Does not end a
-  /// BlockingRequest, which has its own deadline.
+  /// Ends the requests that have timed out, with an error that names `peer`. A BlockingRequest has
+  /// its own deadline and is not ended here.
   void Expire(SteadyTime now, const std::string& peer);
 
   /// Ends all requests in order with `reason`, and refuses all later ones.
@@ -114,7 +114,7 @@ class PendingRequests {
   std::uint64_t last_ = 0;
   std::uint64_t late_ = 0;
   std::deque<Slot> slots_;
-  std::vector<Slot*> free_;       // its capacity is enough for all slots_
+  std::vector<Slot*> free_;       // has capacity for all slots_
   std::vector<Slot*> by_number_;  // by the low bits of the number; the size is a power of two
 };
 
@@ -149,7 +149,7 @@ class BlockingRequest {
   /// The number of the request; 0 if no more requests can be sent.
   [[nodiscard]] std::uint64_t number() const { return number_; }
 
-  /// Waits for the outcome and returns it; returns no value if `deadline` has passed. Must be
+  /// Waits for the outcome and returns it. Returns no value if `deadline` has passed. Must be
   /// called only once, because an answer that arrives afterwards counts as late.
   std::optional<Result<Answer>> WaitUntil(SteadyTime deadline) {
     if (slot_ == nullptr) return std::nullopt;

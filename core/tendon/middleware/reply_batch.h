@@ -12,7 +12,7 @@ namespace tendon {
 
 /// The body of a frame that answers several requests (MessageType::kReplies), to save messages.
 /// Each answer consists of u64 request, u32 size and the bytes; little-endian, without padding. The
-/// size is limited, so that the work of the reader is limited as well. Not thread-safe.
+/// size of the body is limited, because it limits the work of the reader. Not thread-safe.
 class ReplyBatch {
  public:
   static constexpr std::size_t kMostReplies = 256;
@@ -51,12 +51,12 @@ std::optional<BatchedReply> TakeReply(std::span<const std::byte>& body);
 
 class Channel;
 
-/// While this object exists, collects the replies that this thread sends on kOwnLane, and sends
+/// While this object exists, it collects the replies that this thread sends on kOwnLane, and sends
 /// many of them in one message, in order. The message is sent when it is full, before a reply to
 /// another peer, or when this object is destroyed. A single reply is sent without a batch.
 ///
-/// Used by loops that find several ended calls. It must not outlive the loop, because no timer
-/// sends the replies. A thread may have only one object at a time.
+/// Used by loops that find several ended calls. The object must not outlive the loop, because no
+/// timer sends the replies. A thread may have only one object at a time.
 class ReplyBatcher {
  public:
   ReplyBatcher();
@@ -65,8 +65,8 @@ class ReplyBatcher {
   /// Sends the remaining replies.
   ~ReplyBatcher();
 
-  /// Keeps an answer if this thread has a ReplyBatcher. Returns false if the caller must send the
-  /// answer itself.
+  /// Keeps an answer if this thread has a ReplyBatcher. If not, returns false, and the caller must
+  /// send the answer itself.
   static bool Keep(Channel& channel, std::uint64_t request, std::span<const std::byte> answer);
 
  private:

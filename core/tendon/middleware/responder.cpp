@@ -52,7 +52,7 @@ bool Responder::TryReply(std::span<const std::byte> body, Lane lane) {
   const bool is_sent =
       (is_alone && (ReplyInSlot(*channel, body) || ReplyBatcher::Keep(*channel, request_, body))) ||
       channel->SendReply(request_, body, lane);
-  channel_.reset();  // not reached if sending throws: then the destructor refuses
+  channel_.reset();  // if sending throws, the channel stays set, and the destructor refuses
   return is_sent;
 }
 

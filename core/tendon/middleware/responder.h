@@ -29,13 +29,15 @@ class Responder {
   void Reply(std::span<const std::byte> body, Lane lane = kCommonLane) {
     (void)TryReply(body, lane);
   }
-  /// Like Reply(), but returns false if the answer cannot be sent. In this case the request is
-  /// refused, if the peer is still connected.
+  /// Like Reply(), but returns false if the answer cannot be sent. Then the request is refused, if
+  /// the peer is still connected.
   [[nodiscard]] bool TryReply(std::span<const std::byte> body, Lane lane = kCommonLane);
   /// Returns memory of the link for a reply of `size` bytes (at least one) on kOwnLane, so that the
-  /// reply need not be copied. The caller must write all bytes in this thread and then call
-  /// EndReply(); if the reply is not deferred, before it returns to the channel. If the link has no
-  /// such memory, returns an empty span and changes nothing. Throws like Reply().
+  /// reply need not be copied. Returns an empty span, and changes nothing, if the link has no such
+  /// memory. Throws like Reply().
+  ///
+  /// The caller must write all bytes in this thread and then call EndReply(). If the reply is not
+  /// deferred, this must be done before the thread returns to the channel.
   [[nodiscard]] std::span<std::byte> BeginReply(std::size_t size);
   void EndReply();
   /// Keeps the direct path back (Delivery::kDirect) for a later Reply() on kOwnLane, which may be
@@ -60,7 +62,7 @@ class Responder {
   [[nodiscard]] ReplySlot* SlotFor(Channel& channel, std::size_t size) const;
   bool ReplyInSlot(Channel& channel, std::span<const std::byte> body);
 
-  std::weak_ptr<Channel> channel_;  // empty once answered
+  std::weak_ptr<Channel> channel_;  // empty when the request is answered
   std::uint64_t request_ = 0;
   std::unique_ptr<ReplySlot> later_;  // the slot for a deferred reply
 };

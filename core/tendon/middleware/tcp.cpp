@@ -123,8 +123,7 @@ class EventLoop {
     }
   }
 
-  /// Calls `function`, which uses the object `one`. If there is not enough memory, only this object
-  /// is affected.
+  /// Calls `function`, which uses the object `one`. A lack of memory affects only this object.
   template <typename Function>
   static void Serve(SocketOwner& one, const Function& function) {
     if (!Guarded(function)) Guarded([&one] { one.OnOutOfMemory(); });
@@ -269,10 +268,10 @@ class TcpLink final : public Link,
     const std::scoped_lock lock(mutex_);
     return state_;
   }
-  [[nodiscard]] bool is_open() const { return state_ < State::kClosing; }  // with the lock held
+  [[nodiscard]] bool is_open() const { return state_ < State::kClosing; }  // under the lock
 
-  /// Closes the link because a frame was sent only in part. Nothing may be sent afterwards, because
-  /// the peer would read it as the rest of the frame. Called while the lock is held.
+  /// Closes the link because a frame was sent only in part. Nothing may be sent after it, because
+  /// the peer would read the bytes as the rest of the frame. Called while the lock is held.
   void BreakOff() {
     state_ = State::kClosing;
     deadline_ = SteadyTime::min();
@@ -390,7 +389,7 @@ class ListeningEndpoint final : public SocketOwner,
   }
 
   void OnTick(SteadyTime /*now*/) override {
-    loop_->poller().Change(socket_, key_, Watch::kReads);  // accepting may have been paused
+    loop_->poller().Change(socket_, key_, Watch::kReads);  // ends a pause of accepting
   }
 
   void OnOutOfMemory() override {

@@ -48,8 +48,8 @@ auto WithNumber(Schema::Kind kind, Visitor&& visit) {
 /// Skips `count` consecutive values.
 [[nodiscard]] bool SkipValues(const Schema& schema, std::size_t count, CdrReader& reader);
 
-/// Finds the number of elements of a list. For a sequence, reads it from the body. For an array,
-/// the body does not have it, so it is taken from the schema.
+/// Sets `count` to the number of elements of a list. The number is read from the body for a
+/// sequence, and taken from the schema for an array.
 [[nodiscard]] inline bool ReadElementCount(const Schema& list, CdrReader& reader,
                                            std::uint32_t& count) {
   if (list.kind() == Schema::Kind::kSequence) {

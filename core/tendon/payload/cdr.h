@@ -37,12 +37,12 @@ class CdrWriter {
     WritePlain(&value, sizeof(T), sizeof(T));
   }
 
-  /// Copies numbers of `alignment` bytes each. All numbers together have `size` bytes, at least
-  /// one.
+  /// Copies numbers that are aligned to `alignment` bytes. `size`, at least 1, is the number of
+  /// bytes of all numbers together.
   void WritePlain(const void* numbers, std::size_t size, std::size_t alignment) {
     const std::size_t start = AlignUp(position_, alignment);
-    // Clears the padding with one store of a constant size. The store may also clear bytes beyond
-    // the padding, but these are overwritten below.
+    // Clears the padding with one store of a constant size. The store may also clear bytes after
+    // the padding, but the numbers overwrite these bytes below.
     if (start != position_) std::memset(body_ + position_, 0, alignment);
     std::memcpy(body_ + start, numbers, size);
     position_ = start + size;
@@ -110,8 +110,8 @@ class CdrReader {
     return true;
   }
 
-  /// Reads the length of a sequence. Returns false if the remaining bytes cannot hold so many
-  /// elements of at least `minimum_size` bytes each.
+  /// Reads the length of a sequence. Returns false if the remaining bytes are too few for this
+  /// number of elements, which have at least `minimum_size` bytes each.
   [[nodiscard]] bool ReadLength(std::uint32_t& length, std::size_t minimum_size) {
     return Read(length) && length <= remaining() / minimum_size;
   }
@@ -133,8 +133,8 @@ struct CdrDuration {
   std::uint32_t nanosec = 0;  // below one billion
 };
 
-/// Converts a duration, rounded to nanoseconds. More than 68 years become 68 years; not-a-number
-/// becomes zero.
+/// Converts a duration, rounded to nanoseconds. A duration above 68 years becomes 68 years, and
+/// not-a-number becomes zero.
 template <TimeSpan T>
 CdrDuration ToCdr(T value) {
   using std::chrono::nanoseconds;

@@ -160,8 +160,8 @@ bool ReadSequence(CdrReader& reader, T& value) {
 
 }  // namespace payload
 
-/// Writes `value` into the front of `out` and returns the number of bytes used, or 0 if `out` is
-/// too small; then `out` is unchanged. No allocation.
+/// Writes `value` into the front of `out` and returns the number of bytes used. Returns 0, and
+/// leaves `out` unchanged, if `out` is too small. No allocation.
 template <Payload T>
 std::size_t EncodeTo(const T& value, std::span<std::byte> out) {
   const std::size_t size = EncodedSize(value);
@@ -180,11 +180,14 @@ void Encode(const T& value, std::vector<std::byte>& out) {
   EncodeTo(value, std::span<std::byte>(out));
 }
 
-/// Reads an untrusted body. Returns false if the body is too short, continues after the value
-/// (apart from padding to a multiple of eight), or contains a bool other than 0 and 1, an enum
-/// value without a name, an unterminated string, or a billion nanoseconds in a duration; `value` is
-/// then valid but unspecified. Never allocates more than a body of this size can fill, and nothing
-/// if the capacity of the strings and vectors in `value` suffices.
+/// Reads an untrusted body. Returns false, and leaves `value` valid but unspecified, if the body is
+/// wrong:
+/// - It is too short, or continues after the value (apart from padding to a multiple of eight).
+/// - It contains a bool other than 0 and 1, an enum value without a name, an unterminated string,
+///   or a duration with a billion nanoseconds or more.
+///
+/// Never allocates more than a body of this size can fill, and allocates nothing if the strings and
+/// vectors in `value` have enough capacity.
 template <Payload T>
 [[nodiscard]] bool Decode(std::span<const std::byte> body, T& value) {
   payload::CdrReader reader(body);

@@ -30,8 +30,8 @@ struct Range {
 };
 
 /// One named member of a structure. `unit` is part of the type: a field in rad does not connect to
-/// a field in deg. Help and range are not part of the type; they are for people, forms and JSON,
-/// and are sent with the schema:
+/// a field in deg. Help and range are not part of the type, but are sent with the schema. Viewers,
+/// forms and the JSON reader use them.
 ///
 ///     Field{"speed", &Goal::speed, "rad/s"}.Within(0, 2.5).Help("Of the fastest joint.")
 template <typename Owner, typename Member>

@@ -55,7 +55,8 @@ std::size_t EndOf(const T& value, std::size_t start) {
       return AlignUp(start, PlainAlignment<Item>()) + length * sizeof(Item);
     } else {
       if constexpr (IsFixed<Item>()) {
-        // From the second item on, each item is aligned as at the start of a body.
+        // Each item after the first begins at an offset that is aligned like the start of a body,
+        // so all these items have the same size.
         if (EndOf<Item>(0) % kMaxAlignment == 0) {
           return EndOf<Item>(start) + (length - 1) * EndOf<Item>(0);
         }

@@ -12,11 +12,11 @@
 #include <string_view>
 #include <vector>
 
-/// Converts payloads to JSON for people and scripts, and back; needs only a schema. A structure
-/// becomes an object with its fields in order, an enum becomes the name of its value, a duration
-/// becomes a number of seconds, and None becomes null. A float has the shortest form that is read
-/// back as the same float, an integer has all its digits, and negative zero is -0.0. Numbers that
-/// JSON does not have become "nan", "inf" and "-inf".
+/// Converts payloads to JSON for people and scripts, and back. The functions need only a schema. A
+/// structure becomes an object with its fields in order, an enum becomes the name of its value, a
+/// duration becomes a number of seconds, and None becomes null. A float has the shortest form that
+/// is read back as the same float, an integer has all its digits, and negative zero is -0.0.
+/// Numbers that JSON does not have become "nan", "inf" and "-inf".
 namespace tendon {
 
 /// Converts a body to JSON. The error says what is wrong with the body. An enum value without a

@@ -12,8 +12,9 @@
 namespace tendon {
 
 /// A hash of the memory layout of a payload: its size, its alignment, the offset of every field,
-/// the C++ types in it, and the ABI of C++ and its library. Two plug-ins may pass values by pointer
-/// if the type has the same fingerprint and the same layout in both. 0 means that the code has only
+/// the C++ types in it, and the ABI of C++ and its library. Two plug-ins may pass values of a type
+/// by pointer if both have the same fingerprint and the same layout for it. 0 means that the code
+/// has only
 /// encoded bytes, as a proxy does.
 using Layout = std::uint64_t;
 
@@ -34,8 +35,8 @@ constexpr Layout Mix(Layout hash, std::string_view text) {
 template <Payload T>
 Layout Of(Layout hash) {
   hash = Mix(Mix(hash, sizeof(T)), alignof(T));
-  // Without the C++ type, seconds and milliseconds, or row-major and column-major matrices, would
-  // have the same hash.
+  // The hash needs the C++ type. Otherwise seconds and milliseconds would have the same hash, and
+  // so would row-major and column-major matrices.
   if constexpr (!payload::Structure<T>) hash = Mix(hash, std::string_view(typeid(T).name()));
   if constexpr (payload::Structure<T>) {
     const auto probe = std::make_unique<T>();

@@ -16,7 +16,7 @@ namespace tendon {
 /// One number inside a payload, which a plot can show as one curve.
 struct NumericField {
   std::string path;  ///< ".position[0]", or empty if the payload itself is the number
-  std::string unit;  ///< unit of the innermost field that has one; "s" for a duration without unit
+  std::string unit;  ///< of the innermost field with a unit; "s" for other durations
   Schema schema;     ///< type of the number: bool, integer, float, enum or duration
   /// Offset of the number in every body, in bytes; empty if a string or sequence comes before it.
   std::optional<std::size_t> offset;
@@ -42,8 +42,8 @@ constexpr std::size_t kMaxNumericFields = 16384;
 /// not have.
 [[nodiscard]] Result<NumericField> FindNumericField(const Schema& schema, std::string_view path);
 
-/// Reads the number from one body; empty if the body is too short or has no such element. If the
-/// field has an offset, this costs one load; otherwise it skips all values before the number.
+/// Reads the number from one body. Returns nothing if the body is too short or has no such element.
+/// Costs one load if the field has an offset; otherwise skips all values before the number.
 /// Allocates nothing.
 [[nodiscard]] std::optional<NumericValue> ReadExactly(const NumericField& field,
                                                       std::span<const std::byte> body);

@@ -78,11 +78,11 @@ class Schema {
   [[nodiscard]] std::size_t minimum_size() const;
   /// True if a field of this type can have a range: integers, floats, durations, or lists of these.
   [[nodiscard]] bool holds_numbers() const;
-  /// One word for tables and errors: "arm.JointState", "float64[7]", "string[]". See TypeNameOf().
+  /// One word for tables and errors: "arm.JointState", "float64[7]", "string[]".
   [[nodiscard]] std::string TypeName() const;
 
-  /// Returns the canonical text. It has exactly the properties that must be equal at both ends of a
-  /// connection.
+  /// Returns the canonical text. It shows exactly the properties that must be equal at both ends of
+  /// a connection.
   ///
   ///     struct arm.JointState {
   ///       position: float64[7] in rad
@@ -114,7 +114,8 @@ class Schema {
   std::shared_ptr<const Node> node_;
 };
 
-/// `unit` is empty if the field has none. `unit` and `range` hold for all numbers in `schema`.
+/// A field of a structure. `unit` is empty if the field has no unit. `unit` and `range` apply to
+/// all numbers in `schema`.
 struct Schema::Field {
   std::string name;
   std::string unit;
@@ -175,12 +176,6 @@ template <Payload T>
 [[nodiscard]] const Schema& SchemaOf() {
   static const Schema schema = payload::BuildSchema<T>();
   return schema;
-}
-
-/// The name of any payload type for people: "float64", "float64[7]", "arm.JointState", "string[]".
-template <Payload T>
-[[nodiscard]] std::string TypeNameOf() {
-  return SchemaOf<T>().TypeName();
 }
 
 template <typename T>

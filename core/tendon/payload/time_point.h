@@ -20,7 +20,7 @@ struct TimeOnWire {
   std::uint32_t nanosec = 0;
 };
 
-/// A time before 1901 or after 2038 becomes the nearest one that int32 seconds can hold.
+/// A time before 1901 or after 2038 becomes the nearest time that fits into int32 seconds.
 template <TimeSpan Span>
 struct SubstituteFor<std::chrono::sys_time<Span>> {
   using Type = TimeOnWire;

@@ -72,9 +72,10 @@ concept Sequence = requires {
   typename SequenceTraits<T>::Element;
 };
 
-/// Describes a type that is sent as another payload, `Type`. Specialise it with `static Type
+/// Describes a type T that is sent as another payload, `Type`. A specialisation has `static Type
 /// From(const T&)` and `static bool Into(const Type&, T&)`, which returns false for an invalid
-/// value; or, if `Type` would have to allocate, with Write, Read and EndOf as in codec.h.
+/// value. If `Type` would have to allocate, the specialisation has Write, Read and EndOf instead,
+/// as in codec.h.
 template <typename T>
 struct SubstituteFor {};
 template <typename T>
@@ -173,8 +174,8 @@ consteval bool IsFixed() {
   }
 }
 
-/// True if T has the same bytes in memory as on the wire, so that many values are copied by one
-/// memcpy. False for bool, because the value of a bool is checked when it is read.
+/// True if T has the same bytes in memory as on the wire, so that one memcpy copies many values.
+/// False for bool, because each bool must be checked when it is read.
 template <typename T>
 consteval bool IsPlain() {
   if constexpr (Array<T>) {
@@ -184,7 +185,7 @@ consteval bool IsPlain() {
   }
 }
 
-/// The alignment of a plain type: the size of the number it is made of.
+/// The alignment of a plain type: the size of the numbers in it.
 template <typename T>
 consteval std::size_t PlainAlignment() {
   if constexpr (Array<T>) {

@@ -10,8 +10,8 @@
 
 namespace tendon {
 
-/// Calls Channel::Request() with a timeout. `timer` checks the timeout by calling
-/// Channel::Expire(), so there is no timeout after `timer` has ended.
+/// Calls Channel::Request() with a timeout. `timer` calls Channel::Expire(), which ends the
+/// request. If `timer` ends, the request no longer times out.
 template <Payload Answer, Message T>
 void Ask(Worker& timer, const std::shared_ptr<Channel>& channel, MessageType type, const T& value,
          std::chrono::milliseconds timeout, std::function<void(Result<Answer>)> handler,
@@ -22,8 +22,7 @@ void Ask(Worker& timer, const std::shared_ptr<Channel>& channel, MessageType typ
   });
 }
 
-/// Sends a notice without a body. While the link is full, `worker` sends the notice again and
-/// again.
+/// Sends a notice without a body. While the link is full, `worker` tries again and again.
 inline void NotifyUntilSent(const std::weak_ptr<Worker>& worker,
                             const std::shared_ptr<Channel>& channel, MessageType type,
                             std::uint32_t handle, Lane lane = kCommonLane) {

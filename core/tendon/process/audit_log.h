@@ -11,10 +11,10 @@
 
 namespace tendon {
 
-/// Records changes and refusals in the log of this process, with the program that asked for them.
-/// The source of these lines is "audit". They are written at every log level, so that nobody can
-/// hide an action by changing the level. If one program causes more than ten lines a second, writes
-/// only their count. Thread-safe.
+/// Records changes and refusals in the log of this process, with the name of the program that sent
+/// the request. The source of these lines is "audit". They are written at every log level, so that
+/// nobody can hide an action by changing the level. If one program causes more than ten lines a
+/// second, the log gets only their number. Thread-safe.
 class AuditLog {
  public:
   AuditLog();
@@ -32,8 +32,8 @@ class AuditLog {
   LogLimiter limiter_;
 };
 
-/// Returns "desk (operator, 127.0.0.1:41234)". The text is always one line, whatever name the peer
-/// gives.
+/// Returns "desk (operator, 127.0.0.1:41234)". The text is always one line, even if the peer's name
+/// is not.
 [[nodiscard]] std::string NameAndRole(const Channel& channel, Role role);
 
 }  // namespace tendon

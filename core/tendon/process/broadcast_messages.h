@@ -7,10 +7,10 @@
 /// Messages for rows through a broker: the process sends each row once for all viewers.
 namespace tendon::message {
 
-// From a viewer to a process: like kSubscribe, but the rows are published in a topic. kUnsubscribe
-// and kRowsEnded work as usual with the handle. A message of the topic is the body of kRows, and
-// `rows_before` counts all rows ever sent to the topic. At least one message is published each
-// second, perhaps without rows, so that losses are noticed.
+// From a viewer to a process: like kSubscribe, but the rows are published in a topic. The handle is
+// used for kUnsubscribe and kRowsEnded as usual. Each message of the topic is the body of a kRows,
+// and its `rows_before` counts all rows ever sent to the topic. At least one message is published
+// each second, possibly without rows, so that receivers notice losses.
 inline constexpr auto kJoinTopic =
     static_cast<MessageType>(0x20a);  // request: Subscribe -> JoinTopicReply
 // From a viewer or a process to a GCM.
@@ -19,7 +19,7 @@ inline constexpr auto kGetBroker =
 
 /// The answer to kJoinTopic.
 struct JoinTopicReply {
-  SubscribeReply subscribed;  ///< `first_tick` is not used: the first row that arrives sets it
+  SubscribeReply subscribed;  ///< without `first_tick`: the first row begins
   std::string topic;
 };
 

@@ -9,7 +9,7 @@ namespace {
 OpenedChannel Open(Middleware& middleware, const ChannelRequest& wanted) {
   try {
     return Channel::Open(middleware, wanted.address, wanted.hello, wanted.handler, wanted.timeout);
-  } catch (const std::exception& failure) {  // memory or threads may be exhausted
+  } catch (const std::exception& failure) {  // for example, no memory or no thread
     return Error{ErrorCode::kFailed, failure.what()};
   }
 }

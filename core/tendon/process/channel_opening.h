@@ -22,7 +22,7 @@ struct ChannelRequest {
 using OpenedChannel = Result<std::shared_ptr<Channel>>;
 
 /// Opens the channel in the opener's thread, after all earlier requests. Therefore, a hanging peer
-/// delays only requests of the same opener. Calls `done` on the worker; if the worker has stopped,
+/// delays only requests of the same opener. Calls `done` on the worker. If the worker has stopped,
 /// closes the channel instead.
 void OpenChannel(const ProcessContext& context, const ChannelRequest& wanted,
                  std::function<void(const OpenedChannel&)> done);

@@ -7,8 +7,8 @@ namespace {
 
 using std::chrono::nanoseconds;
 
-constexpr nanoseconds::rep kDrift = 10'000;  // clocks drift by at most 1 ns in so many ns
-constexpr nanoseconds::rep kSlew = 2'000;    // the correction changes by at most 1 ns in so many ns
+constexpr nanoseconds::rep kDrift = 10'000;  // clocks drift by at most 1 ns per 10000 ns
+constexpr nanoseconds::rep kSlew = 2'000;    // the correction changes by at most 1 ns per 2000 ns
 constexpr std::chrono::milliseconds kStep(128);
 
 }  // namespace

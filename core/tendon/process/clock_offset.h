@@ -8,9 +8,9 @@
 
 namespace tendon {
 
-/// Estimates how far the steady clock of another process is ahead of ours. The other process
-/// answers requests with its time; the clock filter of NTP (RFC 5905, section 10) evaluates the
-/// answers:
+/// Estimates how far the steady clock of another process is ahead of the clock of this process. The
+/// other process answers requests with its time. The clock filter of NTP (RFC 5905, section 10)
+/// evaluates the answers:
 ///
 ///  - The other process read its clock after the request was sent and before the answer arrived.
 ///    Therefore, the error is at most half of the round trip, even if the two directions take
@@ -19,13 +19,14 @@ namespace tendon {
 ///  - If zero is within the bound, the offset is zero: processes of one host share one clock.
 ///  - If two answers contradict each other, a clock has jumped. The older answers are discarded.
 ///
-/// The correction of rows follows the estimate smoothly, by at most 500 ppm. If the two differ by
-/// more than 128 ms, the correction jumps, because a smooth correction would take minutes.
+/// The correction of rows follows the estimate smoothly, by at most 500 ppm. If correction and
+/// estimate differ by more than 128 ms, the correction jumps, because a smooth change would take
+/// minutes.
 ///
 /// Not thread-safe; a copy is cheap.
 class ClockOffset {
  public:
-  /// The other clock minus ours is within `uncertainty` of `offset`.
+  /// The offset: the other clock minus the clock of this process, with its largest possible error.
   struct Estimate {
     std::chrono::nanoseconds offset{0};
     std::chrono::nanoseconds uncertainty = kUnknown;
@@ -37,14 +38,14 @@ class ClockOffset {
   /// overflow.
   [[nodiscard]] static SteadyTime Sensible(SteadyTime time);
 
-  /// Adds a measurement: `sent` and `arrived` are the times of request and answer on our clock,
-  /// `there` is the other clock's time in between. Ignores impossible answers.
+  /// Adds a measurement. `sent` and `arrived` are the times of request and answer on the clock of
+  /// this process. `there` is the time of the other clock in between. Ignores impossible answers.
   void Add(SteadyTime sent, SteadyTime there, SteadyTime arrived);
 
-  /// Returns the estimate at the time `now` of our clock.
+  /// Returns the estimate for the time `now` of this process's clock.
   [[nodiscard]] Estimate At(SteadyTime now) const;
-  /// Returns the correction for a row. Subtract it from `there`, which is the row's time on the
-  /// other clock. Continuous, except for the jumps described above.
+  /// Returns the correction for a row, to be subtracted from `there`, the row's time on the other
+  /// clock. The correction is continuous, except for the jumps described above.
   [[nodiscard]] std::chrono::nanoseconds SlewedAt(SteadyTime there) const;
 
  private:
@@ -57,7 +58,7 @@ class ClockOffset {
   [[nodiscard]] Estimate Best(SteadyTime now) const;
 
   std::array<Answer, 8> answers_;
-  std::size_t count_ = 0;  // answers since the start or the last jump
+  std::size_t count_ = 0;  // number of answers since the start or the last jump
   // The correction was `offset_` at the time `since_` of the other clock, and moves towards
   // target_.
   SteadyTime since_;

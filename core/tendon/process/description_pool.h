@@ -11,7 +11,7 @@ namespace tendon {
 /// class need little more memory than one component. Not thread-safe.
 class DescriptionPool {
  public:
-  /// Replaces the lists of `component` by shared ones. The cost is proportional to the number of
+  /// Replaces the lists of `component` by shared lists. The cost is proportional to the number of
   /// members.
   void Share(ComponentDescription& component);
 
@@ -19,8 +19,7 @@ class DescriptionPool {
   [[nodiscard]] std::size_t size() const;
 
  private:
-  /// The shared lists, by a hash of their content. If several lists have the same hash, only one is
-  /// kept.
+  /// The shared lists, by a hash of their content. For each hash, only one list is kept.
   template <typename T>
   struct Lists {
     std::unordered_map<std::size_t, SharedList<T>> by_hash;

@@ -51,7 +51,7 @@ void KeepExpiring(Worker& worker, const std::weak_ptr<Channel>& channel) {
     const auto still_there = channel.lock();
     if (!still_there || !still_there->is_open()) return;
     const SteadyTime now = SteadyClock().Now();
-    const bool has_stood_still = now - due > kBetween;  // then received data may be unread
+    const bool has_stood_still = now - due > kBetween;  // if true, received data may be unread
     if (!has_stood_still) still_there->Expire(now);
     KeepExpiring(worker, channel);
   });
@@ -80,8 +80,8 @@ void ViewerMonitor::Check(SteadyTime due) {
   const SteadyTime now = SteadyClock().Now();
   const SteadyTime end = last_ping + kLongestPeerSilence;
   if (now < end) return CheckAfter(std::min(kBetweenChecks, TimeUntil(end)));
-  // A late check may mean that this process was suspended and has unread pings. Checks are frequent
-  // enough that a shorter pause cannot hide three pings.
+  // A late check may mean that this process was suspended and has not yet read the pings. The
+  // checks are frequent enough that a pause that delays no check cannot hide three pings.
   const bool is_late = now - due > kBetweenChecks;
   if (is_late || MayBeHeldUp(*channel, now, kLongestPeerSilence)) return CheckAfter(kBetweenChecks);
   channel->Close();

@@ -15,30 +15,29 @@ namespace tendon {
 /// A peer that sends nothing for a longer time counts as hanging.
 inline constexpr std::chrono::milliseconds kLongestPeerSilence(1500);
 
-/// True if a large message that either end is sending or handling may delay the peer's next
-/// message.
+/// True if the peer's next message may be late because either end sends or handles a large message.
 [[nodiscard]] bool MayBeHeldUp(const Channel& channel, SteadyTime now,
                                std::chrono::milliseconds silence);
 
-/// Called in a thread of the middleware with the times of a request and its answer on our clock,
-/// and the time of the peer's steady clock in between.
+/// Called in a thread of the middleware. `sent` and `arrived` are the times of a request and its
+/// answer on the clock of this process. `there` is the time of the peer's steady clock in between.
 using OnPeerTime = std::function<void(SteadyTime sent, SteadyTime there, SteadyTime arrived)>;
 
 /// Pings the process at the other end twice a second while the channel is open. Closes the channel
-/// after 1.5 s without an answer, because a process that hangs or is cut off does not close the
-/// channel itself. Waits longer while large messages are being sent or handled, because they may
-/// delay the answer. `worker` provides the timer.
+/// after 1.5 s without an answer, because a process that hangs or is cut off does not close it.
+/// Waits longer while large messages are sent or handled, because they may delay the answer.
+/// `worker` provides the timer.
 void MonitorPeer(const std::shared_ptr<Worker>& worker, const std::shared_ptr<Channel>& channel,
                  const OnPeerTime& on_peer_time = nullptr);
 
 /// Calls Channel::Expire() every second on `worker` while the channel is open. For the side that
-/// has accepted a channel, because it sends no requests that would check timeouts.
+/// has accepted a channel. This side sends no requests, so nothing else checks its timeouts.
 void KeepExpiring(Worker& worker, const std::weak_ptr<Channel>& channel);
 
-/// Closes the channel of a viewer that hangs. A viewer pings twice a second; after its first ping,
-/// a silence of 1.5 s closes the channel and ends its subscriptions. Otherwise the process would
-/// send rows to a hanging viewer for ever. A viewer that was only slow opens the channel again and
-/// counts the rows that it missed.
+/// Closes the channel of a viewer that hangs, so that the process does not send rows to it for
+/// ever. A viewer pings twice a second. After its first ping, a silence of 1.5 s closes the channel
+/// and ends its subscriptions. A viewer that was only slow opens the channel again and counts the
+/// missed rows.
 class ViewerMonitor final : public std::enable_shared_from_this<ViewerMonitor> {
  public:
   explicit ViewerMonitor(std::weak_ptr<Worker> worker) : worker_(std::move(worker)) {}

@@ -15,18 +15,18 @@ namespace tendon {
 
 class LoopbackNetwork;
 
-/// The access of a component, such as a recorder, to all components of its own process: the same
-/// services that viewers use, but without a socket. Valid also after the process has ended; then
-/// nothing answers. Made by Process::OpenLocalAccess().
+/// Gives a component, such as a recorder, access to all components of its own process. The
+/// component uses the same services as a viewer, but without a socket. This object stays valid when
+/// the process has ended; then requests get no answer. Made by Process::OpenLocalAccess().
 ///
-/// Thread safety: all functions, from any thread. None of them waits.
+/// Thread safety: any thread may call all functions. They do not wait.
 class LocalAccess {
  public:
-  /// The only address on its middlewares.
+  /// The only address that its middlewares can reach.
   static constexpr const char* kAddress = "127.0.0.1:1";
 
-  /// Fills in the components and connections of the process. Returns false if that is not possible
-  /// now, because the manager is busy with a request.
+  /// Fills in the components and connections of the process. Returns false if the manager is busy
+  /// with a request, so that this is not possible now.
   using Describe = std::function<bool(ProcessContent&)>;
 
   LocalAccess(std::string process, std::uint64_t instance, Describe describe);
@@ -35,16 +35,17 @@ class LocalAccess {
   [[nodiscard]] const std::string& process() const { return process_; }
   [[nodiscard]] std::uint64_t instance() const { return instance_; }
 
-  /// A middleware that reaches only this process, at kAddress. It has a thread of its own.
+  /// Makes a middleware that reaches only this process, at kAddress. It has its own thread.
   [[nodiscard]] std::shared_ptr<Middleware> MakeMiddleware() const;
-  /// Also false after Close().
+  /// Returns false if the description is not possible now, or after Close().
   [[nodiscard]] bool TryDescribe(ProcessContent& content) const;
 
   // For the process.
 
-  /// Lets others open links to the process.
+  /// Begins to accept links to the process.
   Result<void> Listen(AcceptLink accept);
-  /// Ends all links. Call it before the process loses what its links and `describe` use.
+  /// Ends all links. Call it before the process destroys the parts that the links and `describe`
+  /// use.
   void Close();
 
  private:

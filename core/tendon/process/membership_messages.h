@@ -26,9 +26,9 @@ inline constexpr auto kMakeConnection = static_cast<MessageType>(0x321);
 inline constexpr auto kBreakConnection = static_cast<MessageType>(0x322);
 inline constexpr auto kPeers = static_cast<MessageType>(0x323);  // notice: PeerList
 
-/// The description of a joining process, from which the GCM rebuilds its state. A process that
-/// joins again with the same instance, and the last session in its Hello, continues its membership,
-/// even if the GCM has not yet noticed that the old link broke.
+/// The description of a joining process, from which the GCM rebuilds its state. A process continues
+/// its membership if it joins with the same instance and the last session in its Hello. This works
+/// even if the GCM has not noticed yet that the old link is broken.
 struct Join {
   ProcessDescription process;  ///< the GCM sets `state`, `reason` and `since`
   std::vector<ComponentDescription> components;
@@ -43,7 +43,7 @@ struct JoinReply {
   std::vector<ProcessDescription> processes;  ///< all present processes, including this one
 };
 
-/// The changes in a process since it joined or sent its last report. Each change is a
+/// The changes in a process since it joined or since its last report. Each change is a
 /// CatalogueChange with revision 0. In the description of the process itself, only address, host,
 /// pid and plug-ins can change.
 struct Report {
@@ -55,9 +55,9 @@ struct Health {
   std::int64_t cpu_time = 0;  ///< ns of all threads since the start of the process
   std::uint64_t memory = 0;   ///< resident bytes
   std::int64_t time = 0;      ///< time of the measurement, ns on the steady clock of the process
-  /// How far the clock of the process is ahead of the GCM's clock, estimated from earlier answers.
+  /// The clock of the process minus the GCM's clock, estimated from earlier answers.
   std::chrono::nanoseconds clock_offset{0};
-  /// The largest possible error of clock_offset; negative if nothing is known yet.
+  /// The largest possible error of clock_offset; negative before the first estimate.
   std::chrono::nanoseconds clock_uncertainty{-1};
 };
 
@@ -74,17 +74,17 @@ struct Wire {
   bool operator==(const Wire&) const = default;
 };
 
-/// The order to the LCM of the required side to make a connection. It holds the two ends, and the
-/// address of the provider's process. If this process does not exist yet, the address is empty, and
-/// the connection is pending.
+/// The order to the LCM of the required side to make a connection. It has the two ends, and the
+/// address of the provider's process. If the provider's process does not exist yet, the address is
+/// empty, and the connection is pending.
 struct ConnectionPlan {
   Wire wire;
   std::string address;
   std::uint64_t instance = 0;
 };
 
-/// All present processes and their addresses. Sent at each change, so that pending and broken
-/// connections are made again.
+/// All present processes and their addresses. Sent at each change, so that processes make pending
+/// and broken connections again.
 struct PeerList {
   std::vector<ProcessDescription> processes;
 };

@@ -10,9 +10,9 @@
 
 namespace tendon {
 
-/// The read commands of this process that other processes mirror, which means that they keep a copy
-/// of the newest answer. Reports to these processes which commands are disabled, because the copy
-/// of a disabled command must not be read. Not thread-safe.
+/// The read commands of this process that other processes mirror: these processes keep a copy of
+/// the newest answer. Reports to them which commands are disabled, because the copy of a disabled
+/// command must not be read. Not thread-safe.
 class MirroredCommands {
  public:
   /// A mirrored command and its channel.
@@ -20,8 +20,8 @@ class MirroredCommands {
     std::string component;
     const Flag* enabled = nullptr;  ///< valid until Remove(component)
     std::shared_ptr<Channel> channel;
-    std::uint32_t handle = 0;  ///< handle of its copies
-    Lane lane = kCommonLane;   ///< lane of its copies
+    std::uint32_t handle = 0;  ///< handle of the frames with copies
+    Lane lane = kCommonLane;   ///< lane of the frames with copies
   };
 
   void Add(MirroredCommand command) { known_.push_back({.command = std::move(command)}); }
@@ -33,7 +33,7 @@ class MirroredCommands {
  private:
   struct Known {
     MirroredCommand command;
-    bool is_enabled = true;  // as last reported
+    bool is_enabled = true;  // the last reported state
   };
 
   std::vector<Known> known_;

@@ -61,7 +61,8 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
   Parts(const Parts&) = delete;
   Parts& operator=(const Parts&) = delete;
 
-  /// Starts to listen and to join the GCM. Call it when the process has its parts.
+  /// Starts to listen and to join the GCM. Call it after the constructor of Process has set its
+  /// parts.
   void Open(const ProcessOptions& options) {
     Listen(options);
     if (options.gcm.empty()) return;
@@ -85,13 +86,13 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
     return connections_.HasCallsUnderWay(client.name());
   }
 
-  /// Leaves the GCM and closes all connections. Drops unfinished calls at `deadline`. Call it while
-  /// the process still has its parts.
+  /// Leaves the GCM and closes all connections. Drops unfinished calls at `deadline`. Call it
+  /// before the process destroys its parts.
   void Close(SteadyTime deadline) {
     lifecycle_.Stop();  // before the worker stops, because Stop() may wait for tasks of the worker
     context_.opener->Stop();
     context_.gcm_opener->Stop();
-    context_.worker->Stop();  // from now on only this thread changes connections
+    context_.worker->Stop();  // after this, only this thread changes connections
     if (membership_) membership_->Leave();
     connections_.Close(deadline);
     listener_.reset();
@@ -126,7 +127,7 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
     return promise->get_future().get();
   }
 
-  /// If the GCM has ordered this connection, returns it and makes the program its owner.
+  /// If the GCM has ordered this connection, returns its id, and makes the program its owner.
   [[nodiscard]] std::optional<ConnectionId> TakeOver(const message::Wire& wire) {
     const auto lock = process_.Lock();
     const auto connection = ConnectionOf(wire.required);
@@ -299,7 +300,8 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
   Services services_;
   RemoteConnections connections_;
   LifecycleExecutor lifecycle_;
-  // Connections ordered by the GCM and not by the program; guarded by the manager's lock.
+  // The connections that only the GCM has ordered, not the program. Protected by the manager's
+  // lock.
   std::vector<message::Wire> ordered_;
   mutable std::mutex address_mutex_;
   std::string address_;  // the announced address

@@ -21,26 +21,26 @@ inline constexpr std::uint16_t kDefaultGcmPort = 10705;
 /// The network settings of a process. Tcp() and Ice() fill in the middleware.
 struct ProcessOptions {
   std::shared_ptr<Middleware> middleware;
-  std::string gcm;                     ///< "host" or "host:port" of the GCM; empty: joins no GCM
+  std::string gcm;                     ///< "host" or "host:port" of the GCM; empty: no GCM
   std::string listen = "127.0.0.1:0";  ///< peers and viewers connect here; 0 takes a free port
-  /// The address to announce, if it differs from `listen`: "host:port", or only a host, to keep the
+  /// The address to announce, if it differs from `listen`: "host:port", or only a host with the
   /// port of `listen`. By default, a process that listens at every address announces the address
   /// from which it reaches the GCM.
   std::string advertise;
-  bool retry = true;  ///< keeps trying until it finds the GCM
-  /// Loads plug-ins for orders from the GCM. Must not be used elsewhere while the Process object
-  /// exists. If null, such orders are refused.
+  bool retry = true;  ///< true: tries again until it finds the GCM
+  /// Loads plug-ins for orders from the GCM. Other code must not use it while the Process object
+  /// exists. If null, orders to load plug-ins are refused.
   std::shared_ptr<ComponentLoader> loader{};
 };
 
 /// A component manager that is connected to other processes. It joins a GCM under its name. Its
 /// components can be connected to components of any other process, in the same way as to local
-/// ones.
+/// components.
 ///
-/// Connections within the process are those of LocalManager. Connections to other processes belong
-/// to the process of the required interface. Such a connection is pending while the other process
-/// is absent, and is made again when the other process returns. A crash of the GCM affects no
-/// connection.
+/// Connections within the process are those of LocalManager. A connection to another process
+/// belongs to the process of the required interface. It is pending while the other process is
+/// absent, and is made again when that process returns. A crash of the GCM does not affect
+/// connections.
 ///
 /// Log records are also sent to the GCM, within the limits of LogLimiter for each source. The GCM
 /// can set the log level.
@@ -56,9 +56,9 @@ class Process final : public LocalManager {
   /// invalid, if the port is in use (kExists), if an address of another machine is not allowed, or
   /// if the user's cookie cannot be read (kDenied).
   Process(std::string name, ProcessOptions options);
-  /// Stops all components in order, as LocalManager does, while their connections are open and
+  /// Stops all components in order, as LocalManager does. Their connections stay open, so that
   /// servers in other processes execute the last calls. Then leaves the GCM and closes all
-  /// channels. A hanging peer or GCM delays this by at most 2 s.
+  /// channels. A hanging peer or GCM delays the destructor by at most 2 s.
   ~Process() override;
 
   [[nodiscard]] const std::string& name() const;
@@ -68,35 +68,38 @@ class Process final : public LocalManager {
   [[nodiscard]] std::uint64_t instance() const;
 
   /// Waits until the process has joined the GCM. Errors: kUnreachable ("no GCM at ..."), kExists if
-  /// another process has the name (the text says which), kTimeout. The process works without a GCM,
-  /// and keeps trying if ProcessOptions::retry is set.
+  /// another process has the name (the text says which), kTimeout. The process works without a GCM;
+  /// it keeps trying to join if ProcessOptions::retry is set.
   Result<void> WaitUntilJoined(std::chrono::milliseconds timeout) const;
   [[nodiscard]] bool is_joined() const;
 
-  /// Sends a record to the GCM as if `source`, a component of this process, had logged it. For
-  /// programs with several processes, and replays; Log() sends a record as that of each process.
+  /// Sends a record to the GCM as if `source`, a component of this process, had logged it. Used by
+  /// replays and by programs with several processes, because Log() sends a record once for each
+  /// process of the program.
   void ForwardLog(LogLevel level, std::string_view source, std::string_view text);
 
-  /// Like LocalManager::Connect(), with these differences. A name without a process means this
-  /// process. The required interface must be in this process; the provided one may be anywhere, and
-  /// if its process or component is absent, the connection is pending. Blocks for at most two
-  /// seconds. If the GCM has already ordered the same connection, as it does for a process that
-  /// returns, takes over that connection.
+  /// Like LocalManager::Connect(), but the provided interface may be in any process. The required
+  /// interface must be in this process. A name without a process means this process. Blocks for at
+  /// most two seconds.
+  ///
+  /// If the provider's process or component is absent, the connection is pending. If the GCM has
+  /// already ordered the same connection, takes over that connection. The GCM orders connections of
+  /// a process that has returned.
   Result<ConnectionId> Connect(const InterfaceName& required,
                                const InterfaceName& provided) override;
   Result<void> Disconnect(const InterfaceName& required) override;
 
   [[nodiscard]] Result<ConnectionCounts> Counts(const InterfaceName& required) const override;
 
-  /// All connections of this process, including pending and failed ones. Both ends have process
-  /// names.
+  /// Returns all connections of this process, including pending and failed ones. The names of both
+  /// ends include the process.
   [[nodiscard]] std::vector<ConnectionDescription> connections() const override;
 
   /// The proxies in this process for components of other processes.
   [[nodiscard]] std::vector<ComponentProxy> proxies() const;
 
-  /// For components that use the services of this process without the network: see
-  /// process/local_access.h. The first call begins to serve them.
+  /// Returns the access for components that use the services of this process without the network.
+  /// See process/local_access.h. The services are started by the first call.
   [[nodiscard]] std::shared_ptr<LocalAccess> OpenLocalAccess();
 
  private:
@@ -112,8 +115,8 @@ class Process final : public LocalManager {
 };
 
 /// Returns options for a process that uses plain sockets: Process process("ui", Tcp({.gcm =
-/// "192.168.0.101"})). Addresses of other machines need Exposure::kInsecure, because nothing is
-/// encrypted.
+/// "192.168.0.101"})). Addresses of other machines need Exposure::kInsecure, because the
+/// connections are not encrypted.
 ProcessOptions Tcp(ProcessOptions options, Exposure exposure = Exposure::kLoopbackOnly);
 
 }  // namespace tendon

@@ -9,12 +9,12 @@
 
 namespace tendon {
 
-/// The state of a process from the GCM's point of view.
+/// The state of a process, as the GCM knows it.
 enum class ProcessState : std::int32_t {
   kAlive,
   kSuspect,   ///< has missed lease renewals
   kLost,      ///< connection broken or lease expired; the description is kept
-  kLeft,      ///< has left the GCM itself; the description is kept
+  kLeft,      ///< has left the GCM on its own; the description is kept
   kStarting,  ///< the GCM has started its program, which has not joined yet
 };
 
@@ -36,15 +36,16 @@ struct ProcessDescription {
   std::int64_t pid = 0;
   std::string address;  ///< where viewers and peers connect
   ProcessState state = ProcessState::kAlive;
-  std::string reason;      ///< why it is lost; or if it is alive, which hosts cannot reach it
+  std::string reason;  ///< why the process is lost; for a living process, which hosts cannot reach
+                       ///< it
   std::int64_t since = 0;  ///< time of entering `state`, ns since 1970; only for display
   std::vector<PluginDescription> plugins{};  ///< in the order of loading
 
   bool operator==(const ProcessDescription&) const = default;
 };
 
-/// One numbered change of the catalogue. The numbers, called revisions, have no gaps. Exactly one
-/// of the lists has one element; a removal has a name or an id instead.
+/// One change of the catalogue. Changes have numbers without gaps, called revisions. One of the
+/// lists has one element, and the others are empty; a removal has a name or an id instead.
 struct CatalogueChange {
   enum class Kind : std::int32_t {
     kProcess,  ///< added or changed; a new instance begins without components and connections

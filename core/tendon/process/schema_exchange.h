@@ -15,11 +15,12 @@
 
 namespace tendon {
 
-/// Answers kGetSchemas with the schemas that this process knows. Refuses more than 1024.
+/// Answers kGetSchemas with the schemas that this process knows. Refuses requests for more than
+/// 1024.
 void AnswerSchemas(std::span<const std::byte> body, Responder& responder);
 
-/// Reads the schemas in an untrusted answer. Returns, by fingerprint, only the schemas that were
-/// requested and whose text matches the fingerprint.
+/// Reads the schemas in an untrusted answer. Returns only the schemas that were requested and whose
+/// text matches the fingerprint.
 [[nodiscard]] std::map<Fingerprint, Schema> ReadSchemas(const message::GetSchemas& asked,
                                                         const message::Schemas& answer);
 
@@ -48,7 +49,7 @@ class SchemaCache {
 };
 
 /// Asks the peer for schemas and adds them, so that FindSchema() finds them. The default limits of
-/// SchemaCache apply to all peers together. Calls `done` once, whatever the outcome; `timer`
+/// SchemaCache apply to all peers together. Calls `done` exactly once, also after an error. `timer`
 /// provides the timeout.
 void LearnSchemas(Worker& timer, const std::shared_ptr<Channel>& channel,
                   const message::GetSchemas& wanted, std::chrono::milliseconds timeout,

@@ -16,16 +16,18 @@
 namespace tendon {
 
 /// The numbers of lost rows, by the place where they were lost. Each lost row is counted once. The
-/// subscription (process/telemetry/row_subscription.h) counts `table` and `network` from the
-/// numbers that the table's process sends with its batches. The sink counts the rows that it drops
-/// in `viewer`.
+/// sink counts the rows that it drops in `viewer`. The subscription counts `table` and `network`,
+/// from the numbers that the table's process sends with its batches
+/// (process/telemetry/row_subscription.h).
 ///
-/// In a subscription to every row, the number of rows that the sink has received, plus `table`,
-/// plus `network`, is the number of rows written since the first announced row, even if the link
-/// was broken in between. Rows that a source wrote after a restart and before the subscription was
-/// active again are not counted. In a subscription with a period, rows that were not chosen and
-/// rows written while the link was down are not counted; `table` counts all rows, chosen or not. In
-/// a subscription to only the newest row, `table` stays 0.
+/// In a subscription to every row, these numbers are complete: the rows that the sink has received,
+/// plus `table`, plus `network`, are all rows written since the first announced row. This is also
+/// true if the link was broken in between. Only the rows between a restart of the source and the
+/// next activation of the subscription are not counted.
+///
+/// In a subscription with a period, `table` counts all rows, even rows that the period skips.
+/// `network` does not count rows that the period skips, or that were written while the link was
+/// down. In a subscription to only the newest row, `table` stays 0.
 struct LostRows {
   std::uint64_t table = 0;    ///< overwritten before the table's process could read them
   std::uint64_t network = 0;  ///< refused by the link, or written while there was no link
@@ -46,15 +48,16 @@ struct RowBatch {
   std::uint64_t epoch = 0;  ///< changes when the source restarts; ticks then start at 0
   LostRows lost;          ///< lost since the last batch; `viewer` is 0, because the sink counts it
   std::size_t count = 0;  ///< 0 if there is only a loss to report
-  std::span<const std::uint64_t> ticks;  ///< of each row; without a period, they are consecutive
+  std::span<const std::uint64_t> ticks;  ///< one per row; consecutive without a period
   /// The time of each row, ns on the source's steady clock, limited to 0 to 50 years.
   std::span<const std::int64_t> times;
-  /// Subtract it from a row's time to get the time on this process's steady clock, so that rows of
-  /// several hosts can share one time axis. Constant within a batch. Between batches it follows the
-  /// estimate by at most 500 ppm, and rows never go back in time. 0 on one host.
+  /// Subtract this offset from a row's time to get the time on this process's steady clock. Then
+  /// rows of several hosts can share one time axis. The offset is constant within a batch. Between
+  /// batches it follows the estimate by at most 500 ppm, and rows never go back in time. 0 on one
+  /// host.
   std::chrono::nanoseconds clock_offset{0};
-  /// The largest possible error of clock_offset; the largest value of the type before the first
-  /// estimate.
+  /// The largest possible error of clock_offset. Before the first estimate, it is the largest value
+  /// of the type.
   std::chrono::nanoseconds clock_uncertainty = std::chrono::nanoseconds::max();
   /// Returns the CDR body of a column in a row, in the format of the column's schema.
   std::function<std::span<const std::byte>(std::size_t row, std::size_t column)> cell;
@@ -68,7 +71,7 @@ class RowSink {
   /// order of the request.
   virtual void OnSubscribed(const std::vector<Schema>& columns) = 0;
   virtual void OnRows(const RowBatch& batch) = 0;
-  /// Called when there are no rows for now, because the process is absent or has refused the
+  /// Called when no rows arrive for now, because the process is absent or has refused the
   /// subscription. The client keeps trying.
   virtual void OnStale(const Error& reason) = 0;
 };
@@ -82,11 +85,11 @@ struct TableSubscription {
   RowChoice rows = {};  ///< every row by default
 };
 
-/// What a process holds of a table.
+/// The result of ReadPast().
 struct PastRows {
-  std::uint64_t rows = 0;             ///< that were read
-  std::uint64_t lost = 0;             ///< overwritten while they were read
-  std::chrono::nanoseconds reach{0};  ///< the age of the oldest one; 0 without rows
+  std::uint64_t rows = 0;             ///< rows that were read
+  std::uint64_t lost = 0;             ///< rows that were overwritten during the reading
+  std::chrono::nanoseconds reach{0};  ///< the age of the oldest row that was read; 0 without rows
 };
 
 /// Subscribes to state tables of any process. Rows arrive in batches of 20 to 50 ms. A subscription
@@ -96,17 +99,18 @@ class TelemetryClient {
   virtual ~TelemetryClient() = default;
   using Id = std::uint64_t;
   /// A process allows each client at most 2048 subscriptions. For each row of a table, it reads at
-  /// most 32 times the row's number of values for one client; subscriptions to the same columns and
-  /// rows are read once. Subscriptions beyond these limits, or with a column named twice, are
-  /// refused; the sink gets OnStale().
+  /// most 32 times the row's number of values for one client. Values for several subscriptions to
+  /// the same columns and rows are read once. A subscription beyond these limits, or with a column
+  /// named twice, is refused, and the sink gets OnStale().
   virtual Id Subscribe(const TableSubscription& subscription, std::shared_ptr<RowSink> sink) = 0;
-  /// Ends a subscription. When this function returns, the sink is not called any more. Must not be
-  /// called from a sink.
+  /// Ends a subscription. After this function has returned, the sink is not called any more. Must
+  /// not be called from a sink.
   virtual void Unsubscribe(Id id) = 0;
-  /// Reads the rows of `table` that its process holds and that are not older than `last`, oldest
-  /// first. The sink gets OnSubscribed(), then OnRows(); after that, `done` is called, once, in a
-  /// thread of the middleware or of the client; not if the client ends before. Errors: those of
-  /// Subscribe(); a process that is older than this request refuses it.
+  /// Reads the rows of `table` that its process still has and that are not older than `last`,
+  /// oldest first. The sink gets OnSubscribed(), then OnRows(). Then `done` is called once, in a
+  /// thread of the middleware or of the client. If the client ends first, `done` is not called.
+  /// Errors are those of Subscribe(). A process with an older version of Tendon refuses the
+  /// request.
   virtual void ReadPast(const TableSubscription& table, std::chrono::nanoseconds last,
                         std::shared_ptr<RowSink> sink, std::function<void(Result<PastRows>)> done) {
     static_cast<void>(table);
@@ -114,7 +118,7 @@ class TelemetryClient {
     static_cast<void>(sink);
     done(Error{ErrorCode::kFailed, "this client cannot read past rows"});
   }
-  /// Tries the subscriptions of a process again at once. Call it when the process has come back or
+  /// Tries the subscriptions of a process again at once. Call it when the process has returned or
   /// has another address.
   virtual void Retry(const std::string& process) { static_cast<void>(process); }
 };

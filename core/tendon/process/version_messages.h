@@ -9,7 +9,7 @@
 /// The version of an LCM or a GCM.
 namespace tendon::message {
 
-// From a viewer. A program that is older than this message refuses it.
+// From a viewer. A program with an older version of Tendon refuses this message.
 inline constexpr auto kGetProgram =
     static_cast<MessageType>(0x20d);  // request: None -> ProgramVersion
 

@@ -26,10 +26,10 @@ inline constexpr auto kUnsubscribe = static_cast<MessageType>(0x203);  // notice
 // From the process.
 inline constexpr auto kRows =
     static_cast<MessageType>(0x204);  // notice: a handle, then RowsHeader and the rows
-// Its error says why there are no more rows.
+// The Error says why there are no more rows.
 inline constexpr auto kRowsEnded = static_cast<MessageType>(0x205);  // notice: a handle, then Error
-// From a viewer that chose only the newest row: it has received the last row, so the next may be
-// sent.
+// From a viewer that wants only the newest row: it has received the last row, so the process may
+// send the next row.
 inline constexpr auto kRowTaken = static_cast<MessageType>(0x206);  // notice: a handle, no body
 // From a viewer: like kOpenInterface, but without functions. Afterwards, the process sends
 // kTimedEvents, kEventsLost and kInterfaceClosed, and the viewer sends kCloseInterface, as in
@@ -38,14 +38,14 @@ inline constexpr auto kListen =
     static_cast<MessageType>(0x207);  // request: OpenInterface -> OpenInterfaceReply
 
 /// kGetCounts asks for the counts of a connection whose required side is in the process. kGetFill
-/// asks how full the mailboxes of a component are.
+/// asks for the fill levels of a component's mailboxes.
 inline constexpr auto kGetCounts =
     static_cast<MessageType>(0x208);  // request: GetCounts -> ConnectionCounts
 inline constexpr auto kGetFill =
     static_cast<MessageType>(0x209);  // request: GetFill -> MailboxFill
 
-/// Reads the rows of a state table that are written already, page by page. A process that is older
-/// than this message refuses it by its number.
+/// Reads the rows of a state table that are already written, page by page. A process with an older
+/// version of Tendon refuses this message, because it does not know the type.
 inline constexpr auto kReadRows =
     static_cast<MessageType>(0x20e);  // request: ReadRows -> ReadRowsReply
 
@@ -55,7 +55,7 @@ struct GetCounts {
   InterfaceName required;
 };
 
-/// Names the component whose mailboxes are meant.
+/// Names the component whose mailboxes are read.
 struct GetFill {
   std::string component;
 };
@@ -65,7 +65,8 @@ struct GetSchemas {
   std::vector<Fingerprint> fingerprints;
 };
 
-/// Schema::Text() of each type, in the order of the request; empty if the process does not know it.
+/// Schema::Text() of each type, in the order of the request. A text is empty if the process does
+/// not know the type.
 struct Schemas {
   std::vector<std::string> texts;
 };
@@ -83,7 +84,7 @@ struct CallMember {
 /// The outcome of a call.
 struct CallMemberReply {
   std::uint8_t status = 0;        ///< Status::Code
-  std::vector<std::byte> answer;  ///< the encoded result; empty if there is none
+  std::vector<std::byte> answer;  ///< the encoded result; empty without a result
 };
 
 /// Subscribes to rows of one state table, until kUnsubscribe or the channel's end. No column may be
@@ -97,7 +98,7 @@ struct Subscribe {
 
 /// The answer to Subscribe.
 struct SubscribeReply {
-  std::uint32_t handle = 0;  ///< of the frames of this subscription
+  std::uint32_t handle = 0;  ///< the handle in the frames of this subscription
   std::uint64_t epoch = 0;   ///< StateTable::epoch(); in another epoch, ticks start again at 0
   /// The tick of the first row that will be sent or reported as lost. In a subscription to only the
   /// newest row, the first row may be older.
@@ -105,22 +106,22 @@ struct SubscribeReply {
   std::vector<std::string> schemas;  ///< Schema::Text() of each column, in the order of the request
 };
 
-/// Asks for past rows of one state table. The first request for a table has the epoch 0; each later
-/// one continues where the reply before has ended.
+/// Asks for past rows of one state table. The first request has the epoch 0. Each later request
+/// continues after the reply to the request before it.
 struct ReadRows {
   std::string component;
   std::string table;  ///< "state" or "state-NAME"
   std::vector<std::string> columns;
-  /// Only in the first request: the age of the oldest row that is wanted.
+  /// Only in the first request: the largest age of a row.
   std::chrono::nanoseconds last{0};
-  std::uint64_t epoch = 0;        ///< that of the first reply
-  std::uint64_t first_tick = 0;   ///< RowsHeader::next_tick of the reply before
+  std::uint64_t epoch = 0;        ///< the epoch of the first reply
+  std::uint64_t first_tick = 0;   ///< RowsHeader::next_tick of the last reply
   std::uint64_t rows_before = 0;  ///< rows that the viewer has received in earlier replies
 };
 
-/// The answer to ReadRows: as many rows as fit into 128 KiB, but at least one, if there is any.
+/// The answer to ReadRows: as many rows as fit into 128 KiB, but at least one row if there is one.
 struct ReadRowsReply {
-  SubscribeReply subscribed;    ///< without a handle; its first tick is that of these rows
+  SubscribeReply subscribed;    ///< without a handle; `first_tick` is that of these rows
   std::int64_t now = 0;         ///< ns, on the steady clock of the process
   std::uint64_t end_tick = 0;   ///< the tick of the next row that will be written
   std::vector<std::byte> rows;  ///< the body of a kRows
@@ -138,7 +139,7 @@ struct ReadRowsReply {
 ///
 /// A row is a multiple of 8 bytes long; all rows of a batch are equally long.
 ///
-/// An empty batch reports rows that the link has refused, if no other batch follows.
+/// An empty batch reports rows that the link has refused. It is sent if no other batch follows.
 struct RowsHeader {
   std::uint64_t rows_before = 0;  ///< rows sent earlier in this subscription; a gap means lost rows
   /// Rows since the last batch that were overwritten before the source could read them.

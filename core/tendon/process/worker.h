@@ -18,10 +18,10 @@ namespace tendon {
   return std::max(left, milliseconds(0));
 }
 
-/// A thread with a queue of tasks, for work that must not be done in a thread of the middleware:
-/// opening channels, writing files, retrying later. Executes one task at a time, in the order of
-/// their due times. Tasks with the same due time are executed in the order in which they were
-/// posted. Logs exceptions of tasks. Sleeps when idle. Thread-safe.
+/// A thread with a queue of tasks, for work that must not be done in a thread of the middleware,
+/// such as opening channels, writing files, and retrying later. Executes one task at a time, in the
+/// order of their due times. Tasks with the same due time are executed in the order in which they
+/// were posted. Logs exceptions of tasks. Sleeps when idle. Thread-safe.
 class Worker {
  public:
   using Task = std::function<void()>;
@@ -32,15 +32,15 @@ class Worker {
   Worker(std::string name, std::string owner);
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
-  /// Calls Stop(). If a task holds the last reference, it may destroy the worker; then no further
+  /// Calls Stop(). A task may destroy the worker if it holds the last reference. Then no further
   /// task is executed.
   ~Worker();
 
   void Post(Task task);
   void PostAfter(std::chrono::milliseconds delay, Task task);
 
-  /// Waits for the running task; if the task is opening a link, this attempt is cancelled. Drops
-  /// all other tasks, including those posted later. Must not be called from a task.
+  /// Waits for the running task. If this task is opening a link, cancels the attempt. Drops all
+  /// other tasks, including tasks that are posted later. Must not be called from a task.
   void Stop();
 
  private:

@@ -21,8 +21,8 @@ class CallBatch {
   static constexpr std::size_t kOverhead = 24;
 
   void Add(std::uint32_t handle, std::span<const std::byte> argument);
-  /// Adds a call with a time. The argument is followed by i64 `time`, in ns on the steady clock of
-  /// this process. The size of the call includes the time.
+  /// Adds a call with a time: i64 `time` follows the argument, in ns on the steady clock of this
+  /// process. The size of the call includes the time.
   void AddTimed(std::uint32_t handle, std::span<const std::byte> argument, SteadyTime time);
   void Clear();
 
@@ -60,8 +60,8 @@ void ForEachCall(std::span<const std::byte> body, Visitor visit) {
   }
 }
 
-/// Calls `visit(handle, argument, time)` for each call in `body`, which has calls with times. A
-/// time is on the steady clock of the sender. Skips calls that are too short to contain a time.
+/// Calls `visit(handle, argument, time)` for each call in `body`, whose calls have times. A time is
+/// on the steady clock of the sender. Skips calls that are too short to contain a time.
 template <typename Visitor>
 void ForEachTimedCall(std::span<const std::byte> body, Visitor visit) {
   ForEachCall(body, [&visit](std::uint32_t handle, std::span<const std::byte> timed) {

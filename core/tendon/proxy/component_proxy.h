@@ -12,9 +12,9 @@
 
 namespace tendon {
 
-/// Represents a component of another process in this process. Holds one proxy for each connection
+/// Represents a component of another process in this process. It has one proxy for each connection
 /// between this process and an interface of the component, and exists as long as there is such a
-/// connection. Unlike a component, it has no lifecycle, and no manager lists it.
+/// connection. Unlike a component, it has no lifecycle, and managers do not list it.
 struct ComponentProxy {
   std::string process;
   std::string component;
@@ -22,16 +22,16 @@ struct ComponentProxy {
   std::vector<std::shared_ptr<RequiredInterfaceProxy>> required;
 };
 
-/// All component proxies of one process. Adds each interface proxy to the network thread as a job,
-/// and removes it again. Thread-safe.
+/// All component proxies of one process. An added interface proxy also becomes a job of the network
+/// thread, until it is removed. Thread-safe.
 class ComponentProxies {
  public:
   explicit ComponentProxies(std::shared_ptr<NetworkThread> thread) : thread_(std::move(thread)) {}
   ComponentProxies(const ComponentProxies&) = delete;
   ComponentProxies& operator=(const ComponentProxies&) = delete;
 
-  /// Adds a proxy. `original` is the interface in the other process. all() contains the proxy
-  /// before the proxy sends its first message.
+  /// Adds a proxy. `original` is the name of the interface in the other process. all() contains the
+  /// proxy before the proxy sends its first message.
   void Add(const InterfaceName& original, std::shared_ptr<ProvidedInterfaceProxy> proxy);
   void Add(const InterfaceName& original, std::shared_ptr<RequiredInterfaceProxy> proxy);
   /// Removes a proxy. After the return, the network thread does not use it any more.

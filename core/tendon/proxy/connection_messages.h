@@ -9,8 +9,8 @@
 
 /// The messages between the two ends of a connection. The opener is the process of the required
 /// interface. Each struct is the body of a frame. Requests are answered, notices are not. Each end
-/// issues a number for the connection; the other end writes this number into the field `handle` of
-/// the header. The handle of member i is this number + 1 + i.
+/// issues a number for the connection, and the other end writes this number into the field `handle`
+/// of the header. The handle of member i is this number + 1 + i.
 namespace tendon::message {
 
 // Sent by the opener.
@@ -31,9 +31,9 @@ inline constexpr auto kWait = static_cast<MessageType>(0x105);
 
 // notice: a CallBatch with calls of event handlers
 inline constexpr auto kEvents = static_cast<MessageType>(0x110);
-inline constexpr auto kCredit = static_cast<MessageType>(0x111);  // notice: Credit
-// The reply to a kWait that was executed also acts as a Credit: all calls that were sent before it
-// were executed too.
+// notice: Credit. The reply to an executed kWait also acts as a Credit: all calls that were sent
+// before the kWait were executed, too.
+inline constexpr auto kCredit = static_cast<MessageType>(0x111);
 // notice: Error; the provided interface does not exist any more
 inline constexpr auto kInterfaceClosed = static_cast<MessageType>(0x112);
 // notice to a required interface without functions: like kEvents, but each value has the time of
@@ -55,7 +55,7 @@ struct OpenInterface {
   InterfaceName provided;
   RequiredDescription description;  ///< the required interface: its functions and event handlers
   std::uint32_t handle = 0;         ///< the opener's number; its members are the event handlers
-  std::uint32_t capacity = 0;       ///< how many calls, and how many events, may be queued
+  std::uint32_t capacity = 0;       ///< capacity of the queues for calls and for events
   std::vector<std::string> latest_only{};  ///< event handlers that keep only the latest event
 };
 
@@ -72,17 +72,17 @@ struct OpenInterfaceReply {
 struct Credit {
   std::uint64_t executed = 0;  ///< number of calls executed since the connection was opened
   bool accepting = false;
-  std::string fault;  ///< why the component is faulted; otherwise empty
+  std::string fault;  ///< the reason if the component is faulted, else empty
 
   bool operator==(const Credit&) const = default;
 };
 
 /// The number of events lost since the connection was opened, for each event handler. The end that
-/// raises the events reports those that it could not send. The end that handles the events reports
-/// those that arrived, but did not reach a handler.
+/// raises the events reports the events that it could not send. The end that handles the events
+/// reports the events that arrived but did not reach a handler.
 struct EventsLost {
-  /// A number may increase by at most this from one report to the next, because the receiver counts
-  /// the events one by one.
+  /// The largest increase of a number from one report to the next. It is limited because the
+  /// receiver counts the events one by one.
   static constexpr std::uint64_t kMostAtOnce = 65536;
 
   std::vector<std::uint64_t> lost;
@@ -97,7 +97,7 @@ struct EventsLost {
 inline constexpr auto kMirror = static_cast<MessageType>(0x20b);  // request: Mirror -> MirrorReply
 
 // Sent by the other end. A notice with a bool, which is true if the read command is enabled. The
-// handle is that of its copies.
+// handle is the handle of the copies.
 inline constexpr auto kMirrorTurned = static_cast<MessageType>(0x20c);
 
 /// Asks for copies of the results of read commands that return the newest value of a column.
@@ -111,7 +111,7 @@ struct MirroredColumn {
   std::uint32_t handle = 0;      ///< handle of the frames with the copies
   std::uint32_t capacity = 0;    ///< size of the largest value in bytes
   std::int64_t time = 0;         ///< time of the newest row; ns, on the steady clock of its process
-  std::vector<std::byte> value;  ///< value in that row; empty if there is none
+  std::vector<std::byte> value;  ///< value in that row; empty if the row has no value
 };
 
 /// The answer to kMirror, in the order of the request.

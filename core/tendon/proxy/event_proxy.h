@@ -16,8 +16,7 @@ namespace tendon {
 /// Represents an event of another process. It is raised here with encoded values.
 class EventProxy final : public EventBase {
  public:
-  /// Calls the handlers. May be called by one thread at a time. If a handler refuses the value,
-  /// lost() counts it.
+  /// Calls the handlers. lost() counts a value that a handler refuses. One thread at a time.
   void Raise(std::span<const std::byte> value) {
     CountLost();
     const std::uint64_t before = lost();
@@ -28,8 +27,8 @@ class EventProxy final : public EventBase {
     lost_here_.Add(lost() - before);
   }
 
-  /// Sets the total number of events that the other process could not send. CountLost() adds them
-  /// to the counts of the handlers. May be called in the thread of Raise() or in one other thread.
+  /// Sets the total number of events that the other process could not send. CountLost() adds these
+  /// events to the counts of the handlers. Called in the thread of Raise() or in one other thread.
   void SetLostThere(std::uint64_t lost) {
     const std::uint64_t before = lost_there_.Get();
     const std::uint64_t most = counted_there_.value() + message::EventsLost::kMostAtOnce;

@@ -21,8 +21,8 @@ void ExecutingCalls::Answer(SteadyTime now, SteadyTime& next) {
     ++kept;
   }
   executing_.erase(kept, executing_.end());
-  // While new calls begin regularly, the network thread checks at this interval, so that a new call
-  // need not wake it for its first check.
+  // If new calls began recently, the network thread checks at this interval. A new call then need
+  // not wake it for the first check.
   if (now - newest_ < kNextLook) next = std::min(next, now + kNextLook);
 }
 

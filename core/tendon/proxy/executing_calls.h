@@ -15,9 +15,9 @@
 
 namespace tendon {
 
-/// Calls from other processes that a component here executes, and whose callers wait for the
-/// answer. In this process, no thread waits for these calls: the network thread checks them when it
-/// is notified that a call has ended. Not thread-safe.
+/// Calls from other processes that a component of this process executes, and whose callers wait for
+/// the answer. No thread of this process waits for these calls. The network thread checks them when
+/// it is notified that a call has ended. Not thread-safe.
 class ExecutingCalls {
  public:
   /// A call that `command` has begun. `command` must exist until the call is answered.
@@ -26,20 +26,20 @@ class ExecutingCalls {
     std::size_t call = 0;
     SteadyTime since{};
     SteadyTime deadline{};
-    std::size_t function = 0;  ///< index for the owner
+    std::size_t function = 0;  ///< index of the function, for the owner
     Responder responder;
   };
   /// The owner sends the answers.
   class Owner {
    public:
     virtual ~Owner() = default;
-    /// Called when the call has ended or will not be executed. If the status is good, the owner may
-    /// move from `result`.
+    /// Called when the call has ended or will not be executed. The owner may move from `result` if
+    /// the status is good.
     virtual void OnEnd(ExecutingCall& executing, Status status, Bytes& result) = 0;
   };
 
-  /// The time between two checks if there is no notification. They are necessary because a call may
-  /// end without a notification if its server stops just when the call begins.
+  /// The time between two checks without a notification. These checks are necessary, because a call
+  /// may end without a notification if its server stops just when the call begins.
   static constexpr std::chrono::milliseconds kNextLook{100};
 
   explicit ExecutingCalls(Owner& owner) : owner_(owner) {}
@@ -47,14 +47,14 @@ class ExecutingCalls {
     newest_ = executing.since;
     executing_.push_back(std::move(executing));
   }
-  /// Returns the time at which the network thread must check a new call for the first time, if it
-  /// is not notified before.
+  /// Returns the time when the network thread must check a new call for the first time, if it gets
+  /// no notification before.
   [[nodiscard]] static SteadyTime FirstLook(const ExecutingCall& executing) {
     return std::min(executing.deadline, executing.since + 2 * kNextLook);
   }
   /// Answers the calls that have ended or timed out, in the order in which they were begun. Sends
-  /// many answers in one message. If the next check must be made before `next`, sets `next` to its
-  /// time.
+  /// many answers in one message. If the next check is due before `next`, sets `next` to the time
+  /// of the check.
   void Answer(SteadyTime now, SteadyTime& next);
   /// Answers all calls, because their connection is closed.
   void GiveUp();

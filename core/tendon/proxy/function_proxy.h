@@ -28,14 +28,15 @@ class FunctionProxy final : public MemberCaller {
     BytesSink sink(out);
     return Replacing(out, (*this)(in, sink));
   }
-  /// The same with an AnswerSink. If the call was not made, nothing is written to `out`.
+  /// Like the operator above, but with an AnswerSink. Writes nothing to `out` if the call was not
+  /// made.
   Status operator()(std::span<const std::byte> in, AnswerSink& out) {
     return CallMember(binding_, index_,
                       [&](CommandBase& command) { return command.ExecuteEncoded(in, out); });
   }
 
   /// Begins a call; see CommandBase::BeginEncoded(). Sets `command` to the command that executes
-  /// the call, which is valid until the interface is disconnected.
+  /// the call. `command` is valid until the interface is disconnected.
   Status Begin(std::span<const std::byte> in, std::vector<std::byte>& out, Wakeup<>& ended,
                CommandBase*& command, std::size_t& call) {
     return Replacing(out, CallMember(binding_, index_, [&](CommandBase& bound) {
@@ -50,9 +51,8 @@ class FunctionProxy final : public MemberCaller {
   }
 
  private:
-  /// Clears `out` after a failed call. A successful call has replaced `out`, so it need not be
-  /// cleared before the call; that would be slow, because a vector that grows again is filled with
-  /// zeroes.
+  /// Clears `out` after a failed call. `out` is not cleared before the call, because a vector that
+  /// grows again is slowly filled with zeros. A successful call has replaced `out` anyway.
   static Status Replacing(std::vector<std::byte>& out, Status status) {
     if (!status) out.clear();
     return status;

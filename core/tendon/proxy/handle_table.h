@@ -11,8 +11,8 @@
 namespace tendon {
 
 /// The handles that one end of a channel issues: one number for each object, followed by one number
-/// for each member of the object. A handle in a received message is checked here. Numbers are never
-/// reused. Thread-safe.
+/// for each member of the object. This class checks the handles in received messages. Numbers are
+/// never reused. Thread-safe.
 template <typename T>
 class HandleTable {
  public:
@@ -25,7 +25,7 @@ class HandleTable {
     return handle;
   }
 
-  /// Sets the object of a number. Does nothing if the number was removed meanwhile.
+  /// Sets the object of a number. Does nothing if the number has been removed.
   void Put(std::uint32_t handle, std::shared_ptr<T> object) {
     const std::scoped_lock lock(mutex_);
     const auto found = entries_.find(handle);

@@ -74,7 +74,7 @@ Status MirroredValue::Read(std::vector<std::byte>& body, SteadyTime& time) const
   const RowResult result = copies_.ReadNewest(tick, [&](const RowRing<>::Word* words) {
     std::array<std::byte, kWord> word{};
     LoadWord(words[0], word.data());
-    // May be any number, because the copy may be overwritten during the read.
+    // The size may be any number, because a newer copy may overwrite this copy during the read.
     const auto size = std::bit_cast<std::uint64_t>(word);
     body.resize(std::min<std::uint64_t>(size, capacity_));
     for (std::size_t at = 0; at < body.size(); at += kWord) {

@@ -24,9 +24,9 @@ class MirroredValue {
   /// Allocates all memory, for values of at most `capacity` encoded bytes.
   explicit MirroredValue(std::size_t capacity);
 
-  /// Sets the value. `time` is the time at which the value was written, on the clock of this
-  /// process. An empty body means that the row had no value. If the body is too large, returns
-  /// false and keeps the old value.
+  /// Sets the value. `time` is the time when the value was written, on the clock of this process.
+  /// An empty body means that the row had no value. If the body is too large, returns false and
+  /// keeps the old value.
   bool Put(SteadyTime time, std::span<const std::byte> body);
   /// While disabled, readers get kDisabled instead of the value.
   void SetEnabled(bool enabled) noexcept { is_enabled_.Set(enabled); }
@@ -34,9 +34,9 @@ class MirroredValue {
   void End() noexcept { has_ended_.Set(true); }
   [[nodiscard]] bool has_ended() const noexcept { return has_ended_.Get(); }
 
-  /// Reads the value. Fails with kNoSample before the first value or if the newest row had none,
-  /// with kDisabled while disabled, and with kNotConnected after End(). Allocates memory only if
-  /// `body` must grow.
+  /// Reads the value. Fails with kNoSample before the first value, or if the newest row had no
+  /// value. Fails with kDisabled while disabled, and with kNotConnected after End(). Allocates
+  /// memory only if `body` must grow.
   Status Read(std::vector<std::byte>& body, SteadyTime& time) const;
 
  private:
@@ -47,7 +47,7 @@ class MirroredValue {
   Flag has_ended_{false};
 };
 
-/// A read command of another process that returns the local copy of the value and sends no request.
+/// A read command of another process. It returns the local copy of the value and sends no request.
 /// Fails with kNoSample before the first copy, with kDisabled while the command is disabled in the
 /// other process, and with kNotConnected when the connection has ended.
 class MirroredReadProxy final : public Offer {

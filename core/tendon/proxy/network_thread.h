@@ -20,14 +20,14 @@ class NetworkJob {
   virtual ~NetworkJob() = default;
 
   /// Called in the network thread after each Notify() and at other times; must not block. Returns
-  /// true if there may be more work at once. If the next call must be made before `next`, sets
-  /// `next` to its time.
+  /// true if more work may be possible at once. If the next call is due before `next`, sets `next`
+  /// to the time of that call.
   virtual bool Work(SteadyTime now, SteadyTime& next) = 0;
 };
 
 /// The thread between the components of a process and its middleware. It sends the calls that
-/// proxies have queued, and collects rows for viewers. Because of this thread, the thread of a
-/// component calls the middleware only when it waits for an answer. Sleeps when idle. Thread-safe.
+/// proxies have queued, and collects rows for viewers. The thread of a component calls the
+/// middleware itself only when it waits for an answer. Sleeps when idle. Thread-safe.
 class NetworkThread {
  public:
   explicit NetworkThread(std::string name = "network");
@@ -50,13 +50,13 @@ class NetworkThread {
 
  private:
   void Run();
-  /// Calls every job once. Returns true if one of them has more work.
+  /// Calls every job once. Returns true if a job has more work.
   bool Round(SteadyTime& next);
 
   const std::string name_;
   Wakeup<> wakeup_;
   Flag stopping_;
-  // Locked before mutex_, so that Add() and Remove() get their turn between two rounds.
+  // Locked before mutex_, so that Add() and Remove() do not have to wait for many rounds.
   std::mutex turn_;
   std::mutex mutex_;
   std::vector<NetworkJob*> jobs_;

@@ -90,8 +90,8 @@ std::uint64_t Outbox::SendNow([[maybe_unused]] const Turn& turn, BlockingCall ca
   return 0;
 }
 
-/// Sends the calls that were already taken, then calls from the inbox, up to `limit`. Counts each
-/// call when it is sent.
+/// Sends up to `limit` calls: first the calls that were already taken from the inbox, then more
+/// calls from the inbox. Counts each call when it is sent.
 std::size_t Outbox::SendTaken(std::size_t limit, Delivery delivery) {
   const Status no_room = Status::kQueueFull;
   const std::uint64_t before = sent_;
@@ -129,7 +129,8 @@ void Outbox::Collect(std::size_t limit) {
 }
 
 /// Sends a call as a request. The timeout at the other end begins now and is a little shorter than
-/// the caller's, so that its report arrives before the caller's own timeout.
+/// the timeout of the caller. Therefore, the report of a timeout arrives before the caller times
+/// out.
 Status Outbox::Request(BlockingCall& call, Delivery delivery) {
   constexpr std::chrono::milliseconds kWayBack(20);
   const SteadyTime now = SteadyClock().Now();

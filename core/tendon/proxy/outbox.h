@@ -21,18 +21,19 @@ namespace tendon {
 
 /// Limits of an Outbox.
 struct OutboxLimits {
-  /// Largest number of calls that are sent and not executed yet.
+  /// The largest number of calls that were sent but not executed yet.
   std::uint64_t credit = std::numeric_limits<std::uint64_t>::max();
   /// The largest number of argument bytes in the queue; a single larger argument is allowed. Calls
-  /// whose callers wait are not counted.
+  /// whose callers wait do not count.
   std::uint64_t waiting_bytes = Budget<>::kNoLimit;
 };
 
 /// The queue of calls that will be sent on a channel. Component threads post the calls, and the
 /// network thread sends them in order, many in one frame. A call whose caller waits is sent as a
-/// request, in the same order; if no other call is queued, the caller sends it directly. No call is
-/// lost if the link is full: the calls stay in the queue, and when the mailbox is full, callers get
-/// kQueueFull.
+/// request, in the same order. If no other call is queued, the caller's thread sends it directly.
+///
+/// If the link is full, no call is lost: the calls stay in the queue. If the mailbox is full,
+/// callers get kQueueFull.
 class Outbox {
  public:
   static constexpr std::uint64_t kAnyNumber = std::numeric_limits<std::uint64_t>::max();
@@ -52,35 +53,35 @@ class Outbox {
   void Close();
   [[nodiscard]] bool is_open() const noexcept { return is_open_.Get(); }
 
-  /// The lane on which calls are sent. A message that must stay in order with the calls must use
-  /// this lane too.
+  /// The lane on which calls are sent. Messages that must stay in order with the calls use the same
+  /// lane.
   [[nodiscard]] Lane lane() const { return lane_; }
 
-  /// Called in any thread when a value of a member is too large to be sent; the network thread logs
-  /// this later.
+  /// Called when a value of a member is too large to be sent. The network thread logs this later.
+  /// Any thread.
   void RefusePayload(std::uint32_t handle, std::size_t size) noexcept;
   [[nodiscard]] RefusedPayloads& refused_payloads() { return refused_payloads_; }
 
   /// The budget for the argument bytes in the queue. May be used in any thread.
   [[nodiscard]] Budget<>& waiting_bytes() { return waiting_bytes_; }
 
-  /// Any thread: called when at least the first `calls` sent calls were executed. If `calls` is
-  /// greater than the number of sent calls, the next Send() closes the channel.
+  /// Called when the first `calls` calls that were sent have been executed. If `calls` is greater
+  /// than the number of sent calls, the next Send() closes the channel. Any thread.
   void SetExecuted(std::uint64_t calls);
 
-  /// Any thread: returns true if a call was taken from the inbox but not sent, or was sent and may
-  /// not be executed yet.
+  /// Returns true if some call was taken from the inbox but not sent, or was sent but may not be
+  /// executed yet. Any thread.
   [[nodiscard]] bool HasCallsUnderWay() const;
 
-  /// The right of a thread to send. While a thread holds it, no other thread sends calls of this
-  /// outbox.
+  /// The right of a thread to send. While a thread has this right, no other thread sends calls of
+  /// this outbox.
   using Turn = std::unique_lock<std::mutex>;
 
   /// Network thread: sends queued calls, as many as `limit` and the credit allow, and returns their
   /// number.
   std::size_t Send(std::size_t limit = kAnyNumber);
-  /// Sends the calls that the network thread took from the inbox but could not send; tries for at
-  /// most `patience`. Must be called when the network thread does not use this object any more.
+  /// Sends the calls that the network thread took from the inbox but could not send. Tries for at
+  /// most `patience`. Must be called after the network thread has stopped using this object.
   void SendRest(std::chrono::milliseconds patience);
   /// Network thread: returns true if the link was full or a caller is sending. Then Send() must be
   /// called again soon.
@@ -98,17 +99,17 @@ class Outbox {
     std::uint64_t number = 0;  ///< number of the call in `callers`
   };
 
-  /// Gives the calling thread the right to send. If other calls are already taken from the inbox,
-  /// the credit is used up, or another thread is sending, the returned turn does not hold the lock,
-  /// so the thread may not send.
+  /// Gives the calling thread the right to send. The returned turn does not hold the lock, and the
+  /// thread may not send, if other calls are already taken from the inbox, the credit is used up,
+  /// or another thread is sending.
   [[nodiscard]] Turn TakeTurn();
-  /// Sends a call directly, without the mailbox, which must be empty. If the link is full, the
-  /// network thread will send the call; then this returns 0. Otherwise returns the total number of
-  /// sent calls, including this one.
+  /// Sends a call directly, without the mailbox, which must be empty. Returns the total number of
+  /// sent calls, including this one. Returns 0 if the link is full; then the network thread will
+  /// send the call.
   std::uint64_t SendNow(const Turn& turn, BlockingCall call);
-  /// Called in the thread of a caller when the answer to its call, number `calls` of the sent
-  /// calls, has arrived. Then all earlier calls were executed too, because one mailbox keeps their
-  /// order. Notifies the network thread if calls wait in the mailbox `callers`.
+  /// Called in the caller's thread when the answer to its call has arrived. `calls` is the number
+  /// of this call among the sent calls. All earlier calls were executed too, because one mailbox
+  /// keeps their order. Notifies the network thread if calls wait in the mailbox `callers`.
   void OnExecuted(std::uint64_t calls, const Mailbox& callers);
 
   // Network thread: called by Send() with the next call from the inbox.
@@ -136,17 +137,17 @@ class Outbox {
   Budget<> waiting_bytes_;
   Inbox inbox_;
   const std::uint64_t credit_;
-  std::mutex raising_;  // guards executed_, because reports may arrive out of order
+  std::mutex raising_;  // protects executed_; reports may arrive out of order
   Published<std::uint64_t> executed_{0};
 
-  // Network thread only: another thread held sending_ during the last Send().
+  // True if another thread held sending_ during the last Send(). Used in the network thread.
   bool has_waited_ = false;
 
   mutable std::mutex sending_;  // guards the members below
   std::uint64_t sent_ = 0;
   // Calls that were taken from the inbox, but not sent yet.
   CallBatch batch_;
-  std::optional<BlockingCall> blocking_call_;  // to be sent after the batch
+  std::optional<BlockingCall> blocking_call_;  // sent after the batch
 };
 
 }  // namespace tendon

@@ -6,7 +6,7 @@
 namespace tendon {
 
 Status TakeOutcome(Result<Bytes> answer, Bytes& result) {
-  // If the peer has not refused the call, the call may have been executed, because it was sent.
+  // A call that was sent may have been executed, unless the peer has refused it.
   if (!answer) return StatusOfRefusal(answer.error()).value_or(Status::kOutcomeUnknown);
   result = *std::move(answer);
   return TakeStatus(result);

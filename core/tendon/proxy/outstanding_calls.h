@@ -20,9 +20,9 @@ namespace tendon {
 [[nodiscard]] Status TakeOutcome(Result<Bytes> answer, Bytes& result);
 
 /// The calls of one remote command whose callers wait in this process. Each call has a number, with
-/// which the reply finds the completion record of the caller. The number becomes invalid when the
-/// caller stops waiting, so a late reply is ignored. This object may exist longer than the command
-/// while a reply is still expected. Thread-safe.
+/// which its reply finds the completion record of the caller. The number becomes invalid when the
+/// caller stops waiting, so a late reply is ignored. This object may outlive the command, because a
+/// reply may still be expected. Thread-safe.
 template <typename Pool = CompletionPool, typename Mutex = std::mutex>
 class OutstandingCalls {
  public:
@@ -46,17 +46,17 @@ class OutstandingCalls {
     of_record_[record] = ++last_;
     return last_;
   }
-  /// Removes the call. Must be called by every caller, with the result of Await(). Returns true if
-  /// the call was sent, so it may have been executed. Returns false if the call was not sent; it
-  /// will then never be executed.
+  /// Removes the call. Every caller must call this function with the result of Await(). Returns
+  /// true if the call was sent, so that it may have been executed. Returns false if the call was
+  /// not sent and never will be.
   template <typename Ending>
   bool Leave(std::uint64_t call, Ending ending) {
     const std::scoped_lock lock(mutex_);
     spare_ = calls_.extract(call);
     assert(!spare_.empty());
     const OutstandingCall& outstanding = spare_.mapped();
-    // If the call has not ended, the thread that would free the record cannot find the call any
-    // more, so the record is freed here.
+    // The call was just removed from the map. If it has not ended, no other thread can free its
+    // record.
     if (ending == Ending::kStarted && !outstanding.has_ended) {
       completions_[outstanding.record].Free();
     }
@@ -67,22 +67,23 @@ class OutstandingCalls {
 
   // Functions for the network thread.
 
-  /// Starts the posted call with this record and returns its number; empty if its caller does not
-  /// wait any more. The lock prevents the caller from reusing the record meanwhile.
+  /// Starts the posted call with this record and returns its number. Returns nothing if its caller
+  /// has stopped waiting. The lock prevents the caller from reusing the record during this
+  /// function.
   [[nodiscard]] std::optional<std::uint64_t> Start(std::size_t record) {
     const std::scoped_lock lock(mutex_);
     if (!completions_[record].Start()) return std::nullopt;
     return of_record_[record];
   }
-  /// Called instead of Start() if the posted call will not be sent. Ends the call with
+  /// Called instead of Start() if the posted call will never be sent. Ends the call with
   /// kNotConnected.
   void Drop(std::size_t record) noexcept {
     const std::scoped_lock lock(mutex_);
     if (!completions_[record].Start()) return;
     Finish(calls_.at(of_record_[record]), Status::kNotConnected);
   }
-  /// Marks the call as sent and returns the deadline of its caller. Empty if the caller does not
-  /// wait any more or the deadline has passed; then the call must not be sent.
+  /// Marks the call as sent and returns the deadline of its caller. Returns nothing if the caller
+  /// has stopped waiting or the deadline has passed; then the call must not be sent.
   [[nodiscard]] std::optional<SteadyTime> Send(std::uint64_t call, SteadyTime now) {
     const std::scoped_lock lock(mutex_);
     const auto found = calls_.find(call);
@@ -96,7 +97,7 @@ class OutstandingCalls {
     const auto found = calls_.find(call);
     if (found != calls_.end()) found->second.is_sent = false;
   }
-  /// Ends a call that will not be sent. Its caller gets the status `why`.
+  /// Ends a call that will never be sent. Its caller gets the status `why`.
   void Refuse(std::uint64_t call, Status why) {
     const std::scoped_lock lock(mutex_);
     const auto found = calls_.find(call);
@@ -105,8 +106,8 @@ class OutstandingCalls {
     Finish(found->second, why);
   }
 
-  /// Any thread: ends a call with the reply to its kWait request, or with the reason why there is
-  /// none.
+  /// Ends a call with the reply to its kWait request, or with the reason why there is no reply. Any
+  /// thread.
   void End(std::uint64_t call, Result<Bytes> answer) {
     const std::scoped_lock lock(mutex_);
     const auto found = calls_.find(call);
@@ -120,7 +121,7 @@ class OutstandingCalls {
     std::size_t record = 0;
     SteadyTime deadline{};
     bool is_sent = false;
-    bool has_ended = false;  // the record was finished; this frees it if no caller waits
+    bool has_ended = false;  // true after Finish()
   };
 
   void Finish(OutstandingCall& outstanding, Status status) noexcept {
@@ -131,7 +132,7 @@ class OutstandingCalls {
   Pool& completions_;
   Mutex mutex_;
   std::uint64_t last_ = 0;
-  std::map<std::uint64_t, OutstandingCall> calls_;  // from Enter() to Leave()
+  std::map<std::uint64_t, OutstandingCall> calls_;  // calls between Enter() and Leave()
   // A map node that is reused for the next call.
   typename std::map<std::uint64_t, OutstandingCall>::node_type spare_;
   std::vector<std::uint64_t> of_record_;

@@ -71,8 +71,7 @@ void ProvidedInterfaceProxy::AddEvents(const ProvidedDescription& provided,
     if (event == nullptr) continue;
     events_.back() = std::make_unique<EventProxy>();
     interface_.AddEvent(*events_.back(), *event);
-    // Faults of the source may be reported by the middleware's thread, so events are raised by two
-    // threads.
+    // Two threads raise events, because the middleware's thread may report faults of the source.
     if (line_) events_.back()->SetRaisers(CallerThreads::kManyThreads, nullptr);
   }
 }
@@ -103,7 +102,7 @@ void ProvidedInterfaceProxy::OnEventsLost(const message::EventsLost& events) {
     if (events_[i]) events_[i]->SetLostThere(events.lost[i]);
   }
   if (!line_) return CountLostEvents();
-  // If the queue of the executor is full, the queued calls count these events.
+  // If the queue of the executor is full, the calls in the queue will count these events.
   (void)line_->Post([self = shared_from_this()] { self->CountLostEvents(); });
 }
 

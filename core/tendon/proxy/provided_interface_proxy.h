@@ -22,13 +22,14 @@ namespace tendon {
 class Connection;
 
 /// Represents a provided interface of another process, for one connection. A required interface of
-/// this process is connected to it like to any provided interface.
+/// this process is connected to the proxy as to any provided interface.
 ///
 /// Void and write commands are queued until the network thread sends them, within the credit of the
-/// other end. A read sends its request in the caller's thread, unless it is mirrored. A command
-/// whose caller waits is also sent in the caller's thread, unless queued commands must be sent
-/// first. Events are raised in the middleware's thread; if a handler runs in the raising thread,
-/// they are raised by a SerialExecutor of WorkerPool instead.
+/// other end. The caller's thread sends the request of a read, unless the read is mirrored. It also
+/// sends a command whose caller waits, unless queued commands must be sent first.
+///
+/// The middleware's thread raises the events. However, if a handler runs in the raising thread, a
+/// SerialExecutor of WorkerPool raises them.
 class ProvidedInterfaceProxy final : public NetworkJob,
                                      public std::enable_shared_from_this<ProvidedInterfaceProxy> {
  public:
@@ -36,7 +37,7 @@ class ProvidedInterfaceProxy final : public NetworkJob,
   struct Remote {
     std::shared_ptr<Channel> channel;
     message::OpenInterfaceReply opened;
-    InterfaceName name{};  ///< its name, for log messages
+    InterfaceName name{};  ///< name of the interface, for log messages
     /// The values of mirrored commands, by name of the command.
     std::map<std::string, std::shared_ptr<MirroredValue>> mirrored{};
     /// Raises the events; null unless one of their handlers runs in the raising thread.
@@ -63,18 +64,18 @@ class ProvidedInterfaceProxy final : public NetworkJob,
   /// Handles a report of the other end. Returns true if fault() has changed.
   bool OnCredit(const message::Credit& credit);
 
-  /// Any thread: waits until all events that have arrived are raised, at most until `deadline`.
+  /// Waits until all events that have arrived are raised, at most until `deadline`. Any thread.
   void DrainEvents(SteadyTime deadline) const;
-  /// Any thread: returns why the remote component is faulted; empty if it is not faulted.
+  /// Returns why the remote component is faulted; empty if it is not faulted. Any thread.
   [[nodiscard]] std::string fault() const;
-  /// Any thread: returns true if calls of `connection`, which leads to this proxy, are queued here
-  /// or may not be executed yet. Returns false while the remote component is stopped.
+  /// Returns true if calls of `connection`, which leads to this proxy, are queued here or may not
+  /// be executed yet. Returns false while the remote component is stopped. Any thread.
   [[nodiscard]] bool HasCallsUnderWay(const Connection& connection);
-  /// Sends the calls that the network thread took from the queue but could not send; tries for at
-  /// most `patience`. Must be called when the network thread does not use this proxy any more.
+  /// Sends the calls that the network thread took from the queue but could not send. Tries for at
+  /// most `patience`. Must be called after the network thread has stopped using this proxy.
   void SendRest(std::chrono::milliseconds patience) { outbox_.SendRest(patience); }
-  /// Any thread: called when the connection to the other process has ended. Later calls are refused
-  /// with kNotConnected.
+  /// Called when the connection to the other process has ended. Later calls are refused with
+  /// kNotConnected. Any thread.
   void Sever();
 
   bool Work(SteadyTime now, SteadyTime& next) override;
@@ -93,9 +94,9 @@ class ProvidedInterfaceProxy final : public NetworkJob,
   const std::map<std::string, std::shared_ptr<MirroredValue>> mirrored_;
   Outbox outbox_;
   LossReport loss_report_;
-  // By event handler; null if the remote interface has no such event.
+  // The proxy of each event handler; null if the remote interface has no such event.
   std::vector<std::unique_ptr<EventProxy>> events_;
-  ComponentAccess remote_component_{[](const auto& /*reason*/) {}};  // not used to execute calls
+  ComponentAccess remote_component_{[](const auto& /*reason*/) {}};  // only reports faults
   ProvidedInterface interface_;
 
   mutable std::mutex mutex_;

@@ -8,7 +8,7 @@
 namespace tendon {
 namespace {
 
-/// A note has this many bits for the size. The other bits are for the handle.
+/// The number of bits for the size in a note. The other bits are for the handle.
 constexpr unsigned kSizeBits = 40;
 constexpr std::uint64_t kLargestSize = (std::uint64_t{1} << kSizeBits) - 1;
 constexpr std::uint32_t kHandleMask = (std::uint32_t{1} << (64 - kSizeBits)) - 1;
@@ -52,7 +52,7 @@ void RefusedPayloads::Report() {
   const std::uint64_t notes = notes_.value();
   if (notes == reported_) return;
   reported_ = notes;
-  const std::uint64_t note = note_.Get();  // the last counted note or a newer one
+  const std::uint64_t note = note_.Get();  // the last counted note, or a newer note
   const auto member = members_.find(static_cast<std::uint32_t>(note >> kSizeBits));
   if (member != members_.end()) Log(member->second, note & kLargestSize);
 }

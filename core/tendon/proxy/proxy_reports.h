@@ -25,8 +25,8 @@ class LossReport {
 
   /// Sets the total number of lost events of one event handler.
   void Set(std::size_t handler, std::uint64_t lost);
-  /// Sends a report if a total has changed. If the next report must be sent before `next`, sets
-  /// `next` to its time.
+  /// Sends a report if a total has changed. If the next report is due before `next`, sets `next` to
+  /// the time of the report.
   void Report(SteadyTime now, SteadyTime& next);
 
  private:
@@ -37,8 +37,9 @@ class LossReport {
   message::EventsLost reported_;
 };
 
-/// Logs that a proxy refused to send values larger than kMaxPayload. The thread that calls a
-/// function must not log. Therefore it stores a note, and the network thread logs the note.
+/// Logs the values that a proxy has refused to send because they are larger than kMaxPayload. The
+/// thread that calls a function must not log, so it stores a note, and the network thread logs the
+/// note.
 class RefusedPayloads {
  public:
   /// `interface` is the interface of the members: "robot/arm/Cloud".

@@ -120,8 +120,8 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     QueuedCommandProxy& command_;
   };
 
-  /// If no other call must be sent first, sends the call in the caller's thread, so that no other
-  /// thread must be woken, and waits for the answer. Otherwise returns nothing and changes nothing.
+  /// Sends the call in the caller's thread and waits for the answer, so that no other thread must
+  /// be woken. Returns nothing, and changes nothing, if other calls must be sent first.
   std::optional<Status> WaitAtOnce(std::span<const std::byte> in, std::vector<std::byte>& out,
                                    SteadyTime deadline) {
     if (SteadyClock().Now() >= deadline) return {};
@@ -168,8 +168,9 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     return claimed;
   }
 
-  /// Claims a slot of the mailbox, sets `room` to it, and writes the argument into its buffer.
-  /// Returns kQueued, or the reason why this failed; kFailed if the codec threw an exception.
+  /// Claims a slot of the mailbox, sets `room` to it, and writes the argument into the slot's
+  /// buffer. Returns kQueued, or the reason why the claim failed; kFailed if the codec threw an
+  /// exception.
   Status Claim(const ArgumentWriter& in, std::size_t size, std::byte*& room) {
     room = mailbox_.Claim();
     if (room == nullptr) return outbox_.is_open() ? mailbox_.refusal() : Status::kNotConnected;
@@ -185,8 +186,8 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     return written;
   }
 
-  /// Returns the buffer of a claimed slot with `size` bytes. If the buffer must grow, it gets
-  /// exactly this size, and the previous argument is not copied.
+  /// Returns the buffer of a claimed slot with `size` bytes. A buffer that must grow gets exactly
+  /// this size, and its old content is not copied.
   Bytes& RoomIn(std::size_t slot, std::size_t size) {
     Bytes& argument = pool_[slot];
     const std::size_t before = argument.capacity();
@@ -234,8 +235,8 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     outbox_.waiting_bytes().Give(pool_[slot].size());
   }
 
-  /// Frees the buffer of a slot if the buffers together are larger than 64 MiB. Otherwise the
-  /// buffer is kept, to save allocations.
+  /// Frees the buffer of a slot if all buffers together are larger than 64 MiB. Otherwise keeps the
+  /// buffer, to save allocations.
   void FreeIfMany(std::size_t slot) noexcept {
     constexpr std::uint64_t kMostKept = std::uint64_t{64} << 20U;
     if (grown_.value() - freed_.value() <= kMostKept) return;
@@ -246,12 +247,12 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
   Outbox& outbox_;
   const bool must_wait_;
   const std::uint32_t handle_;
-  SharedCounter<>& refused_;  // of the offer
+  SharedCounter<>& refused_;  // the counter of the offer
   Mailbox& mailbox_;
   const std::shared_ptr<OutstandingCalls<>> callers_;
   BlockingCallEntry blocking_entry_{*this};
   SharedCounter<> grown_;    // bytes by which the buffers of the pool have grown
-  SharedCounter<> freed_;    // bytes of these that were freed again
+  SharedCounter<> freed_;    // the part of these bytes that was freed again
   std::vector<Bytes> pool_;  // buffers for arguments, by slot; see FreeIfMany()
 };
 
@@ -299,7 +300,7 @@ class LatestCommandProxy final : public CommandBase, private Mailbox::Entry {
 
   Outbox& outbox_;
   const std::uint32_t handle_;
-  SharedCounter<>& refused_;  // of the offer
+  SharedCounter<>& refused_;  // the counter of the offer
   QueuedCommandProxy queued_;
   Bytes written_;  // used only by the posting thread
   LatestValue<Bytes> newest_;
@@ -319,7 +320,7 @@ QueuedOfferProxy::QueuedOfferProxy(MemberDescription description, Outbox& outbox
 }
 
 Mailbox::SlotShape QueuedOfferProxy::shape() const {
-  constexpr std::size_t kTokens = 2;  // a LatestCommand has at most this many posted
+  constexpr std::size_t kTokens = 2;  // the most tokens that a LatestCommand posts
   return {.reserve = keeps_latest_only() ? kTokens : 0};
 }
 

@@ -11,15 +11,15 @@
 
 namespace tendon {
 
-/// Returns the overflow policy of `member`. `latest_only` has the members that keep only the latest
-/// call.
+/// Returns the overflow policy of `member`. `latest_only` lists the members that keep only the
+/// latest call.
 [[nodiscard]] Overflow OverflowOf(const std::vector<std::string>& latest_only,
                                   const std::string& member);
 
-/// Represents a command of another process, or a handler of the other process for events of this
-/// one. Calls are queued and sent to the other process. Accepts only encoded values, and copies
-/// them into buffers that are reused. If the member keeps only the latest call, the queue here also
-/// keeps only the latest one.
+/// Represents a command of another process, or an event handler of another process. Calls are
+/// queued and sent to the other process. Accepts only encoded values, and copies them into buffers
+/// that are reused. If the member keeps only the latest call, the queue here also keeps only the
+/// latest call.
 class QueuedOfferProxy final : public Offer {
  public:
   QueuedOfferProxy(MemberDescription description, Outbox& outbox, std::uint32_t handle);
@@ -27,8 +27,8 @@ class QueuedOfferProxy final : public Offer {
   [[nodiscard]] Mailbox::SlotShape shape() const override;
   [[nodiscard]] std::unique_ptr<CommandBase> Bind(Mailbox* mailbox) const override;
 
-  /// Number of calls that were refused because the queue was full, the value too large, or the
-  /// connection ended.
+  /// Number of calls that were refused because the queue was full, the value was too large, or the
+  /// connection had ended.
   [[nodiscard]] std::uint64_t refused() const noexcept { return refused_.value(); }
 
  private:

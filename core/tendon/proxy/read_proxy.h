@@ -13,8 +13,8 @@
 
 namespace tendon {
 
-/// Represents a read command of another process. The request is sent in the caller's thread, which
-/// waits for the answer for at most `deadline`. Fails with kTimeout, or with kNotConnected if the
+/// Represents a read command of another process. The caller's thread sends the request and waits
+/// for the answer, for at most `deadline`. Fails with kTimeout, or with kNotConnected if the
 /// connection has ended.
 class ReadOfferProxy final : public Offer {
  public:
@@ -34,8 +34,8 @@ class ReadOfferProxy final : public Offer {
   Remote remote_;
 };
 
-/// Returns the status that the caller gets for a refused kRead or kWait request; empty if `error`
-/// is not a refusal by the peer.
+/// Returns the status that the caller gets for a refused kRead or kWait request. Returns nothing if
+/// `error` is not a refusal by the peer.
 [[nodiscard]] std::optional<Status> StatusOfRefusal(const Error& error);
 
 /// Returns the byte for a status, which follows the value in the reply to a kRead or kWait request.

@@ -12,7 +12,7 @@
 namespace tendon {
 namespace {
 
-/// How long a read may be queued. The deadline of the caller, by default 100 ms, is not known here.
+/// How long a read may be queued. The caller's deadline (by default 100 ms) is not known here.
 constexpr std::chrono::seconds kMostReadWait(2);
 constexpr std::size_t kMostReads = 64;
 constexpr std::size_t kMostReadBytes = std::size_t{64} << 20U;
@@ -20,16 +20,16 @@ constexpr std::size_t kMostReadBytes = std::size_t{64} << 20U;
 /// The largest number of event bytes that may be queued for a connected peer. Further events are
 /// lost and counted.
 constexpr std::size_t kMostEventBytes = std::size_t{64} << 20U;
-/// The same for a peer that only receives events. It is smaller, because there may be many such
-/// peers.
+/// The limit for a peer that only receives events. It is smaller, because many peers may only
+/// receive events.
 constexpr std::size_t kMostHeardBytes = std::size_t{8} << 20U;
 
-/// Writes the result of a read and the status as the reply. If the link has memory for it, writes
-/// directly into the memory that the link sends.
+/// Writes the result of a read and the status as the reply. If the link has memory for the reply,
+/// writes directly into this memory.
 class ReadReply final : public AnswerSink {
  public:
-  /// `may_be` returns true if a value of this size may be sent. `spare` is the buffer that is used
-  /// if the link has no memory for the reply.
+  /// `may_be` returns true if a value of this size may be sent. `spare` is the buffer for the reply
+  /// if the link has no memory for it.
   ReadReply(Responder responder, std::function<bool(std::size_t)> may_be, Bytes& spare)
       : responder_(std::move(responder)), may_be_(std::move(may_be)), spare_(spare) {}
 
@@ -42,7 +42,7 @@ class ReadReply final : public AnswerSink {
   void Finish(Status status) {
     if (reply_.empty()) Begin(0);
     if (is_refused_) status = Status::kFailed;
-    if (!status) std::ranges::fill(reply_, std::byte{0});  // unwritten bytes may contain other data
+    if (!status) std::ranges::fill(reply_, std::byte{0});  // they may contain other data
     reply_.back() = CodeOf(status);
     if (is_in_place_) return responder_.EndReply();
     responder_.Reply(reply_, kOwnLane);
@@ -129,8 +129,8 @@ bool RequiredInterfaceProxy::BeginCredit(const Connection& connection, Server se
   return reported_.accepting;
 }
 
-/// Returns true if calls are executed now: by the task, or by the component if the component has no
-/// thread.
+/// Returns true if the server executes calls now. Without an inbox, the state of the component
+/// decides.
 bool RequiredInterfaceProxy::IsAccepting() const {
   if (const Inbox* inbox = server_.interface->inbox()) return inbox->accepting();
   const ComponentAccess* component = server_.interface->component();
@@ -220,8 +220,8 @@ void RequiredInterfaceProxy::OnCommand(std::size_t function, std::span<const std
       LogDropped(function, "the argument of the call cannot be decoded");
     }
     if (status != Status(Status::kQueueFull)) return CountReceived(CreditReporting::kPrompt);
-    // The peer may not have exceeded its credit: a reply confirms all earlier calls, also those
-    // that are still queued.
+    // The peer need not have exceeded its credit. A reply confirms all earlier calls, even calls
+    // that are still queued here.
     if (!commands_) {
       LogRefused(function);
       return CountReceived(CreditReporting::kPrompt);
@@ -337,7 +337,7 @@ void RequiredInterfaceProxy::OnStarted(ExecutingCalls::ExecutingCall executing, 
   SteadyTime look = ExecutingCalls::FirstLook(executing);
   {
     const std::scoped_lock lock(mutex_);
-    // The connection was closed meanwhile. The call was either executed or dropped.
+    // The connection has been closed. The call was either executed or dropped.
     if (connection_ == nullptr) return OnEnd(executing, Status::kOutcomeUnknown, result);
     // If the call ended before Add(), there is no further notification.
     if (executing.command->HasEnded(executing.call)) look = executing.since;
@@ -383,8 +383,7 @@ bool RequiredInterfaceProxy::Work(SteadyTime now, SteadyTime& next) {
 }
 
 /// Returns true if a report must be sent now: if the state has changed, or if the unreported calls
-/// reach half the credit of the peer and no replies have reported them. Otherwise a report can
-/// wait.
+/// reach half the credit of the peer and no replies have reported them. All other reports can wait.
 bool RequiredInterfaceProxy::IsUrgent(const message::Credit& credit) const {
   if (credit.accepting != reported_.accepting || credit.fault != reported_.fault) return true;
   return reporting_ != CreditReporting::kRelaxed &&
@@ -401,7 +400,7 @@ void RequiredInterfaceProxy::SendCredit(SteadyTime now, SteadyTime& next) {
   if (connection_ == nullptr) return;
   executing_.Answer(now, next);
   if (!channel_->is_open()) return;
-  // Reads the values in this order, so that a call that is posted meanwhile makes the result too
+  // This order of reads matters. If a call is posted during the reads, `executed` becomes too
   // small, never too large.
   const std::uint64_t received = received_;
   const std::uint64_t waiting = waiting_in_line_ + connection_->waiting();

@@ -21,26 +21,28 @@
 
 namespace tendon {
 
-/// Represents a required interface of another process, for one connection. It is connected to a
-/// provided interface of this process like any required interface. Calls are made in the
-/// middleware's thread; if a call runs code of the component in the thread of its caller, it is
-/// made by a SerialExecutor of WorkerPool instead. Events are queued until the network thread sends
-/// them.
+/// Represents a required interface of another process, for one connection. The proxy is connected
+/// to a provided interface of this process like any required interface. Events are queued until the
+/// network thread sends them.
+///
+/// The middleware's thread makes the calls. However, a call that runs code of the component in its
+/// caller's thread is made by a SerialExecutor of WorkerPool.
 class RequiredInterfaceProxy final : public NetworkJob,
                                      public std::enable_shared_from_this<RequiredInterfaceProxy>,
                                      private ExecutingCalls::Owner {
  public:
-  /// How events are sent: as kEvents, or as kTimedEvents, with the time at which they were raised.
+  /// How events are sent: as kEvents, or as kTimedEvents, which include the time when each event
+  /// was raised.
   enum class Events { kPlain, kTimed };
 
   /// Throws ConfigurationError if the description is invalid.
   RequiredInterfaceProxy(std::shared_ptr<NetworkThread> thread, std::shared_ptr<Channel> channel,
                          const message::OpenInterface& open, Events events = Events::kPlain);
 
-  /// Makes a serial executor for commands and one for reads, if there are calls that run code of
-  /// the component in the thread of their caller. Other commands use the executor only while such a
-  /// command is queued or running there, so that commands keep their order. Must be called before
-  /// the proxy is connected to `server`.
+  /// Makes one serial executor for commands and one for reads, if some calls run code of the
+  /// component in their caller's thread. While such a command is queued or running in the executor,
+  /// all other commands use the executor, too, so that commands keep their order. Must be called
+  /// before the proxy is connected to `server`.
   void MakeLines(const ProvidedInterface& server, CallExecutors& threads);
 
   [[nodiscard]] RequiredInterface& interface() { return interface_; }
@@ -49,11 +51,11 @@ class RequiredInterfaceProxy final : public NetworkJob,
   [[nodiscard]] std::uint32_t capacity() const { return capacity_; }
   /// The lane on which events are sent.
   [[nodiscard]] Lane lane() const { return outbox_.lane(); }
-  /// Any thread: number of events that have not reached the remote handlers. It includes the events
-  /// that the other end has lost and reported.
+  /// Number of events that have not reached the remote handlers. It includes the events that the
+  /// other end has reported as lost. Any thread.
   [[nodiscard]] std::uint64_t lost_events() const;
-  /// Any thread: number of commands that have arrived, whether they were executed or not. Reads are
-  /// not counted.
+  /// Number of commands that have arrived, whether they were executed or not. Reads are not
+  /// counted. Any thread.
   [[nodiscard]] std::uint64_t received() const;
 
   /// The connected component.
@@ -61,8 +63,8 @@ class RequiredInterfaceProxy final : public NetworkJob,
     const ProvidedInterface* interface = nullptr;
     std::function<std::string()> fault;  ///< why the component is faulted; called in any thread
   };
-  /// From now on, reports to the peer which calls of `connection` were executed, and the state of
-  /// the server. Returns true if the server executes calls now. The arguments must exist until
+  /// From now on, reports to the peer the state of the server, and which calls of `connection` were
+  /// executed. Returns true if the server executes calls now. The arguments must exist until
   /// EndCredit().
   bool BeginCredit(const Connection& connection, Server server);
   /// Waits until the serial executor has executed all commands, at most until `deadline`. Returns
@@ -70,12 +72,12 @@ class RequiredInterfaceProxy final : public NetworkJob,
   /// component must not be destroyed.
   [[nodiscard]] bool Drain(SteadyTime deadline) const;
   void EndCredit();
-  /// Any thread: called when the connection to the other process has ended. Later events are not
-  /// sent.
+  /// Called when the connection to the other process has ended. Later events are not sent. Any
+  /// thread.
   void Sever() { outbox_.Close(); }
-  /// Any thread: drops the queued reads, because their callers do not wait any more.
+  /// Drops the queued reads, because their callers have stopped waiting. Any thread.
   void DropReads() { are_reads_dropped_.Set(true); }
-  /// Any thread: drops the queued commands. A running command continues.
+  /// Drops the queued commands. A running command continues. Any thread.
   void DropCommands() { are_commands_dropped_.Set(true); }
 
   // Called in threads of the middleware, one call at a time. `function` is the index in the
@@ -90,8 +92,8 @@ class RequiredInterfaceProxy final : public NetworkJob,
   bool Work(SteadyTime now, SteadyTime& next) override;
 
  private:
-  /// Returns true if a result of this size can be sent. If it is too large, also logs this, because
-  /// the caller then gets no result of a call that was executed.
+  /// Returns true if a result of this size can be sent. Logs a result that is too large, because
+  /// the caller does not get it although the call was executed.
   bool CanBeSent(std::size_t function, std::size_t size);
   /// How often the network thread checks if it must send a Credit to the peer. kIdle: never.
   /// kRelaxed: seldom, because replies have probably reported all calls. kPrompt: often.
@@ -100,14 +102,14 @@ class RequiredInterfaceProxy final : public NetworkJob,
   /// While this object exists, a command counts as queued in the serial executor.
   class QueuedCommandCount;
 
-  /// Logs that a call was dropped. LogRefused() is for a full queue: the peer has exceeded its
-  /// credit, or there is not enough memory.
+  /// These functions log that a call was dropped. LogRefused() is for a full queue: the peer has
+  /// exceeded its credit, or memory is exhausted.
   void LogDropped(std::size_t function, const std::string& reason);
   void LogRefused(std::size_t function);
   [[nodiscard]] bool MustWaitInLine(std::size_t function) const;
   [[nodiscard]] bool IsStale(SteadyTime since) const;
-  /// Called by the serial executor: if calls of `function` are queued in the mailbox and the
-  /// mailbox is full, waits until it has a free slot.
+  /// Called by the serial executor. If calls of `function` are queued in the mailbox and the
+  /// mailbox is full, waits until the mailbox has a free slot.
   void WaitForRoom(std::size_t function, SteadyTime deadline) const;
   /// Posts `call(*this, argument)` with a copy of the argument. Returns false if the queue is full.
   template <typename Call>
@@ -136,11 +138,11 @@ class RequiredInterfaceProxy final : public NetworkJob,
   std::vector<std::string> function_names_;
   std::vector<const QueuedOfferProxy*> handlers_;  // indexed by event handler
   RateLimitedWarning complaints_{"network"};
-  // By function: runs code of the component in the caller's thread.
+  // For each function: true if a call runs code of the component in the caller's thread.
   std::vector<bool> runs_component_;
-  std::shared_ptr<SerialExecutor>
-      commands_;  // for such commands and those that must stay behind them; may be null
-  std::shared_ptr<SerialExecutor> reads_;  // for such reads; may be null
+  // For commands that run code of the component, and for commands after them; may be null.
+  std::shared_ptr<SerialExecutor> commands_;
+  std::shared_ptr<SerialExecutor> reads_;  // for reads that run code of the component; may be null
   Flag are_reads_dropped_;
   Flag are_commands_dropped_;
   Bytes answer_;  // used only in the middleware's thread
@@ -152,7 +154,7 @@ class RequiredInterfaceProxy final : public NetworkJob,
   std::uint64_t waiting_in_line_ = 0;  // commands in commands_
   CreditReporting reporting_ = CreditReporting::kIdle;
   message::Credit reported_;
-  SteadyTime owed_since_{};  // since when the next report is due
+  SteadyTime owed_since_{};  // start of the time without a report
   ExecutingCalls executing_{*this};
 };
 

@@ -74,7 +74,7 @@ class WorkerPool::Pool {
 
  private:
   using Self = std::list<std::thread>::iterator;
-  /// Which thread can take the next call: this thread, which has just finished another call, or
+  /// The thread that can take the next call: this thread, which has just finished another call, or
   /// only another thread.
   enum class Taker { kThis, kOther };
 
@@ -108,7 +108,7 @@ class WorkerPool::Pool {
     }
   }
 
-  /// Drops all calls of a queue. They are destroyed while the lock is not held, because their
+  /// Drops all calls of a queue. The lock is released while the calls are destroyed, because their
   /// destructors may run any code.
   static void Drop(SerialExecutor::Queue& queue, std::unique_lock<std::mutex>& lock) {
     auto dropped = std::exchange(queue.calls, {});

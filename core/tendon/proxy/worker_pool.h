@@ -26,8 +26,9 @@ class WorkerPool {
   /// this pool.
   ~WorkerPool();
 
-  /// Makes a serial executor. Its queue may have at most `most_calls` calls, which together may own
-  /// `most_bytes`; a single call may own more. The executor may be destroyed after this object.
+  /// Makes a serial executor. Its queue holds at most `most_calls` calls, and at most `most_bytes`
+  /// of memory that the calls own; a single call may own more. The executor may outlive this
+  /// object.
   [[nodiscard]] std::shared_ptr<SerialExecutor> MakeLine(
       std::size_t most_calls, std::size_t most_bytes = std::numeric_limits<std::size_t>::max());
 

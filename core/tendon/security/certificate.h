@@ -17,8 +17,8 @@ enum class Holder : std::uint8_t { kPerson, kProcess };
 /// "person", "process".
 [[nodiscard]] std::string_view ToString(Holder holder) noexcept;
 
-/// The holder of a certificate, and the role. This does not mean that the certificate is valid: see
-/// CheckCertificate().
+/// The name, the role and the kind of a certificate's holder. A Certificate need not be valid;
+/// CheckCertificate() checks this.
 struct Certificate {
   std::string name;           ///< CN of the subject; for a process, the name with which it joins
   Role role = Role::kViewer;  ///< OU of the subject
@@ -33,8 +33,8 @@ struct Certificate {
 /// The largest size of a certificate in bytes. A longer text is refused without parsing.
 inline constexpr std::size_t kMaxCertificateSize = std::size_t{64} << 10U;
 
-/// Reads the first certificate in a PEM text. Fails with kInvalid if there is none, if it belongs
-/// to a CA, or if it does not have exactly one name and one known role.
+/// Reads the first certificate in a PEM text. Fails with kInvalid if the text has no certificate,
+/// or if the certificate belongs to a CA or does not have exactly one name and one known role.
 Result<Certificate> ParseCertificate(std::string_view pem);
 
 /// Returns a time as text: "2027-11-22 04:40:00Z".

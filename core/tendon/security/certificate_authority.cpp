@@ -143,8 +143,8 @@ Result<Found> Find(const AuthorityFolder& folder, const std::string& name) {
   return found;
 }
 
-/// Returns the certificates with this name that are not revoked. If there is none, fails; the error
-/// says why.
+/// Returns the certificates with this name that are not revoked. Fails if there is no such
+/// certificate; the error says why.
 Result<std::vector<openssl::CertificateHandle>> FindValid(const AuthorityFolder& folder,
                                                           X509_CRL& revoked,
                                                           const std::string& name) {

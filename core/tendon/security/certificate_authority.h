@@ -21,8 +21,8 @@ namespace tendon {
 ///
 /// All keys use the curve P-256. An object of this class contains no secret. The functions read and
 /// write files and block on the disk. If two programs change a folder at the same time, the second
-/// one fails. The functions throw only if OpenSSL cannot continue, for example if there is not
-/// enough memory.
+/// program gets an error. The functions throw only if OpenSSL cannot continue, for example because
+/// memory is exhausted.
 class CertificateAuthority {
  public:
   /// Creates a CA that is valid for ten years. Fails with kExists if the folder exists and is not
@@ -31,7 +31,7 @@ class CertificateAuthority {
   /// Returns the error that Init() would return before it writes anything.
   static Result<void> CheckInit(const std::filesystem::path& folder);
 
-  /// Opens an existing CA. Fails with kNotFound if there is none, and with kDenied if other users
+  /// Opens an existing CA. Fails with kNotFound if there is no CA, and with kDenied if other users
   /// can read its key.
   static Result<CertificateAuthority> Open(const std::filesystem::path& folder);
 
@@ -47,19 +47,19 @@ class CertificateAuthority {
   struct IssuedCertificate {
     Certificate certificate;
     std::filesystem::path certificate_file;
-    std::filesystem::path key_file;  ///< 0600
+    std::filesystem::path key_file;  ///< of mode 0600
   };
-  /// Creates a key and a certificate: NAME.key and NAME.crt in the folder `out`, which is created
-  /// if it does not exist. Never overwrites a file. There may be several certificates for one name,
-  /// so that a new one can be issued before the old one expires.
+  /// Creates a key and a certificate: NAME.key and NAME.crt in the folder `out`. The folder is
+  /// created if it does not exist. Never overwrites a file. There may be several certificates for
+  /// one name, so that a new one can be issued before the old one expires.
   Result<IssuedCertificate> Issue(const Request& request, const std::filesystem::path& out) const;
   /// Returns the error that Issue() would return before it writes anything.
   [[nodiscard]] Result<void> CheckIssue(const Request& request,
                                         const std::filesystem::path& out) const;
 
   /// Revokes all certificates with this name, and returns their serial numbers. Fails with
-  /// kNotFound if none was issued, with kExists if all are already revoked, and with kInvalid if a
-  /// copy in issued/ cannot be read, because it could be one of these certificates.
+  /// kNotFound if none was issued, and with kExists if all are already revoked. Fails with kInvalid
+  /// if a copy in issued/ cannot be read, because this copy may be one of these certificates.
   Result<std::vector<std::string>> Revoke(const std::string& name) const;
   /// Returns the serial numbers that Revoke() would revoke, or the error that it would return.
   [[nodiscard]] Result<std::vector<std::string>> Revocable(const std::string& name) const;

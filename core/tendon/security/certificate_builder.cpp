@@ -98,7 +98,7 @@ long NextNumber(const X509_CRL* former) {
 
 void AddEntry(X509_CRL& list, Handle<X509_REVOKED, X509_REVOKED_free> entry) {
   Require(entry && X509_CRL_add0_revoked(&list, entry.get()) == 1, "an entry of the CRL");
-  (void)entry.release();  // now owned by the list
+  (void)entry.release();  // the list owns the entry
 }
 
 }  // namespace
@@ -113,7 +113,7 @@ CertificateHandle MakeAuthority(EVP_PKEY& key, sys_seconds not_after) {
   CertificateHandle certificate = Begin(key, not_after);
   X509* made = certificate.get();
   constexpr std::size_t kDigits = 8;
-  // The name is unique, so that different CAs can be distinguished.
+  // The name must be unique, so that users can distinguish CAs.
   SetEntry(X509_get_subject_name(made), "CN", "Tendon CA " + SerialOf(*made).substr(0, kDigits));
   Require(X509_set_issuer_name(made, X509_get_subject_name(made)) == 1, "an issuer");
   Extend(*made, *made,

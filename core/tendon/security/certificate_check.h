@@ -25,11 +25,13 @@ struct CheckedCertificate {
 /// A certificate that expires in less than this time causes a warning.
 inline constexpr std::chrono::days kExpiresSoon{30};
 
-/// Checks that the certificate in `file` (PEM) is valid at `now`: it was issued by the CA whose
-/// ca.crt and crl.pem are in the folder `authority`, is neither expired nor revoked, and has a
-/// known role. Its key is in the file with the extension .key, which may be missing; if the key
-/// exists, it must match, and only its user may be able to read it. The private key of the CA is
-/// not needed.
+/// Checks that the certificate in `file` (PEM) is valid at `now`. The certificate must be issued by
+/// the CA whose ca.crt and crl.pem are in the folder `authority`, must not be expired or revoked,
+/// and must have a known role.
+///
+/// The private key is in the file with the extension .key, which may be missing. If the file
+/// exists, the key must match the certificate, and only its user may be able to read it. The
+/// private key of the CA is not needed.
 ///
 /// Fails with kDenied if the certificate is not valid, with kNotFound for a missing file, and with
 /// kInvalid for a malformed file. Reads files of at most 1 MiB each.
@@ -37,8 +39,8 @@ Result<CheckedCertificate> CheckCertificate(const std::filesystem::path& file,
                                             const std::filesystem::path& authority,
                                             std::chrono::sys_seconds now);
 
-/// Checks the certificate (PEM) of a peer in the same way. The peer must have proved before that it
-/// owns the key. Errors begin with "the certificate of 'robot'".
+/// Checks the certificate (PEM) of a peer in the same way. The peer must already have proved that
+/// it owns the key. Errors begin with "the certificate of 'robot'".
 Result<Certificate> CheckPeerCertificate(std::string_view pem, openssl::TrustedAuthority& authority,
                                          std::chrono::sys_seconds now);
 

@@ -33,9 +33,9 @@ class LocalCertificate {
   /// is no key. Logs a warning if the certificate expires soon.
   static Result<std::unique_ptr<LocalCertificate>> Read(const Credentials& credentials);
 
-  /// Returns the current certificate and key. If the file has changed, the new certificate replaces
-  /// the old one, provided that it is valid, has a key, and has the same name, role and holder.
-  /// Otherwise the old one stays, and the log says why. Reads a file at each call.
+  /// Returns the current certificate and key. Reads a file at each call. If the file has changed,
+  /// the new certificate replaces the old one, provided that it is valid, has a key, and has the
+  /// same name, role and holder. Otherwise the old certificate stays, and the log gives the reason.
   [[nodiscard]] std::shared_ptr<const Pair> Now();
 
   [[nodiscard]] const std::filesystem::path& file() const { return credentials_.certificate; }

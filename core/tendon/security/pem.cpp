@@ -30,7 +30,7 @@ std::string Written(Write write) {
   return {text, static_cast<std::size_t>(size)};
 }
 
-/// Returns the entry of a kind in a subject; empty if there is none or more than one.
+/// Returns the entry of a kind in a subject; empty unless there is exactly one.
 std::string OnlyEntry(const X509_NAME* subject, int kind) {
   const int at = X509_NAME_get_index_by_NID(subject, kind, -1);
   if (at < 0 || X509_NAME_get_index_by_NID(subject, kind, at) >= 0) return {};

@@ -10,7 +10,7 @@
 /// Functions that read and write PEM.
 namespace tendon::openssl {
 
-// These functions return the first object of their kind in a text; null if there is none. A key
+// These functions return the first object of their kind in a text; null if the text has none. A key
 // with a passphrase cannot be read.
 [[nodiscard]] CertificateHandle ReadCertificate(std::string_view pem);
 [[nodiscard]] Key ReadKey(std::string_view pem);

@@ -9,12 +9,12 @@
 
 namespace tendon {
 
-/// Which messages of a type are written to the audit log. Messages that a connection may send in
-/// every cycle are written only if they are refused, because the audit log already has the opening
+/// The messages of a type that are written to the audit log. A connection may send some messages in
+/// every cycle; they are written only if they are refused. For these, the audit log has the opening
 /// of the connection, and the number of its commands when it ends.
 enum class Audit : std::uint8_t { kRefusals, kAll };
 
-/// The role that a peer needs to send one type of message to a process that serves others.
+/// The role that a peer needs to send one type of message to a process.
 struct Right {
   std::uint16_t type;    ///< MessageType
   std::string_view act;  ///< description for people
@@ -22,8 +22,8 @@ struct Right {
   Audit audit;
 };
 
-/// All rights, sorted by type. A type that is not listed is refused from every peer. Messages on a
-/// channel that this process has opened need no right, because this process has chosen the peer.
+/// All rights, sorted by type. A type that is not in the list is refused from every peer. A peer on
+/// a channel that this process has opened needs no right, because this process has chosen the peer.
 inline constexpr auto kRights = std::to_array<Right>({
     // proxy/connection_messages.h
     {0x100, "open an interface", Role::kOperator, Audit::kRefusals},  // logged separately

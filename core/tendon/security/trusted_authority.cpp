@@ -18,8 +18,8 @@ Result<TrustedAuthority::Store> TrustedAuthority::Now() {
   const AuthorityFolder files{folder_};
   std::string text = TextOf(files);
   if (auto known = Find(text)) return known;
-  // The files are read again here, after `text`. If they change in between, the result is newer
-  // than `text`, and the next call parses them again.
+  // The files are read again here, after `text`. If they change between the two reads, the store is
+  // newer than `text`, and the next call parses the files again.
   const auto certificate = ReadAuthority(files);
   if (!certificate) return certificate.error();
   const auto revoked = ReadRevoked(files);

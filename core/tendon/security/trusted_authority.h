@@ -20,7 +20,7 @@ class TrustedAuthority {
   explicit TrustedAuthority(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   /// Returns the store with which certificates are verified now. Reads two files and may block on
-  /// the disk; this does not block other threads. Fails with kNotFound, kInvalid or kDenied.
+  /// the disk, but does not block other threads. Fails with kNotFound, kInvalid or kDenied.
   [[nodiscard]] Result<Store> Now();
 
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }

@@ -16,8 +16,8 @@
 
 namespace tendon {
 
-/// The position of a column's cell in a row. A cell is the CDR body of a value. In a column of a
-/// dynamic type, one word comes before the body: the length of the body, or kAbsent.
+/// The position of a column's cell in a row. A cell is the CDR body of a value. If the type is
+/// dynamic, one word precedes the body: the length of the body, or kAbsent.
 struct CellLayout {
   static constexpr std::uint64_t kAbsent = ~std::uint64_t{0};
 
@@ -30,7 +30,7 @@ struct CellLayout {
 };
 
 /// True if a value of T has the same bytes in memory as on the wire: numbers without gaps, in the
-/// order of the description. The compiler reduces it to a constant.
+/// order of the description. For most types the compiler turns this function into a constant.
 template <FixedPayload T>
 bool LiesAsOnWire(const T& value) noexcept {
   if constexpr (!std::is_trivially_copyable_v<T> || sizeof(T) != kEncodedSize<T>) {
@@ -87,8 +87,8 @@ void LoadCell(const RowRing<>::Word* cell, std::byte* bytes) noexcept {
 /// reused, so a call allocates only if the buffer has never been large enough.
 std::span<std::uint64_t> RowBuffer(std::size_t words);
 
-/// A reader's copy of one cell. Its content is valid only if the check of the row succeeds
-/// afterwards.
+/// A reader's copy of one cell. The content is valid only if the check of the row's tick succeeds
+/// after the copy.
 template <Payload T>
 class CellCopy {
  public:
@@ -97,7 +97,7 @@ class CellCopy {
   void Load(const RowRing<>::Word* cell) noexcept {
     words_[0] = cell[0].load(std::memory_order_relaxed);
     if (is_absent()) return;
-    const std::size_t needed = (words_[0] + 7) / 8 + 1;  // arbitrary if the row is torn
+    const std::size_t needed = (words_[0] + 7) / 8 + 1;  // arbitrary if the row was overwritten
     for (std::size_t i = 1; i < std::min(needed, words_.size()); ++i) {
       words_[i] = cell[i].load(std::memory_order_relaxed);
     }

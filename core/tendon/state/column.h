@@ -73,11 +73,13 @@ class ColumnBase {
 
 /// The history of one variable.
 ///
-/// Thread safety: any thread may read at any time. A read never returns a mixture of two rows. If
-/// the result is not kDone, `value` is unchanged, except after kInvalid, which leaves it
+/// Thread safety: any thread may read at any time. A read never returns a mixture of two rows.
+/// Reads of a fixed type allocate nothing. Reads of a dynamic type allocate only when `value`, or
+/// the thread's buffer for cells, grows.
+///
+/// If the result is not kDone, `value` is unchanged, except after kInvalid: then `value` is
 /// unspecified. kInvalid means that the writer's variable held an invalid value, such as an enum
-/// value without a name. Reads of a fixed type allocate nothing; reads of a dynamic type allocate
-/// only when `value`, or the thread's buffer for cells, grows.
+/// value without a name.
 template <Payload T>
 class Column final : public ColumnBase {
  public:
@@ -86,9 +88,9 @@ class Column final : public ColumnBase {
         rows_(rows),
         variable_(variable) {}
 
-  /// Reads the newest value. Returns kNoSample before the first row, and if the newest value did
-  /// not fit into the column. Takes about 4 ns for 64 bytes; wait-free unless the writer overwrites
-  /// the whole ring meanwhile.
+  /// Reads the newest value. Returns kNoSample before the first row, or if the newest value did not
+  /// fit into the column. Takes about 4 ns for 64 bytes. Wait-free unless the writer overwrites the
+  /// whole ring during the read.
   Status ReadNewest(T& value) const noexcept {
     std::uint64_t tick = 0;
     return ReadNewestCell(value, tick, [](const Word* /*row*/) {});
@@ -109,7 +111,7 @@ class Column final : public ColumnBase {
     return rows < next ? ReadAt(next - 1 - rows, value) : RowResult::kNotYet;
   }
 
-  /// Reads the value that was valid at `time`: the value of the newest row that is not later than
+  /// Reads the value that was valid at `time`, which is in the newest row that is not later than
   /// `time`. Returns kNotYet if all rows are later, and kOvertaken if this row is lost. Uses a
   /// binary search.
   RowResult ReadAtTime(SteadyTime time, T& value) const noexcept {
@@ -125,8 +127,8 @@ class Column final : public ColumnBase {
     return ReadRange(tick, rows_.next_tick(), value, lost, visit);
   }
 
-  /// Like ReadSince(), but only for the rows before `end`. Rows that are not written yet are left
-  /// for the next call. StateTable::FindRow() finds the ticks of a time span.
+  /// Like ReadSince(), but stops before the row `end`, or at the first row that is not written yet.
+  /// StateTable::FindRow() finds the ticks of a time span.
   template <typename Visitor>
   std::uint64_t ReadRange(std::uint64_t tick, std::uint64_t end, T& value, std::uint64_t& lost,
                           Visitor visit) const {
@@ -159,7 +161,7 @@ class Column final : public ColumnBase {
   }
 
   /// Reads one cell. `read` copies the cell from a row, and also calls `note` with the row. The
-  /// copy is decoded only if it is complete.
+  /// copy is decoded only if all of it is from one row.
   template <typename Read, typename Note>
   RowResult ReadCell(T& value, Read read, Note note) const {
     CellCopy<T> copy(layout());
@@ -182,7 +184,7 @@ class Column final : public ColumnBase {
   Status ReadNewestCell(T& value, std::uint64_t& tick, Note note) const {
     const auto newest = [&](auto copy) { return rows_.ReadNewest(tick, copy); };
     if constexpr (FixedPayload<T>) {
-      if (LiesAsOnWire(value)) {  // a complete row can always be decoded
+      if (LiesAsOnWire(value)) {  // then the copy always has a valid value
         return ToStatus(newest([&](const Word* row) {
           LoadCell<kEncodedSize<T>>(row + layout().offset, reinterpret_cast<std::byte*>(&value));
           note(row);

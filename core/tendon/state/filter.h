@@ -19,7 +19,7 @@ class RowFilter {
   virtual void Apply() noexcept = 0;
 };
 
-/// Calls `function(input, output)`, which may have its own state.
+/// Calls `function(input, output)`. The function may have its own state.
 template <Payload In, Payload Out, typename Function>
 class FunctionFilter final : public RowFilter {
  public:

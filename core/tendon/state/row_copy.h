@@ -18,7 +18,7 @@ class RowCopy {
   explicit RowCopy(const StateTable& table) : table_(table), words_(table.row_words()) {}
 
   /// Copies the newest row. Returns kNoSample before the first row. Wait-free unless the writer
-  /// overwrites the whole ring meanwhile.
+  /// overwrites the whole ring during the copy.
   Status ReadNewest();
   /// Copies the row with this tick. If the result is not kDone, the object holds no row afterwards.
   RowResult ReadAt(std::uint64_t tick);

@@ -21,8 +21,8 @@ enum class RowResult : std::uint8_t {
   kInvalid,    ///< the row exists, but its value is invalid for its type
 };
 
-/// The lock-free part of a state table: a ring of rows of 64-bit words. Each row has a tick, which
-/// numbers it, and a time.
+/// The lock-free part of a state table: a ring of rows of 64-bit words. Each row has a number,
+/// called its tick, and a time.
 ///
 /// Thread safety: one thread writes (Begin, Store, Publish) and never waits; any number of threads
 /// read. All words are atomic: if the writer overwrites a row during a read, the reader copies a
@@ -36,9 +36,9 @@ class RowRing {
   using Word = typename Atomics::template Atomic<std::uint64_t>;
 
   /// Allocates memory for at least `rows` rows of `row_words` words, and touches all of it. The
-  /// number of rows is rounded up to a power of two above `rows`, because one row is always being
-  /// replaced. Call it only before the first row. If there is not enough memory, throws
-  /// std::bad_alloc and leaves the ring unchanged.
+  /// number of rows is rounded up to a power of two that is greater than `rows`, because one row is
+  /// always being replaced. Call it only before the first row. If there is not enough memory,
+  /// throws std::bad_alloc and leaves the ring unchanged.
   void Allocate(std::size_t rows, std::size_t row_words) {
     assert(is_empty());
     const std::size_t count = std::bit_ceil(rows + 1);
@@ -52,12 +52,12 @@ class RowRing {
     void* first = memory_.get();
     rows_ = static_cast<Word*>(std::align(kCacheLine, words * sizeof(Word), first, space));
   }
-  /// Returns the first row will have this tick instead of 0. Only before the first row.
+  /// Gives the first row this tick instead of 0. Call it only before the first row.
   void SetFirstTick(std::uint64_t tick) noexcept {
     first_ = tick;
     next_.store(tick, std::memory_order_relaxed);
   }
-  /// The largest number of rows that fit into `words` words, but at least one.
+  /// Returns how many rows fit into `words` words, but at least 1.
   [[nodiscard]] static std::size_t RowsWithin(std::size_t words, std::size_t row_words) noexcept {
     const std::size_t fit = words / StrideFor(row_words);
     return fit < 2 ? 1 : std::bit_floor(fit) - 1;
@@ -65,8 +65,8 @@ class RowRing {
 
   /// Writer: starts the next row.
   void Begin(std::int64_t time) noexcept { BeginAt(next_.load(std::memory_order_relaxed), time); }
-  /// Writer: the same for a row of a later tick. The rows between do not exist: readers of them get
-  /// kOvertaken, because the places of these rows have other ticks. The first row cannot be later.
+  /// Writer: like Begin(), but skips the ticks before `tick`. Reads of a skipped tick return
+  /// kOvertaken, because its place in the ring holds another tick. The first row cannot skip ticks.
   void BeginAt(std::uint64_t tick, std::int64_t time) noexcept {
     assert(tick >= first_);
     tick_ = tick;
@@ -90,13 +90,12 @@ class RowRing {
     next_.store(tick_ + 1, std::memory_order_release);  // (B) publishes the row
   }
 
-  /// The tick of the next row: the number of rows ever written, unless ticks were left out.
+  /// The tick of the next row. It is the number of rows ever written, unless ticks were skipped.
   [[nodiscard]] std::uint64_t next_tick() const noexcept {
     return next_.load(std::memory_order_acquire);  // pairs with (B)
   }
   [[nodiscard]] bool is_empty() const noexcept { return next_tick() == first_; }
-  /// The tick of the oldest row that can still be read, as long as the writer does not write
-  /// another row.
+  /// The tick of the oldest row that can be read until the writer begins another row.
   [[nodiscard]] std::uint64_t oldest_tick() const noexcept {
     const std::uint64_t next = next_tick();
     return next - first_ > mask_ ? next - mask_ : first_;
@@ -111,7 +110,8 @@ class RowRing {
   }
 
   /// Reader: like Read(), but for the newest row, whose tick it stores in `tick`. Returns kNotYet
-  /// before the first row. Retries only if the writer overwrites the whole ring meanwhile.
+  /// before the first row. Tries again only if the writer overwrites the whole ring during the
+  /// read.
   template <typename Copy>
   RowResult ReadNewest(std::uint64_t& tick, Copy copy) const {
     while (true) {
@@ -134,7 +134,7 @@ class RowRing {
     std::uint64_t high = next_tick();
     if (high == first_) return RowResult::kNotYet;
     bool is_found = false;
-    while (low < high) {  // rows before `low` are lost or not later; those from `high` on are later
+    while (low < high) {  // rows before `low` are lost or not later; rows from `high` on are later
       const std::uint64_t middle = low + (high - low) / 2;
       std::int64_t its_time = 0;
       const bool is_lost = ReadTime(middle, its_time) != RowResult::kDone;
@@ -182,7 +182,7 @@ class RowRing {
   std::size_t row_words_ = 0;
   std::uint64_t first_ = 0;
   Word* row_ = nullptr;     // the row that the writer has begun
-  std::uint64_t tick_ = 0;  // the writer's: its tick
+  std::uint64_t tick_ = 0;  // the tick of row_; used by the writer
   alignas(kSeparation) Word next_{0};
 };
 

@@ -28,7 +28,7 @@ namespace tendon {
 /// reader copies, the read returns kOvertaken.
 class StateTable {
  public:
-  /// The default number of rows is at least this, if kDefaultBytes suffice.
+  /// The default number of rows is at least this, if kDefaultBytes are enough for it.
   static constexpr std::size_t kMinimumLength = 256;
   static constexpr std::size_t kMaximumLength = std::size_t{1} << 24;
   static constexpr std::size_t kDefaultBytes = std::size_t{16} << 20;
@@ -74,12 +74,12 @@ class StateTable {
         std::make_unique<FunctionFilter<In, Out, Filter>>(input, output, std::move(filter)));
   }
 
-  /// Sets how many of the newest rows can be read at least, whatever memory this needs. Throws
-  /// ConfigurationError if `rows` is not 1 to kMaximumLength, or if rows have been written.
-  /// Reallocates the rows if they exist.
+  /// Sets the number of newest rows that can be read; the table may keep more. kDefaultBytes does
+  /// not limit this number. Throws ConfigurationError if `rows` is not 1 to kMaximumLength, or if
+  /// rows have been written. Reallocates the rows if they exist.
   void SetLength(std::size_t rows);
-  /// Returns the number of rows in one second, but at least kMinimumLength, and at most as many
-  /// rows as kDefaultBytes can hold.
+  /// Returns the number of rows that cycles of `period` write in one second. The result is at least
+  /// kMinimumLength, and at most as many rows as kDefaultBytes can hold.
   [[nodiscard]] std::size_t LengthFor(std::chrono::nanoseconds period) const noexcept;
   /// From now on, cycles write no rows; the author's code calls Advance().
   void AdvanceOnlyByHand() noexcept { is_by_hand_ = true; }
@@ -89,14 +89,14 @@ class StateTable {
   /// From now on, no column can be added. Allocates the rows and touches their memory, so that the
   /// first cycle has no page faults.
   void Prepare();
-  /// Encodes every variable into a new row, which becomes the newest. Allocates nothing after
-  /// Prepare(), which it calls itself if needed.
+  /// Encodes every variable into a new row, which becomes the newest. Calls Prepare() if the
+  /// program has not done so. Allocates nothing after Prepare().
   void Advance(SteadyTime now) noexcept;
-  /// The first row will have this tick instead of 0: for copies of other tables. Throws
+  /// Gives the first row this tick instead of 0. Used for a copy of another table. Throws
   /// ConfigurationError if there are rows.
   void SetFirstTick(std::uint64_t tick);
-  /// Like Advance(), but the row has this tick, which is not below next_tick(), and is that of
-  /// SetFirstTick() for the first row. The rows between count as overwritten.
+  /// Like Advance(), but skips the ticks before `tick`, which count as overwritten. `tick` must not
+  /// be below next_tick(). For the first row, `tick` must be that of SetFirstTick().
   void AdvanceTo(std::uint64_t tick, SteadyTime now) noexcept;
   /// Called by a task after its cycle. Calls Advance(), unless AdvanceOnlyByHand() was called or
   /// the shortest interval has not passed.
@@ -111,8 +111,8 @@ class StateTable {
   /// A random number that distinguishes the ticks of this table from the ticks of an earlier table
   /// with the same name.
   [[nodiscard]] std::uint64_t epoch() const noexcept { return epoch_; }
-  /// Number of rows written, unless the table is a copy (SetFirstTick()); the newest row has this
-  /// number minus 1 as its tick.
+  /// The tick of the next row: the number of rows written, unless the table is a copy
+  /// (SetFirstTick()).
   [[nodiscard]] std::uint64_t next_tick() const noexcept { return rows_.next_tick(); }
   /// The tick of the oldest row that can still be read.
   [[nodiscard]] std::uint64_t oldest_tick() const noexcept { return rows_.oldest_tick(); }
@@ -126,9 +126,9 @@ class StateTable {
   [[nodiscard]] std::span<const std::unique_ptr<ColumnBase>> columns() const noexcept {
     return columns_;
   }
-  /// Returns the column with this name; null if there is none.
+  /// Returns the column with this name; null if no column has it.
   [[nodiscard]] const ColumnBase* Find(std::string_view name) const noexcept;
-  /// Returns the column of `variable`. Throws ConfigurationError if there is none.
+  /// Returns the column of `variable`. Throws ConfigurationError if it is no column.
   template <Payload T>
   [[nodiscard]] const Column<T>& Find(const T& variable) const {
     return static_cast<const Column<T>&>(Find(&variable, typeid(T)));

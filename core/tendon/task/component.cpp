@@ -117,9 +117,8 @@ void Component::Seal() {
 Result<void> Component::Start(Patience patience, const std::function<bool()>& proceed) {
   const auto transition = Lookup(*this, mutex_, LifecycleRequest::kStart);
   if (!transition) return transition.error();
-  const Error stopped{
-      ErrorCode::kFailed,
-      "component " + Quoted(name_) + " is not started, because it was asked to stop meanwhile"};
+  const Error stopped{ErrorCode::kFailed, "component " + Quoted(name_) +
+                                              " is not started, because a stop was requested"};
   if (proceed && !proceed()) return stopped;
   if ((*transition)->from == ComponentState::kSuspended) {
     const auto resumed = Resume();
@@ -157,7 +156,7 @@ Result<void> Component::Stop(Patience patience) {
   const auto transition = Lookup(*this, mutex_, LifecycleRequest::kStop);
   if (!transition) return transition.error();
   {
-    const std::scoped_lock lock(mutex_);  // because the component may have ended meanwhile
+    const std::scoped_lock lock(mutex_);  // the state may just have changed
     is_stopping_.Set(is_starting() || IsRunning(state()));
   }
   Halt();
@@ -183,8 +182,8 @@ Result<void> Component::WaitForState(ComponentState wanted, Patience patience,
       return Error{ErrorCode::kFailed, who + "faulted: " + fault_};
     }
     if (ends_with_a_stop && state() == ComponentState::kFinished && !is_starting()) {
-      return Error{ErrorCode::kFailed, who + "not " + std::string(ToString(wanted)) +
-                                           ", because it was stopped meanwhile"};
+      return Error{ErrorCode::kFailed,
+                   who + "not " + std::string(ToString(wanted)) + ", because it was stopped"};
     }
     const SteadyTime now = SteadyClock().Now();
     if (now >= deadline) {
@@ -236,8 +235,8 @@ ProvidedInterface& Component::AddProvidedInterface(LocatedName name) {
 
 ProvidedInterface& Component::AddReservedInterface(LocatedName name) {
   RequireNew("provided interface", name, *this, sealed_, added_at_);
-  // The interface of a state table gets no access to the component, so the table can also be read
-  // while the component is faulted, when its rows are most important.
+  // The interface of a state table is not bound to the state of the component. Therefore, the table
+  // can also be read while the component is faulted, when its rows are most important.
   const ComponentAccess* const access = IsReserved(name.text) ? nullptr : &access_;
   provided_.push_back(
       std::make_unique<ProvidedInterface>(std::move(name.text), inbox_.get(), access));
@@ -283,7 +282,7 @@ bool Component::ReportPeers(RequiredInterface& interface) {
     if (!interface.TakePeer()) return true;
     if (!is_notified_first) interface.AdmitPeer();
     if (!RunGuarded("OnConnected", [&] { OnConnected(interface); })) {
-      if (inbox_) interface.ForgetPeer();  // OnConnected() runs again at the next start
+      if (inbox_) interface.ForgetPeer();  // so OnConnected() runs again at the next start
       return false;
     }
     // If the component has no thread, the caller of this function calls AdmitPeer().
@@ -349,8 +348,8 @@ void Component::QueueGoneClient(DisconnectedClient client) {
   const auto is_same = [&client](const DisconnectedClient& one) {
     return one.provided == client.provided && one.name == client.name;
   };
-  // While the component is suspended, a client may connect and disconnect several times; this is
-  // reported only once.
+  // A suspended component gets only one report for a client that connects and disconnects several
+  // times.
   if (state() == ComponentState::kSuspended && gone_clients_.HasUnread(is_same)) return;
   gone_clients_.Send(std::move(client));
 }
@@ -385,8 +384,8 @@ void Component::SetState(ComponentState state) {
     const std::scoped_lock lock(mutex_);
     is_starting_.Set(false);
     if (!IsRunning(state)) is_stopping_.Set(false);
-    // If another thread has faulted the component meanwhile, the state stays faulted until the next
-    // start.
+    // Another thread may have faulted the component at the same time. Then it stays faulted until
+    // the next start.
     if (access_.is_faulted()) state = ComponentState::kFaulted;
     access_.SetAccepting(state == ComponentState::kActive);
     state_.Set(state);

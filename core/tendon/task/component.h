@@ -33,14 +33,15 @@ inline constexpr Patience kPatience = std::chrono::seconds(10);
 /// request.
 inline constexpr Patience kNoWait{0};
 
-/// A named object with interfaces and a lifecycle. It has no thread of its own: while it is active,
-/// its commands and event handlers run in the threads that call them. A Task also has a thread.
+/// A named object with interfaces and a lifecycle. It has no thread of its own. While it is active,
+/// its commands and event handlers run in the threads that call them. A Task is a component with a
+/// thread.
 ///
-/// If one of the functions that the author has written throws an exception, only this component
-/// becomes faulted. Then calls from its peers, also reads, return kNotActive. Peers that wait for a
-/// call or an event of the component stop waiting; a wait for an event returns kNotActive. Queued
-/// calls are dropped. Its connections stay, and work again after a restart. Its tables can still be
-/// read through its `state` interfaces.
+/// If a function of the author throws an exception, only this component becomes faulted. Then calls
+/// from its peers, also reads, return kNotActive. Peers that wait for a call or an event of the
+/// component stop waiting; a wait for an event returns kNotActive. Queued calls are dropped. The
+/// connections stay, and work again after a restart. The tables can still be read through the
+/// component's `state` interfaces.
 ///
 /// The constructor of a derived class adds the interfaces. The class overrides Configure() and the
 /// functions after it as needed. A manager owns the component and controls its lifecycle. The
@@ -95,28 +96,31 @@ class Component {
 
   // The next four functions are notifications of changes. They are called in the component's
   // thread, before the next Run(). They may throw, and must return within the time of a cycle. A
-  // cycle without a change has no additional cost. If something changes while the component does
-  // not run, the functions are called before Startup(); while it is suspended, they are called
-  // before OnResume().
+  // cycle without a change costs nothing more. If something changes while the component does not
+  // run, they are called before Startup(); if it is suspended, they are called before OnResume().
 
   /// Called when `interface` has a new peer. Everything may differ from the last peer, for example
-  /// the position of the robot. During this function, calls already reach the new peer. If other
-  /// threads may call the interface too, calls reach the new peer only after this function has
-  /// returned. For a component without a thread, this runs in the thread that connects, in any
-  /// state.
+  /// the position of the robot.
+  ///
+  /// During this function, calls already reach the new peer. However, if other threads may also
+  /// call through the interface, calls reach the peer only after this function has returned. For a
+  /// component without a thread, this function runs in the thread that connects, in any state.
   virtual void OnConnected(RequiredInterface& /*interface*/) {}
-  /// Called when `interface` has lost its peer. Calls return kNotConnected, and there are no
-  /// events, until the next OnConnected(). For a component without a thread, this runs in the
-  /// thread that disconnects; during this function, calls still reach the peer, if the peer exists.
+  /// Called when `interface` has lost its peer. Until the next OnConnected(), calls return
+  /// kNotConnected, and no events arrive. For a component without a thread, this function runs in
+  /// the thread that disconnects, and calls still reach the peer until it returns, if the peer
+  /// exists.
   virtual void OnDisconnected(RequiredInterface& /*interface*/) {}
-  /// Called when the component continues after a suspension. Its environment may have changed
-  /// meanwhile.
+  /// Called when the component continues after a suspension, because its environment may have
+  /// changed.
   virtual void OnResume() {}
-  /// Called when a client of `interface` was disconnected or lost. No more calls of this client
-  /// will be executed. Called while the component runs, or when it resumes. `client` is the name
-  /// that the manager uses: "teleoperation/Robot" in this process, "desk/teleoperation/Robot" in
-  /// another process. For a component without a thread, this runs at once, in the thread that
-  /// disconnects. Consoles and windows that call commands by name are not clients.
+  /// Called when a client of `interface` was disconnected or lost, while the component runs or when
+  /// it resumes. No more calls of this client will be executed. `client` is the name that the
+  /// manager uses: "teleoperation/Robot" in this process, "desk/teleoperation/Robot" in another
+  /// process.
+  ///
+  /// For a component without a thread, this function runs at once, in the thread that disconnects.
+  /// Consoles and windows that call commands by name are not clients.
   virtual void OnClientGone(ProvidedInterface& /*interface*/, const std::string& /*client*/) {}
 
  public:
@@ -126,17 +130,19 @@ class Component {
   virtual void Seal();
   /// These functions request a change of the state, and wait for the new state like WaitFor(). A
   /// request fails with kFailed if the table of transitions (component_state.h) does not allow it.
-  /// Start() first calls Configure() in the calling thread, if needed. `proceed` is called before
-  /// and after Configure(); if it returns false, the component is not started, and Start() fails
-  /// with kFailed. Stop() is also allowed during a start: the component then ends before it runs,
-  /// or as soon as its Startup() has returned.
+  ///
+  /// Start() first calls Configure() in the calling thread, if needed. It calls `proceed` before
+  /// and after Configure(); if `proceed` returns false, Start() fails with kFailed and does not
+  /// start the component. Stop() is also allowed during a start. Then the component ends before it
+  /// runs, or as soon as its Startup() has returned.
   Result<void> Start(Patience patience = kPatience, const std::function<bool()>& proceed = {});
   Result<void> Suspend(Patience patience = kPatience);
   Result<void> Stop(Patience patience = kPatience);
   /// Like WaitFor(), but also fails with kFailed if the component is stopped before it reaches this
   /// state.
   Result<void> WaitForEffect(ComponentState state, Patience patience);
-  /// Returns true from the request to start until the component is active, faulted or stopped.
+  /// Returns true during a start: from the request until the component is active, faulted or
+  /// stopped.
   [[nodiscard]] bool is_starting() const noexcept { return is_starting_.Get(); }
   /// Returns true if a stop was requested and the component has not ended yet. During this time it
   /// refuses other requests.
@@ -155,8 +161,8 @@ class Component {
   void SetStateObserver(std::function<void()> observer);
 
  protected:
-  // These functions implement the requests. They are called if the request is allowed, and need not
-  // wait for its effect.
+  // These functions implement the requests. They are called only if the request is allowed, and
+  // need not wait until it takes effect.
 
   /// Starts the component, which then runs until Halt(). A task starts its thread.
   virtual Result<void> Launch();
@@ -168,21 +174,21 @@ class Component {
   virtual void ServeWaiting() {}
 
   // These functions are for derived kinds of components, such as Task. They must be called in the
-  // thread that runs the author's functions. They return false if one of the author's functions has
+  // thread that runs the author's functions. They return false if a function of the author has
   // thrown; then the component is faulted.
 
-  /// Calls OnConnected(), OnDisconnected() and OnClientGone() for all changes.
+  /// Calls OnConnected(), OnDisconnected() and OnClientGone() for all changes that are not reported
+  /// yet.
   bool ReportConnections();
   /// Calls ReportConnections(), then OnResume().
   bool ReportResume();
   /// Calls OnConnected() and OnDisconnected() before a start. Does not call OnClientGone(), because
-  /// the effects of the calls of a lost client ended with the last run.
+  /// effects of a lost client's calls have already ended with the last run.
   bool ReportBeforeStartup();
-  /// Ends the effects of commands that have expired at `now`, because the commands were not sent
-  /// again.
+  /// Ends the effects of commands that have expired at `now` because no call has renewed them.
   void EndExpired(SteadyTime now);
-  /// Returns the time at which the next effect of a command expires; the largest time if there is
-  /// no such effect.
+  /// Returns the time when the next effect of a command expires. Returns the largest time if no
+  /// effect expires.
   [[nodiscard]] SteadyTime next_expiry() const noexcept;
 
   /// These two functions are called in the thread of a manager when the peer of `interface` has
@@ -215,7 +221,8 @@ class Component {
   [[nodiscard]] Inbox* inbox() const { return inbox_.get(); }
 
  private:
-  // Private, because protected names of a base class may collide with names in the author's class.
+  // These members are private, because protected names could collide with names in the author's
+  // class.
 
   Result<void> WaitForState(ComponentState wanted, Patience patience, bool ends_with_a_stop);
   bool ReportPeers(RequiredInterface& interface);
@@ -237,7 +244,7 @@ class Component {
   Published<ComponentState> state_{ComponentState::kConstructed};
   Flag is_starting_;
   Flag is_stopping_;
-  mutable std::mutex mutex_;  // guards fault_, its time, observer_, and state changes
+  mutable std::mutex mutex_;  // protects fault_, fault_time_, observer_ and changes of the state
   std::condition_variable changed_;
   std::string fault_;
   std::chrono::system_clock::time_point fault_time_;

@@ -12,9 +12,9 @@ namespace tendon {
 /// The lifecycle states of a component.
 enum class ComponentState : std::int32_t {
   kConstructed,
-  kReady,  ///< configured
+  kReady,  ///< configured, but not started
   kActive,
-  kSuspended,  ///< it makes no cycles, but keeps its data; a start resumes it
+  kSuspended,  ///< makes no cycles, but keeps its data; a start resumes it
   kFinished,
   kFaulted,  ///< one of its functions has thrown; a start configures it again
 };
@@ -37,7 +37,7 @@ inline constexpr auto kPayload<ComponentState> = DescribeEnum(
   return state == ComponentState::kActive || state == ComponentState::kSuspended;
 }
 
-/// The requests that a manager can make to a component.
+/// The requests of a manager to a component.
 enum class LifecycleRequest : std::uint16_t { kStart, kSuspend, kStop };
 
 /// The effect of a request in one state.

@@ -22,9 +22,9 @@ class CycleGrid {
   /// Starts a new grid. The first due time is one period after `now`.
   void Begin(SteadyTime now) noexcept { due_ = now + period_; }
 
-  /// Advances to the next due time. If this time is one period or more in the past, advances to the
-  /// latest due time that is not after `now`, so that missed cycles are not made in a burst.
-  /// Returns the number of skipped due times.
+  /// Advances to the next due time, and returns the number of skipped due times. If the next due
+  /// time is one period or more in the past, skips to the latest due time that is not after `now`,
+  /// so that missed cycles are not made in a burst.
   std::uint64_t Next(SteadyTime now) noexcept;
 
  private:
@@ -36,8 +36,8 @@ class CycleGrid {
 /// `task`.
 std::chrono::nanoseconds CheckedPeriod(std::chrono::nanoseconds period, const std::string& task);
 
-/// Sleeps until the time `spin` before `time`, and then spins until `time`. Returns false if
-/// `interrupted()` returns true, at the latest 50 ms after it has become true.
+/// Sleeps until the time `spin` before `time`, and then spins until `time`. Returns false at most
+/// 50 ms after `interrupted()` has become true.
 template <typename Predicate>
 bool SleepUntil(SteadyTime time, std::chrono::nanoseconds spin, Predicate interrupted) {
   constexpr std::chrono::milliseconds kSlice(50);

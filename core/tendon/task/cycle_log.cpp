@@ -16,7 +16,7 @@ namespace {
 template <std::size_t kSize>
 struct FixedText {
   std::size_t size = 0;
-  std::array<char, kSize> bytes;  // not initialised: only the first `size` are read
+  std::array<char, kSize> bytes;  // only the first `size` bytes are initialised
 
   void Set(std::string_view text) noexcept {
     constexpr std::string_view kMore = "...";
@@ -98,7 +98,7 @@ void CycleLog::Run() {
 }
 
 void CycleLog::Drain() {
-  // Limited, because tasks may add records faster.
+  // The number is limited, because tasks may add records faster than this loop takes them.
   for (std::size_t left = kCapacity; left > 0; --left) {
     const std::byte* const slot = ring_.Front();
     if (slot == nullptr) return;

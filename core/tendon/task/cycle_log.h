@@ -18,9 +18,9 @@ namespace tendon {
 /// A bounded queue for the records that tasks log in their cycles. A separate thread takes the
 /// records from the queue and writes them to the log.
 ///
-/// A source may have at most as many records in the queue as the queue has free slots. Therefore,
-/// if one source logs too much, half of the queue stays free for the others; if two sources do so,
-/// a third stays free. Further records are lost; the log reports their number.
+/// A source may have at most as many records in the queue as the queue has free slots. Therefore, a
+/// source that logs too much can fill only half of the queue, and two such sources together can
+/// fill two thirds. Further records are lost; the log reports their number.
 ///
 /// Thread safety: any thread may add records; lock-free, without allocation or system call.
 class CycleLog final : public LogDeferral {
@@ -56,8 +56,8 @@ class CycleLog final : public LogDeferral {
     SharedCounter<> added;
     Counter<> logged;
   };
-  /// Several sources may share a count and are then treated as one source. This is sufficient,
-  /// because only few tasks log too much.
+  /// The number of counts. Several sources may share a count; then they are treated as one source.
+  /// This is sufficient, because few tasks log too much.
   static constexpr std::size_t kSourceCounts = 64;
 
   void Run();
@@ -68,7 +68,7 @@ class CycleLog final : public LogDeferral {
   SharedSlotRing<> ring_;
   std::array<SourceCount, kSourceCounts> source_counts_;
   SharedCounter<> lost_;
-  std::uint64_t lost_reported_ = 0;  // reported part of lost_; used only by the thread
+  std::uint64_t lost_reported_ = 0;  // the reported part of lost_; used only by the thread
   std::mutex mutex_;
   std::condition_variable stopped_;
   bool stopping_ = false;

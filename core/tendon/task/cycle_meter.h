@@ -20,10 +20,10 @@ class CycleMeter {
   [[nodiscard]] const CycleStatistics& cycle() const noexcept { return cycle_; }
   [[nodiscard]] const CycleSummary& summary() const noexcept { return summary_; }
 
-  /// Resets everything. `period` is the wanted period; 0 if there is none.
+  /// Resets everything. `period` is the wanted period; 0 without a period.
   void Start(std::chrono::duration<double> period) noexcept;
-  /// Called when cycles are interrupted: the time until the next cycle is not included in the
-  /// statistics of the period.
+  /// Called when cycles are interrupted. The time until the next cycle is then not part of the
+  /// statistics.
   void Interrupt() noexcept { last_begin_ = {}; }
   void Begin(SteadyTime begin, SteadyTime due) noexcept;
   /// Ends the cycle of the last Begin().

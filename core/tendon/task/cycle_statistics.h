@@ -12,7 +12,7 @@ struct CycleStatistics {
   double lateness = 0.0;       ///< s from the due time to the begin of the cycle
   double compute = 0.0;        ///< s that the previous cycle took
   double load = 0.0;           ///< compute / wanted period; 0 if there is no period
-  std::uint64_t overruns = 0;  ///< skipped cycles since the start, because cycles took too long
+  std::uint64_t overruns = 0;  ///< cycles skipped since the start, because others took too long
 };
 
 /// The distribution of a time over several cycles. The percentiles are accurate to 3 %.
@@ -25,8 +25,9 @@ struct TimeStatistics {
   double p99 = 0.0;        ///< s
 };
 
-/// Statistics over a window of at least one second and at least ten cycles. They are replaced when
-/// the next window is full. The column `CycleSummary` of a task's default state table.
+/// Statistics over a window of at least one second and at least ten cycles; the column
+/// `CycleSummary` of a task's default state table. The values are replaced when the next window is
+/// full.
 struct CycleSummary {
   std::uint64_t cycles = 0;  ///< cycles in the window; 0 until the first window is full
   TimeStatistics period;

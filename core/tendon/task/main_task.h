@@ -8,7 +8,7 @@
 
 namespace tendon {
 
-/// A periodic task that runs in the thread of main(), which windows and some devices require:
+/// A periodic task that runs in the thread of main(), because windows and some devices require it:
 ///
 ///     manager.StartAll();
 ///     window.RunInThisThread();  // until another thread stops it

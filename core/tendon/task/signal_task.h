@@ -7,8 +7,8 @@
 namespace tendon {
 
 /// A task that sleeps until a command or an event is queued for it, and then makes a cycle. Its
-/// Run() must execute the queued calls with ProcessQueuedCommands(), and is called again while
-/// calls are queued. The task also makes a cycle when the effect of a command expires.
+/// Run() must execute the queued calls with ProcessQueuedCommands(); otherwise the next cycle
+/// follows at once. The task also makes a cycle when the effect of a command expires.
 class SignalTask : public ThreadedTask {
  protected:
   explicit SignalTask(std::string name);

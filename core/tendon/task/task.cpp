@@ -80,8 +80,8 @@ std::size_t Task::ProcessQueuedCommands() {
   return executed;
 }
 
-/// Ends the effects of commands that have expired. Called after the queued commands were executed,
-/// because these may renew an effect.
+/// Ends the effects of commands that have expired. Called after the queued commands, because they
+/// may renew an effect.
 void Task::EndExpiredNow() {
   if (next_expiry() == SteadyTime::max()) return;
   EndExpired(SteadyClock().Now());
@@ -174,8 +174,8 @@ Result<void> Task::LeaveLeader(SteadyTime deadline) {
 
 void Task::DeliverPeerChange(RequiredInterface& interface) {
   TaskLifecycle::WakeThread(*this);
-  // The order is important: if the task was started before WakeThread(), this is visible here; if
-  // it is started later, it calls OnConnected().
+  // This order is important. A task that was started before WakeThread() is not at rest here. A
+  // task that is started later calls OnConnected() itself.
   if (is_at_rest()) interface.AdmitPeerAtRest();
 }
 

@@ -19,7 +19,7 @@ class CycleLog;
 class Task;
 class TaskLifecycle;
 
-/// What a post to the inbox of a task does.
+/// The effect of posting a call to the inbox of a task.
 enum class PostWakeup {
   kWait,  ///< the call is queued until a cycle executes it
   kWake,  ///< also wakes the thread that sleeps on Task::wakeup()
@@ -28,20 +28,21 @@ enum class PostWakeup {
 using TaskFollowers = std::vector<Task*>;
 
 /// A manager's order to a task.
-struct alignas(8) TaskOrder {  // one word, so it can be published without a lock
+struct alignas(8) TaskOrder {  // one word, so threads can publish it without a lock
   std::uint32_t number = 0;
   LifecycleRequest request = LifecycleRequest::kStop;
   bool ends_start = false;  ///< for kStop: also ends a start in progress
 };
 
 /// A component with cycles, a state table and mailboxes. Commands and events from other components
-/// are queued until Run() calls ProcessQueuedCommands().
+/// stay in the mailboxes until Run() calls ProcessQueuedCommands().
 ///
-/// The derived classes, such as PeriodicTask, decide when a cycle is due. A task with a thread of
-/// its own can also run after another task (its leader), in the thread and the cycles of this
-/// leader.
+/// The derived classes, such as PeriodicTask, decide when a cycle is due. A task that has its own
+/// thread can instead run after another task, its leader: in the leader's thread, after each of the
+/// leader's cycles.
 ///
-/// Managers give orders. The thread that makes the cycles executes them between two cycles.
+/// Managers give orders to the task. The thread that makes the cycles executes the orders between
+/// two cycles.
 class Task : public Component {
  public:
   [[nodiscard]] std::vector<const StateTable*> tables() const override;
@@ -55,7 +56,7 @@ class Task : public Component {
   Result<void> LeaveLeader(SteadyTime deadline);
   /// The time since the last cycle began; 0 while the task is not active. Any thread.
   [[nodiscard]] std::chrono::nanoseconds SinceLastCycle(SteadyTime now) const noexcept;
-  /// The period() at the last start. Any thread.
+  /// The period() at the time of the last start. Any thread.
   [[nodiscard]] std::chrono::duration<double> started_period() const noexcept {
     return started_period_.Get();
   }
@@ -64,11 +65,10 @@ class Task : public Component {
   explicit Task(std::string name, PostWakeup post_wakeup = PostWakeup::kWait);
   ~Task() override;
 
-  /// The table `state`. Variables that are added to it are recorded once in each cycle, after
-  /// Run().
+  /// Returns the table `state`. Each cycle records the variables of this table after Run().
   StateTable& state_table() { return *tables_.front(); }
-  /// Adds a table. It can be read through the provided interface `state-NAME`, and is recorded once
-  /// in each cycle.
+  /// Adds a table. It can be read through the provided interface `state-NAME`. Each cycle records
+  /// one row of the table.
   StateTable& AddStateTable(const std::string& name);
 
   /// Sets the shortest time between two rows of the task's tables. Must be called in the
@@ -93,8 +93,7 @@ class Task : public Component {
   /// run after this one. Returns false if this task is now faulted.
   bool DoCycle(SteadyTime begin, SteadyTime due);
   bool DoCycle(SteadyTime now) { return DoCycle(now, now); }
-  /// The time at which the last cycle ended, including the cycles of the tasks that run after this
-  /// one.
+  /// The time when the last cycle of this task and of all tasks that run after it ended.
   [[nodiscard]] SteadyTime cycle_end() const { return cycle_end_; }
   /// Adds skipped cycles to the statistics of this task and of the tasks that run after it.
   void AddOverruns(std::uint64_t cycles);
@@ -103,11 +102,11 @@ class Task : public Component {
   /// Called when the task has become active, after a start or a resumption.
   virtual void OnActive() {}
 
-  /// The wakeup of the thread that makes the cycles. It is notified of orders, and of posts with
-  /// PostWakeup::kWake.
+  /// Wakes the thread that makes the cycles. It is notified of orders, and of posts if the task
+  /// uses PostWakeup::kWake.
   Wakeup<>& wakeup() { return wakeup_; }
-  /// The expected time between two rows. The default length of tables is computed from it, for
-  /// about one second.
+  /// The expected time between two rows. By default, the tables are long enough for about one
+  /// second of rows.
   [[nodiscard]] virtual std::chrono::nanoseconds row_period() const;
 
   // For managers.
@@ -115,8 +114,8 @@ class Task : public Component {
   /// Prepares a start: drops the calls that were still queued when the task ended. Called before
   /// the order to start is given.
   void PrepareStart();
-  /// Gives an order to the thread that makes the cycles, which executes it. If there is no such
-  /// thread, the calling thread executes the order.
+  /// Gives an order to the thread that makes the cycles. If there is no such thread, the calling
+  /// thread executes the order.
   void GiveOrder(LifecycleRequest request, bool ends_start = false);
   void Pause() override { GiveOrder(LifecycleRequest::kSuspend); }
   Result<void> Resume() override;
@@ -147,8 +146,8 @@ class Task : public Component {
 
   Published<TaskOrder> order_;
   std::uint32_t obeyed_ = 0;
-  // Counts the orders, and the faults from outside, of all tasks in this thread. Used only in the
-  // first task of the chain of leaders.
+  // Counts the orders for all tasks in this thread, and the faults that other threads report. Only
+  // the first task in the chain of leaders uses it.
   Published<std::uint64_t> orders_;
   std::uint64_t orders_seen_ = 0;
 
@@ -158,7 +157,7 @@ class Task : public Component {
 
   Published<Task*> leader_;
   std::unique_ptr<TaskFollowers> follower_list_;
-  // Kept, because a cycle may still use them.
+  // Old lists are kept, because a cycle may still use them.
   std::vector<std::unique_ptr<TaskFollowers>> retired_lists_;
   GuardedPointer<TaskFollowers> followers_;
 };

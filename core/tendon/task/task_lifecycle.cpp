@@ -9,8 +9,8 @@
 namespace tendon {
 namespace {
 
-/// Guards the leaders of all tasks. There is only one mutex, because two chains of leaders could
-/// lock several mutexes in opposite orders.
+/// Protects the leaders of all tasks. There is only one mutex, because one mutex per task could be
+/// locked in opposite orders.
 std::mutex& LeadersMutex() {
   // Never freed, because a task may exist until the program ends.
   static std::mutex& mutex = *new std::mutex;
@@ -28,7 +28,7 @@ void TaskLifecycle::ExecuteOrders(Task& task) {
       case LifecycleRequest::kStart:
         if (now == ComponentState::kSuspended) {
           Continue(task);
-        } else if (task.is_starting()) {  // false if it was faulted meanwhile
+        } else if (task.is_starting()) {  // false if the task has become faulted
           Begin(task);
         }
         break;
@@ -70,7 +70,7 @@ void TaskLifecycle::EnterFaultFromOutside(Task& task) {
     const std::scoped_lock lock(task.outside_mutex_);
     reason = task.outside_reason_;
   }
-  task.Component::FaultFromOutside(reason);  // the task may have ended meanwhile
+  task.Component::FaultFromOutside(reason);  // the task may have just ended
   task.EndFollowers();
 }
 
@@ -132,7 +132,7 @@ void TaskLifecycle::Finish(Task& task) {
   if (task.RunGuarded("Cleanup", clean_up)) {
     task.SetState(ComponentState::kFinished);
   }
-  task.EndFollowers();  // again, because a follower may have been started meanwhile
+  task.EndFollowers();  // again, because a follower may have just been started
   task.inbox()->Unbind();
 }
 
@@ -155,7 +155,7 @@ SteadyTime TaskLifecycle::NextExpiry(Task& task) {
 }
 
 void TaskLifecycle::WakeThread(Task& task) {
-  const std::scoped_lock lock(LeadersMutex());  // the leaders must not change meanwhile
+  const std::scoped_lock lock(LeadersMutex());  // so that the leaders do not change
   Task& root = RootOf(task);
   root.orders_.Set(root.orders_.Get() + 1);
   root.wakeup_.Notify();
@@ -183,8 +183,7 @@ Result<void> TaskLifecycle::RemoveFollower(Task& leader, Task& task, SteadyTime 
     SetLeader(task, nullptr);
     return {};
   }
-  // Restores the old list. The new list is kept, because a cycle that has begun meanwhile may use
-  // it.
+  // Restores the old list. The new list is not freed, because a cycle may already use it.
   leader.follower_list_.swap(next);
   leader.followers_.TryExchange(leader.follower_list_.get(), SteadyTime::min());
   leader.retired_lists_.push_back(std::move(next));

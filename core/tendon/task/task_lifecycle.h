@@ -7,8 +7,8 @@
 namespace tendon {
 
 /// The work of a task's thread between two cycles: it executes orders for the task and for the
-/// tasks that run after it (its followers). Separate from Task, so that these names are not visible
-/// in the classes of authors.
+/// tasks that run after it (its followers). This class is separate from Task, so that these names
+/// are not visible in the classes of authors.
 class TaskLifecycle {
  public:
   /// Executes the orders for the task and for its followers.
@@ -34,8 +34,8 @@ class TaskLifecycle {
 
   // For managers.
 
-  /// Makes `task` a follower of `leader`. `task` must be at rest. The leader uses the new list of
-  /// followers when it reads the list the next time.
+  /// Makes `task` a follower of `leader`. `task` must be at rest. The leader uses its new list of
+  /// followers from the next time that it reads the list.
   static void AddFollower(Task& leader, Task& task);
   /// Removes `task` from the followers of `leader`. Fails with kTimeout if a cycle of `leader` that
   /// may use the task has not ended by `deadline`; then nothing is changed.

@@ -19,12 +19,12 @@ enum class SchedulingPolicy : std::int32_t {
 struct ThreadOptions {
   SchedulingPolicy policy = SchedulingPolicy::kNormal;
   std::int32_t priority = 0;       ///< 1 to 99 for kFifo and kRoundRobin, otherwise 0
-  std::vector<std::int32_t> cpus;  ///< processors on which it may run, 0 to 1023; empty: any
+  std::vector<std::int32_t> cpus;  ///< allowed processors, 0 to 1023; empty: all
   bool lock_memory = false;        ///< locks the memory of the whole process
-  /// Part of the stack that is touched before the first cycle; at most 4 MiB.
+  /// The number of stack bytes that are touched before the first cycle; at most 4 MiB.
   std::uint64_t stack_bytes = 0;
-  /// How much later a sleep may end, which saves power: 1 ns to 100 ms. A stop of the task may be
-  /// delayed by the same time.
+  /// The longest delay of a sleep, 1 ns to 100 ms. A long delay saves power, but a stop of the task
+  /// may be delayed by the same time.
   std::chrono::nanoseconds timer_slack{1};
   /// A periodic task wakes up earlier by this time (at most 1 s), and spins until the cycle is due.
   std::chrono::nanoseconds spin{0};

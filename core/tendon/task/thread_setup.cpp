@@ -26,7 +26,8 @@ std::string Nanoseconds(std::chrono::nanoseconds time) {
   return std::to_string(time.count()) + " ns";
 }
 
-/// Logs only the first refusal in the process, because other tasks will probably get the same one.
+/// Logs only the first refusal in the process, because the refusals for other tasks are probably
+/// the same.
 void WarnOnce(const std::string& task, const std::string& what, const std::string& reason,
               const std::string& remedy) {
   static std::once_flag once;

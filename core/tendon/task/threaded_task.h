@@ -11,20 +11,24 @@ namespace tendon {
 /// A task with its own thread, unless it runs after another task. Derived classes implement Loop().
 class ThreadedTask : public Task {
  public:
-  /// For managers and constructors: sets the options that the task's thread has from the next start
-  /// on. Throws ConfigurationError if a value is out of range or a processor does not exist.
+  /// Sets the options of the task's thread, which apply from the next start on. Throws
+  /// ConfigurationError if a value is out of range or a processor does not exist. For managers and
+  /// constructors.
   void SetThreadOptions(const ThreadOptions& options);
   [[nodiscard]] const ThreadOptions& thread_options() const { return options_; }
 
-  /// For managers: from the next start on, the task has no thread, but makes a cycle after each
-  /// cycle of `leader`, in the leader's thread. It keeps its own state, tables and statistics. It
-  /// can be started and stopped while the leader runs. When the leader is suspended or ends, the
-  /// task is suspended or ends too. Fails with kFailed if the task is not at rest, or if the two
-  /// tasks would run after each other. Fails with kTimeout if a cycle of the former leader has not
-  /// ended by `deadline`; then nothing is changed.
+  /// Makes the task run after `leader` from the next start on: it has no thread, but makes a cycle
+  /// after each cycle of `leader`, in the leader's thread. For managers.
+  ///
+  /// The task keeps its own state, tables and statistics, and can be started and stopped while the
+  /// leader runs. When the leader is suspended or ends, the task is suspended or ends, too.
+  ///
+  /// Fails with kFailed if the task is not at rest, or if the two tasks would run after each other.
+  /// Fails with kTimeout, and changes nothing, if a cycle of the former leader has not ended by
+  /// `deadline`.
   Result<void> RunAfter(Task& leader, SteadyTime deadline = SteadyTime::max());
 
-  /// The task's own period, or the period of the leader if it has one.
+  /// Returns the task's own period, or the leader's period if the task has a leader.
   [[nodiscard]] double period() const final;
 
  protected:
@@ -35,7 +39,8 @@ class ThreadedTask : public Task {
   virtual void Loop() = 0;
   /// The options that were applied at the last start.
   [[nodiscard]] const ThreadOptions& options_in_use() const { return options_in_use_; }
-  /// The period in seconds if the task has a thread of its own; 0 if there is none.
+  /// Returns the period in seconds with which the task's own thread makes cycles; 0 without a
+  /// period.
   [[nodiscard]] virtual double own_period() const { return 0.0; }
 
   Result<void> Launch() override;

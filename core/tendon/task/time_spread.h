@@ -23,7 +23,7 @@ class TimeSpread {
 
  private:
   static constexpr unsigned kSubBits = 4;       // 16 buckets per power of two
-  static constexpr unsigned kLongestBits = 42;  // 2^42 ns are 73 minutes; the longest time
+  static constexpr unsigned kLongestBits = 42;  // the longest time is 2^42 ns (73 minutes)
   static constexpr std::size_t kBuckets = (kLongestBits - kSubBits + 1) << kSubBits;
 
   static std::size_t BucketOf(std::uint64_t time) noexcept;
@@ -35,7 +35,7 @@ class TimeSpread {
   std::uint64_t count_ = 0;
   std::uint64_t min_ = 0;
   std::uint64_t max_ = 0;
-  std::uint64_t first_ = 0;  // sums are of differences to this time, for precision
+  std::uint64_t first_ = 0;  // the sums use differences from this time, for precision
   double sum_ = 0.0;
   double squares_ = 0.0;
   std::array<std::uint32_t, kBuckets> buckets_{};

@@ -3,7 +3,6 @@
 #include <support/simulation/report_matchers.h>
 #include <support/simulation/simulated_atomics.h>
 #include <support/simulation/weakened_atomics.h>
-#include <tendon/lockfree/spsc_queue.h>
 
 #include <memory>
 
@@ -41,25 +40,6 @@ TEST(SlotRingSimulation, ASizeReadByAThirdThreadNeverExceedsTheCapacity) {
     scenario.Thread([=] { Check(transfer->ring.size() <= 2, "more than fits"); });
   });
   EXPECT_EQ(report.failure, "");
-}
-
-TEST(SpscQueueSimulation, PassesEveryValueInEveryInterleaving) {
-  const Report report = Explore([](Scenario& scenario) {
-    const auto queue = std::make_shared<SpscQueue<int, SimulatedAtomics>>(1);
-    scenario.Thread([=] {
-      for (int value = 1; value <= 2; ++value) {
-        while (!queue->Push(value)) SimulatedAtomics::Pause(0);
-      }
-    });
-    scenario.Thread([=] {
-      for (int expected = 1; expected <= 2; ++expected) {
-        int value = 0;
-        while (!queue->Pop(value)) SimulatedAtomics::Pause(0);
-        Check(value == expected, "values come out of order");
-      }
-    });
-  });
-  EXPECT_THAT(report, Passes());
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ TEST_F(BusyComponent, IsNotStartedIfAStopComesFirst) {
   starting.join();
 
   EXPECT_EQ(started.error().message,
-            "component 'other' is not started, because it was asked to stop meanwhile");
+            "component 'other' is not started, because a stop was requested");
   EXPECT_EQ(other.startups, 0);
   EXPECT_EQ(other.state(), ComponentState::kReady);
 }

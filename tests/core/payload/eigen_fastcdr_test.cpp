@@ -75,7 +75,7 @@ TEST(EigenFastCdr, AMatrixOfDynamicSizeHasItsShapeBeforeIt) {
       Written(matrix), WrittenByFastCdr([](Cdr& cdr) {
         cdr << std::uint32_t{2} << std::uint32_t{2} << std::vector<std::int16_t>{1, -2, 3, -4};
       }));
-  EXPECT_EQ(TypeNameOf<decltype(matrix)>(), "tendon.MatrixInt16");
+  EXPECT_EQ(SchemaOf<decltype(matrix)>().TypeName(), "tendon.MatrixInt16");
 }
 
 TEST(EigenFastCdr, AQuaternionIsXyzw) {

@@ -15,7 +15,8 @@ using test::Encoded;
 
 TEST(TimePoint, EqualsTheTimeOfRos) {
   static_assert(FixedPayload<std::chrono::system_clock::time_point>);
-  EXPECT_EQ(TypeNameOf<std::chrono::system_clock::time_point>(), "builtin_interfaces.Time");
+  EXPECT_EQ(SchemaOf<std::chrono::system_clock::time_point>().TypeName(),
+            "builtin_interfaces.Time");
   EXPECT_EQ(RosTypeName(SchemaOf<sys_time<seconds>>()), "builtin_interfaces/msg/Time");
   EXPECT_EQ(Encoded(sys_time<milliseconds>(milliseconds(1'500))),
             Encoded(std::array<std::uint32_t, 2>{1, 500'000'000}));

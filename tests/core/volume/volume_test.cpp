@@ -1,10 +1,11 @@
 #include <core/volume/item.h>
 #include <gtest/gtest.h>
 #include <tendon/interface/connection.h>
-#include <tendon/lockfree/spsc_queue.h>
+#include <tendon/lockfree/slot_ring.h>
 #include <tendon/state/state_table.h>
 
 #include <atomic>
+#include <cstring>
 #include <memory>
 #include <thread>
 
@@ -38,19 +39,25 @@ TEST(Checker, DetectsEveryKindOfFault) {
   EXPECT_EQ(checker.torn(), 1U);
 }
 
-TEST(Volume, EveryItemPassesAQueue) {
-  SpscQueue<Item> queue(kCapacity);
+TEST(Volume, EveryItemPassesARing) {
+  SlotRing<> ring(kCapacity, sizeof(Item), alignof(Item));
   Checker checker;
 
   std::jthread producer([&] {
     for (std::uint64_t number = 0; number < items; ++number) {
       const Item item = ItemOf(number);
-      YieldUntil([&] { return queue.Push(item); });
+      std::byte* slot = nullptr;
+      YieldUntil([&] { return (slot = ring.Claim()) != nullptr; });
+      std::memcpy(slot, &item, sizeof(item));
+      ring.Publish();
     }
   });
   Item item{};
   for (std::uint64_t i = 0; i < items; ++i) {
-    YieldUntil([&] { return queue.Pop(item); });
+    const std::byte* slot = nullptr;
+    YieldUntil([&] { return (slot = ring.Front()) != nullptr; });
+    std::memcpy(&item, slot, sizeof(item));
+    ring.Release();
     checker.Take(item);
   }
 

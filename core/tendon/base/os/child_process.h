@@ -27,8 +27,8 @@ Result<ProgramOutcome> RunProgram(const std::filesystem::path& program,
                                   std::chrono::milliseconds patience);
 
 /// A program that runs as a separate process and continues when this object, or this process, ends.
-/// It has its own session, so signals of our terminal do not reach it. It has no input and inherits
-/// none of our open files. Not thread-safe.
+/// The program has its own session, so signals of this process's terminal do not reach it. It has
+/// no input and inherits no open files of this process. Not thread-safe.
 class BackgroundProgram {
  public:
   /// Starts the program. Its output goes to `log`, a new file that only this user can access.

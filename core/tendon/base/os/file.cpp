@@ -73,7 +73,7 @@ class NextFile {
 
  private:
   int Make(const fs::path& target, mode_t mode) {
-    constexpr int kMostTries = 100;  // killed processes may have left such files
+    constexpr int kMostTries = 100;  // killed processes may have left files
     const std::string begin = ".saving-" + std::to_string(getpid()) + "-";
     int made = -1;
     for (int i = 0; i < kMostTries && made < 0; ++i) {
@@ -115,7 +115,7 @@ struct Stamp {
 };
 
 Stamp StampOf(const fs::path& file) {
-  std::error_code ignored;  // the stamp of a missing file differs from that of an existing one
+  std::error_code ignored;  // a missing file has a different stamp
   return {fs::file_size(file, ignored), fs::last_write_time(file, ignored)};
 }
 

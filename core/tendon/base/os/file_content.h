@@ -56,8 +56,8 @@ class FileWatch {
   /// if the stamp has changed since the last call, or if the last write is so recent that another
   /// write may not change the stamp.
   State Check();
-  /// Returns when the file that the last Check() found was written, ns since 1970; 0 if Check()
-  /// found no file.
+  /// Returns the time of the last write to the file that the last Check() found, ns since 1970; 0
+  /// if Check() found no file.
   [[nodiscard]] std::int64_t written_now() const {
     return state_ == State::kGone ? 0 : seen_.written;
   }

@@ -82,7 +82,7 @@ bool OutputBuffer::WaitForRoom() const {
   while (true) {
     pollfd wait{descriptor_, POLLOUT, 0};
     const int ready = poll(&wait, 1, 0);
-    if (ready > 0) return true;  // also true if the pipe is broken; then the write reports it
+    if (ready > 0) return true;  // if the pipe is broken, the next write reports it
     if (WasTerminationRequested()) return false;
     (void)poll(&wait, 1, kLook);
   }

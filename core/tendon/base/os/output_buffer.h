@@ -9,10 +9,10 @@ namespace tendon::os {
 
 /// A stream buffer that writes to a descriptor whose reader may be slow, stopped or gone.
 ///
-/// A write that must wait ends early if the process is asked to end, or was asked before
-/// (WasTerminationRequested()). Then the rest is not written, and the stream fails. If the program
-/// continues, it calls HoldTerminationSignals() and clear() of the stream; after that the stream
-/// works again. After any other failure the stream fails permanently.
+/// A write that must wait ends early if the process is asked to terminate, or was asked before
+/// (WasTerminationRequested()). Then the rest of the text is not written, and the stream fails. If
+/// the program continues nevertheless, it calls HoldTerminationSignals() and the stream's clear();
+/// after that the stream works again. After any other failure, the stream fails permanently.
 ///
 /// Writes to a terminal after each line. Writes to other descriptors when the stream is flushed, or
 /// when 64 KiB are buffered. Thread safety: one thread at a time.
@@ -28,8 +28,8 @@ class OutputBuffer final : public std::streambuf {
  protected:
   int_type overflow(int_type letter) override;
   std::streamsize xsputn(const char* text, std::streamsize size) override;
-  /// Writes the buffered text. If a write has failed, this function also fails, with the errno of
-  /// the first failed write. The errno is EINTR if the process was asked to end.
+  /// Writes the buffered text. If an earlier write has failed, this function fails, too, with the
+  /// errno of the first failed write. The errno is EINTR if the process was asked to terminate.
   int sync() override;
 
  private:
@@ -40,10 +40,10 @@ class OutputBuffer final : public std::streambuf {
   [[nodiscard]] bool WaitForRoom() const;
 
   const int descriptor_;
-  const std::size_t piece_;  // bytes that can be written without waiting once poll() reports room
+  const std::size_t piece_;  // bytes that never block when poll() reports room
   const bool is_terminal_;
   std::string waiting_;
-  int failure_ = 0;  // errno
+  int failure_ = 0;  // errno of the first failed write; 0 if none
 };
 
 }  // namespace tendon::os

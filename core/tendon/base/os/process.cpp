@@ -104,7 +104,7 @@ void BecomeProgram(const std::vector<std::string>& words, std::size_t most_memor
   const bool is_known = getrlimit(RLIMIT_AS, &before) == 0;
   rlimit limit = before;
   limit.rlim_cur = std::min<rlim_t>(before.rlim_cur, most_memory);
-  if (is_known) setrlimit(RLIMIT_AS, &limit);  // from here on, allocations may fail
+  if (is_known) setrlimit(RLIMIT_AS, &limit);  // after this line, allocations may fail
   execvp(arguments.front(), arguments.data());
   if (is_known) setrlimit(RLIMIT_AS, &before);
 }

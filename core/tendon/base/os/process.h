@@ -12,7 +12,7 @@ namespace tendon::os {
 
 /// The resources that this process uses.
 struct Usage {
-  std::chrono::nanoseconds cpu_time{0};  ///< of all its threads, since it was started
+  std::chrono::nanoseconds cpu_time{0};  ///< of all threads, since the start of the process
   std::uint64_t memory = 0;              ///< resident bytes; 0 if unknown
 };
 /// Returns the usage of this process. Takes some microseconds.

@@ -149,10 +149,11 @@ Result<std::unique_ptr<WritableFile>> CreateWritableFile(const fs::path& file) {
                  "cannot create " + file.string() + ": " + SystemReason()};
   }
   auto made = std::make_unique<PosixWritableFile>(file.string(), opened);
-  flock(opened, LOCK_EX | LOCK_NB);  // for is_being_written(); the name is already ours alone
+  flock(opened, LOCK_EX | LOCK_NB);  // is_being_written() checks this lock
   const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
   const Descriptor above(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  // The name survives a power cut; some file systems cannot do it.
+  // Makes the file's name survive a power cut. Ignores errors, because some file systems cannot do
+  // it.
   if (above.get() >= 0) static_cast<void>(fsync(above.get()));
   return std::unique_ptr<WritableFile>(std::move(made));
 }

@@ -11,8 +11,8 @@
 
 namespace tendon::os {
 
-/// A file of any size that is read in pieces, at any place. An interface, so that tests and a
-/// fuzzer read from memory.
+/// A file of any size, from which pieces at any offset can be read. This is an interface, so that
+/// tests and a fuzzer can read from memory.
 ///
 /// Thread safety: one thread at a time.
 class RandomAccessFile {
@@ -23,15 +23,15 @@ class RandomAccessFile {
   [[nodiscard]] virtual const std::string& name() const noexcept = 0;
   /// The size when the file was opened, in bytes.
   [[nodiscard]] virtual std::uint64_t size() const noexcept = 0;
-  /// Fills `bytes` with the bytes at `offset`. kFailed if the disk reports an error or the file is
-  /// shorter: "cannot read 9 bytes at 8 of FILE: Input/output error".
+  /// Fills `bytes` with the bytes at `offset`. Returns kFailed if the disk reports an error or if
+  /// the file has become too short: "cannot read 9 bytes at 8 of FILE: Input/output error".
   virtual Result<void> ReadAt(std::uint64_t offset, std::span<std::byte> bytes) = 0;
   /// True if a WritableFile of this machine has the file open. Costs a system call.
   [[nodiscard]] virtual bool is_being_written() const noexcept { return false; }
 };
 
-/// A new file that is written in large pieces. An interface, so that tests can have a disk that
-/// fails.
+/// A new file that is written in large pieces. This is an interface, so that tests can simulate a
+/// disk that fails.
 ///
 /// Thread safety: one thread at a time.
 class WritableFile {
@@ -40,26 +40,29 @@ class WritableFile {
 
   /// The path, for messages.
   [[nodiscard]] virtual const std::string& name() const noexcept = 0;
-  /// Writes the parts one after the other, from `offset` on. kFailed with the system's reason
-  /// alone: "No space left on device (0 B free)". Some of the bytes may be in the file then.
+  /// Writes the parts one after the other, starting at `offset`. On failure returns kFailed with
+  /// only the system's reason: "No space left on device (0 B free)". Then a part of the bytes may
+  /// be in the file.
   virtual Result<void> WriteAt(std::uint64_t offset,
                                std::span<const std::span<const std::byte>> parts) = 0;
-  /// Makes sure that the bytes from `offset` on can be written without a lack of space; the size
-  /// of the file remains. Succeeds without effect if the file system has no such function. kFailed
-  /// as WriteAt().
+  /// Reserves disk space for `length` bytes at `offset`, so that writing them cannot fail for lack
+  /// of space. Does not change the size of the file. Does nothing, and succeeds, if the file system
+  /// cannot reserve space. Errors are those of WriteAt().
   virtual Result<void> Reserve(std::uint64_t offset, std::uint64_t length) = 0;
-  /// Cuts the file at `size`, and gives back what is reserved behind it. kFailed as WriteAt().
+  /// Cuts the file to `size` bytes and frees the reserved space after them. Errors are those of
+  /// WriteAt().
   virtual Result<void> Truncate(std::uint64_t size) = 0;
-  /// Waits until all that was written is on the disk. kFailed as WriteAt(); then some of it may be
-  /// lost, and another call does not help.
+  /// Waits until all written data is on the disk. Errors are those of WriteAt(). After an error,
+  /// some of the data may be lost, even if a later call succeeds.
   virtual Result<void> Sync() = 0;
 };
 
-/// Opens a regular file; kNotFound if there is none, kFailed if it cannot be read.
+/// Opens a regular file. Errors: kNotFound if the file does not exist, kFailed if it cannot be
+/// read.
 Result<std::unique_ptr<RandomAccessFile>> OpenRandomAccessFile(const std::filesystem::path& file);
 
-/// Creates a file, and locks it until it is closed: is_being_written() shows the lock to readers.
-/// kExists if there is a file of this name, which remains as it is; kFailed if it cannot be
+/// Creates a file and locks it until it is closed; RandomAccessFile::is_being_written() shows the
+/// lock to readers. Errors: kExists if the file exists (it is not changed), kFailed if it cannot be
 /// created.
 Result<std::unique_ptr<WritableFile>> CreateWritableFile(const std::filesystem::path& file);
 

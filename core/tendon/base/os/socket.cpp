@@ -64,7 +64,7 @@ void Set(const Socket& socket, int level, int option, int value = 1) {
 int WaitUntilConnected(const Socket& socket, std::chrono::steady_clock::time_point deadline,
                        const std::function<bool()>& is_over) {
   using std::chrono::milliseconds;
-  constexpr milliseconds kLook(50);  // between checks of is_over()
+  constexpr milliseconds kLook(50);  // time between two checks of is_over()
   while (true) {
     auto left = std::chrono::ceil<milliseconds>(deadline - std::chrono::steady_clock::now());
     if (left.count() <= 0) return ETIMEDOUT;

@@ -39,8 +39,8 @@ class TerminationUnblockScope {
   const bool was_held_;
 };
 
-/// Replaces the termination signals for one thread of a GUI program, because there the user stops
-/// the work of that thread, not the program. While this object exists, WaitForTermination() and
+/// Replaces the termination signals for one thread of a GUI program, because its user stops the
+/// work of one thread, not the whole program. While this object exists, WaitForTermination() and
 /// TerminationRequested() in its thread check this object instead of the signals, and the signals
 /// stay blocked.
 class Interruption {

@@ -62,7 +62,7 @@ void TouchStack(std::size_t bytes) noexcept {
   std::array<volatile char, kPage> page;
   page[0] = 0;
   if (bytes > kPage) TouchStack(bytes - kPage);
-  page[kPage - 1] = 0;  // written after the call, so that the compiler does not release this frame
+  page[kPage - 1] = 0;  // written after the call, so that the compiler keeps this frame
                         // before the call
 }
 

@@ -43,7 +43,7 @@ Permission LockMemory();
 /// later.
 void TouchStack(std::size_t bytes) noexcept;
 
-/// Processor time of the calling thread; does not advance while it waits.
+/// Processor time of the calling thread. It does not advance while the thread waits.
 [[nodiscard]] std::chrono::nanoseconds ThreadCpuTime() noexcept;
 
 /// Returns how often the calling thread has given up its processor to wait for a lock, a file or a

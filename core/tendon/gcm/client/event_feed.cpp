@@ -63,11 +63,11 @@ void EventFeed::Subscribe(const SharedListener& listener) {
                           if (!clock) return still->Fail(listener, attempt, clock.error());
                           still->Ask(listener, channel, *clock, attempt);
                         };
-                        self->ClockOf(*channel)->WhenKnown(ask);  // so that every event has a time
+                        self->ClockOf(*channel)->WhenKnown(ask);  // gives every event a time
                       });
 }
 
-/// Returns the clock of the process at the other end. All subscriptions on a channel share one
+/// Returns the clock of the process at the other end. All subscriptions on a channel share this
 /// clock.
 EventFeed::SharedClock EventFeed::ClockOf(const std::shared_ptr<Channel>& channel) {
   const std::scoped_lock lock(mutex_);

@@ -17,14 +17,14 @@
 
 namespace tendon::client {
 
-/// Subscribes to events of processes on the channels of ProcessLinks. To the process, a
-/// subscription is the connection of a required interface that has only event handlers. Interrupted
-/// subscriptions are requested again twice a second. Thread-safe.
+/// Subscribes to events of processes on the channels of ProcessLinks. A process treats a
+/// subscription like the connection of a required interface that has only event handlers.
+/// Interrupted subscriptions are requested again twice a second. Thread-safe.
 class EventFeed final : public ChannelHandler, public std::enable_shared_from_this<EventFeed> {
  public:
   using Id = std::uint64_t;
-  /// Returns the descriptions of the wanted events from the current catalogue, in the same order,
-  /// or an error that says what is missing.
+  /// Looks up the wanted events in the current catalogue. Returns their descriptions in the same
+  /// order, or an error that says what is missing.
   using LookUp = std::function<Result<std::vector<MemberDescription>>(const EventSubscription&)>;
 
   /// `name` is the name of this program in the logs of the processes. The thread of `timer` must
@@ -33,10 +33,10 @@ class EventFeed final : public ChannelHandler, public std::enable_shared_from_th
             std::string name, std::chrono::milliseconds timeout);
 
   Id Listen(EventSubscription wanted, std::shared_ptr<EventSink> sink);
-  /// After the return, the sink is not called any more.
+  /// Ends a subscription. After this function has returned, the sink is not called any more.
   void End(Id id);
   /// Requests the interrupted subscriptions to a process again at once. Must be called when the
-  /// process has come back or has a new address.
+  /// process has returned or has a new address.
   void Retry(const std::string& process);
 
   void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
@@ -55,8 +55,8 @@ class EventFeed final : public ChannelHandler, public std::enable_shared_from_th
   void Ask(const SharedListener& listener, const std::shared_ptr<Channel>& channel,
            const SharedClock& clock, std::uint32_t attempt);
   void Fail(const SharedListener& listener, std::uint32_t attempt, const Error& reason);
-  /// Finds the subscription to which `handle` belongs: the number of its attempt or of one of its
-  /// events. Returns the subscription and its attempt.
+  /// Finds the subscription to which `handle` belongs, and its attempt. `handle` is the number of
+  /// the attempt or of one of its events.
   std::pair<SharedListener, std::uint32_t> Find(const Channel* channel, std::uint32_t handle);
   SharedListener Take(const Key& key);
 

@@ -16,9 +16,8 @@
 
 namespace tendon::client {
 
-/// One subscription to events of one interface. Each attempt to subscribe has a number, and
-/// messages that belong to earlier attempts are ignored. After End(), the sink is not called any
-/// more. Thread-safe.
+/// One subscription to events of one interface. Each attempt to subscribe has a number. Messages of
+/// earlier attempts are ignored. After End(), the sink is not called any more. Thread-safe.
 class EventListener {
  public:
   EventListener(EventSubscription wanted, std::shared_ptr<EventSink> sink)
@@ -26,7 +25,7 @@ class EventListener {
 
   [[nodiscard]] const EventSubscription& wanted() const { return wanted_; }
 
-  /// Begins an attempt. Returns false if another attempt is in progress or active, or if the
+  /// Begins an attempt. Returns false if an earlier attempt is in progress or active, or if the
   /// subscription has ended.
   bool Try(std::uint32_t attempt);
   /// The accepted attempt: its channel, its number in the other process, and the clock of that
@@ -40,9 +39,9 @@ class EventListener {
   /// outdated or the subscription has ended.
   bool OnSubscribed(std::uint32_t attempt, Subscription subscription,
                     const std::vector<MemberDescription>& events);
-  /// Called when the attempt has failed or ended. Reports the reason to the sink, unless it is the
-  /// same as the last one. Returns true if another attempt should follow later; false if this
-  /// attempt is outdated or the subscription has ended.
+  /// Called when the attempt has failed or ended. Reports the reason to the sink, unless the last
+  /// report had the same reason. Returns true if another attempt should follow later. Returns false
+  /// if this attempt is outdated or the subscription has ended.
   bool Fail(std::uint32_t attempt, const Error& reason);
   void End();
 

@@ -250,7 +250,7 @@ void GcmLink::Receive(const SharedChannel& channel, message::Changes changes) {
   if (has_hole) Watch(channel);
 }
 
-/// Lets equal parts of components share their memory, also with the components in the catalogue.
+/// Lets components share the memory of equal parts, also with components in the catalogue.
 void GcmLink::ShareDescriptions(std::vector<CatalogueChange>& changes) {
   const std::scoped_lock lock(mutex_);
   for (CatalogueChange& change : changes) {
@@ -262,8 +262,8 @@ void GcmLink::Receive(const SharedChannel& channel, message::LogRecords records)
   ReportLog(channel, [&] { return log_.Take(std::move(records)); });
 }
 
-/// If the channel is not outdated, calls `take`, which returns a batch of the log, and passes the
-/// batch to the listener.
+/// Calls `take`, which returns a batch of the log, and passes the batch to the listener. Does
+/// nothing if the channel is outdated.
 template <typename Take>
 void GcmLink::ReportLog(const SharedChannel& channel, Take&& take) {
   {
@@ -276,7 +276,7 @@ void GcmLink::ReportLog(const SharedChannel& channel, Take&& take) {
   });
 }
 
-/// Pings the GCM every second, because a link may stop working without being closed.
+/// Pings the GCM every second, because a broken link is not always closed.
 void GcmLink::Renew(const std::weak_ptr<Channel>& weak) {
   timer_->PostAfter(kRenewal, [self = weak_from_this(), weak] {
     const auto link = self.lock();
@@ -306,8 +306,8 @@ void GcmLink::Tick() {
   });
 }
 
-/// Returns the length of a recent pause of this program, because peers may have closed their links
-/// after it; zero if there was no pause. Called while the lock is held.
+/// Returns the length of a recent pause of this program; zero if there was no pause. After a pause,
+/// peers may have closed their links. Called while the lock is held.
 std::chrono::nanoseconds GcmLink::RecentPause() const {
   const SteadyTime now = SteadyClock().Now();
   if (now - last_tick_ >= kLongestPeerSilence) return now - last_tick_;
@@ -315,8 +315,8 @@ std::chrono::nanoseconds GcmLink::RecentPause() const {
 }
 
 /// Called when the channel is lost or cannot be opened. Reports the loss once, not at each attempt.
-/// After a pause of this program, the GCM is probably alive; in this case nothing is reported until
-/// the GCM has answered, and then the pause is reported.
+/// After a pause of this program, the GCM is probably alive. Then nothing is reported until the GCM
+/// has answered; after that, the pause is reported.
 void GcmLink::OnLost(const Error& reason) {
   std::optional<Error> news;
   {
@@ -338,7 +338,7 @@ void GcmLink::OnLost(const Error& reason) {
   Report([&] { events_.listener->OnGcmLost(*news); });
 }
 
-/// The error while there is no channel. Called while the lock is held.
+/// Returns the error for the time without a channel. Called while the lock is held.
 Error GcmLink::NoGcm() const {
   if (lost_ && lost_->code != ErrorCode::kUnreachable && lost_->code != ErrorCode::kTimeout) {
     return *lost_;

@@ -23,7 +23,7 @@ namespace tendon::client {
 /// channel breaks, it is opened again. Thread-safe.
 class GcmLink final : public std::enable_shared_from_this<GcmLink> {
  public:
-  /// A process that has a new address, or has come back.
+  /// A process that has a new address, or has returned.
   struct MovedProcess {
     std::string process;
     std::uint64_t instance = 0;  ///< the instance that runs now
@@ -38,8 +38,8 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
           std::shared_ptr<Worker> timer);
 
   void Start();
-  /// Closes the channel. If an event callback is running, waits until it returns; therefore Stop()
-  /// must not be called from an event callback.
+  /// Closes the channel. Waits for a running event callback, so it must not be called from an event
+  /// callback.
   void Stop();
 
   Result<void> WaitUntilWatching();
@@ -55,7 +55,7 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
     return read(catalogue_);
   }
 
-  /// Sends a request whose answer may take `timeouts` times the usual timeout.
+  /// Sends a request whose answer may take `timeouts` times the timeout of the client.
   template <Payload Answer, Message T>
   void Request(MessageType type, const T& value, std::function<void(Result<Answer>)> handler,
                int timeouts = 1);
@@ -93,7 +93,7 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   SharedChannel channel_;   // null while the channel is not open
-  bool is_waiting_ = true;  // true while the snapshot is not received; changes are ignored
+  bool is_waiting_ = true;  // true until the snapshot arrives; changes are ignored
   bool wants_log_ = false;
   Catalogue catalogue_;
   DescriptionPool pool_;
@@ -101,7 +101,7 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
   SteadyTime last_tick_ = SteadyClock().Now();
   SteadyTime awake_since_{};                     // end of the last pause of this program
   std::chrono::nanoseconds last_pause_{};        // length of the last pause
-  std::chrono::nanoseconds unreported_pause_{};  // pause that broke the link, not reported yet
+  std::chrono::nanoseconds unreported_pause_{};  // a pause that broke the link and must be reported
   LogFeed log_;
   Worker opener_{"client-gcm"};
 };

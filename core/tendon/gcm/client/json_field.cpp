@@ -22,8 +22,7 @@ std::string TakeKey(JsonScanner& walk) {
   return key.is_string() ? key.get<std::string>() : std::string();
 }
 
-/// Returns the element of a list. `step` is the index in the form "[3". Empty if there is no such
-/// element.
+/// Returns the element of a list; empty if it does not exist. `step` is the index in the form "[3".
 std::optional<std::string_view> Element(std::string_view list, std::string_view step) {
   std::size_t index = 0;
   const auto read = std::from_chars(step.data() + 1, step.data() + step.size(), index);
@@ -37,8 +36,8 @@ std::optional<std::string_view> Element(std::string_view list, std::string_view 
   return std::nullopt;
 }
 
-/// Returns the value of a key; empty if there is no such key. Adds the keys up to this one to
-/// `keys`.
+/// Returns the value of a key; empty if the key does not exist. Adds the keys before it, and the
+/// key itself, to `keys`.
 std::optional<std::string_view> Member(std::string_view object, const std::string& key,
                                        std::vector<std::string>& keys) {
   JsonScanner walk(object);

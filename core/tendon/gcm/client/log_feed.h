@@ -9,7 +9,7 @@
 namespace tendon::client {
 
 /// Keeps a viewer's position in the log of its GCM, and detects gaps. The position stays valid when
-/// the link is restored; with another GCM, the log begins again. Thread-safe.
+/// the link is restored. With another GCM, the position begins again. Thread-safe.
 class LogFeed {
  public:
   /// The request to send on a new channel.

@@ -54,8 +54,8 @@ void ProcessLinks::Drop(const std::string& process, std::uint64_t instance) {
   std::unique_lock lock(mutex_);
   const auto found = links_.find(process);
   if (found == links_.end() || !found->second.channel) return;
-  // If this program has already connected to the new instance, requests may be pending on that
-  // channel, so it stays open.
+  // This program may already have connected to the new instance. Then requests may be pending on
+  // the channel, so it stays open.
   if (found->second.channel->peer().instance == instance) return;
   const SharedChannel channel = std::exchange(found->second.channel, nullptr);
   lock.unlock();

@@ -16,19 +16,19 @@
 
 namespace tendon::client {
 
-/// Channels to processes. A channel is opened when it is first needed, in a separate thread, and is
+/// Channels to processes. A separate thread opens a channel when it is first needed. The channel is
 /// used until it closes. Thread-safe.
 class ProcessLinks final : public std::enable_shared_from_this<ProcessLinks> {
  public:
   using SharedChannel = std::shared_ptr<Channel>;
-  /// Receives an open channel, or the reason why there is none. Must not block.
+  /// Receives an open channel, or an error that says why there is no channel. Must not block.
   using Use = std::function<void(Result<SharedChannel>)>;
-  /// Returns the current description of a process, or the reason why it cannot be reached.
+  /// Returns the current description of a process, or an error that says why it cannot be reached.
   using Resolve = std::function<Result<ProcessDescription>(const std::string& process)>;
 
-  /// The name and the highest role of this program on the channels, and how long the opening of a
-  /// channel may take. A process that does not answer delays requests to other processes by this
-  /// time, because one thread opens all channels.
+  /// The name and the highest role of this program on the channels, and the time limit for opening
+  /// a channel. One thread opens all channels, so a process that does not answer delays requests to
+  /// other processes by this time.
   struct Options {
     std::string name;
     Role role = Role::kOperator;
@@ -38,13 +38,14 @@ class ProcessLinks final : public std::enable_shared_from_this<ProcessLinks> {
   /// The middleware must exist until Stop() returns.
   ProcessLinks(Middleware& middleware, Resolve resolve, Options options);
 
-  /// Must be called before the first WithChannel(). The listener receives the notices and the
-  /// closing of all channels.
+  /// Sets the listener that receives the notices and the closing of all channels. Must be called
+  /// before the first WithChannel().
   void SetNoticeListener(std::weak_ptr<ChannelHandler> listener) {
     listener_ = std::move(listener);
   }
-  /// Calls `use` with an open channel, or with the reason why there is none. If the channel is
-  /// already open, calls it at once; otherwise later, in the thread that opens the channel.
+  /// Calls `use` with an open channel, or with an error that says why there is no channel. If the
+  /// channel is already open, calls `use` at once; otherwise later, in the thread that opens the
+  /// channel.
   void WithChannel(const std::string& process, Use use);
   /// Closes the channel to a process if it leads to another instance than `instance`.
   void Drop(const std::string& process, std::uint64_t instance);

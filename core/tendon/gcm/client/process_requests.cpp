@@ -80,8 +80,9 @@ void ProcessRequests::Call(const Path& path, const MemberDescription& command,
                });
 }
 
-/// A process that does not know the types of its own command, such as a replay, cannot execute it;
-/// its answer to a call without an argument says why.
+/// Calls the command without an argument, because the answer says why the process cannot execute
+/// the command. A process that does not know the types of its own commands, such as a replay,
+/// cannot execute them.
 void ProcessRequests::AskForRefusal(const std::shared_ptr<const Order>& order, const Error& why) {
   const Path& path = order->path;
   const message::CallMember call{path.component, path.interface, path.member, {}, timeout_ * 3 / 4};
@@ -112,8 +113,8 @@ void ProcessRequests::GetVersion(const std::string& process,
           return Ask<message::ProgramVersion>(*self->timer_, *channel, message::kGetProgram, None{},
                                               self->timeout_, handler);
         }
-        // kDenied means that the program is too old to report its version. If the link was refused
-        // with kDenied, the caller must get another code.
+        // kDenied means that the program is too old to report its version. Therefore, a link that
+        // was refused with kDenied needs another code.
         const Error& why = channel.error();
         handler(Error{why.code == ErrorCode::kDenied ? ErrorCode::kFailed : why.code, why.message});
       });
@@ -148,7 +149,7 @@ void ProcessRequests::AskProcess(const std::string& process, MessageType type, c
 void ProcessRequests::Learn(const std::map<std::string, message::GetSchemas>& types,
                             Handler<void> handler) {
   const auto timeout = std::min(timeout_, std::chrono::milliseconds(500));
-  // The deleter calls the handler when the last copy is destroyed, so when all processes have
+  // The deleter calls the handler when the last copy is destroyed, which is when all processes have
   // answered.
   const std::shared_ptr<void> all(nullptr, [handler](void* /*nothing*/) { handler({}); });
   for (const auto& [process, wanted] : types) {
@@ -160,8 +161,7 @@ void ProcessRequests::Learn(const std::map<std::string, message::GetSchemas>& ty
   }
 }
 
-/// Asks the process for the schemas that are not known yet, and calls the handler when they are
-/// known.
+/// Asks the process for the schemas that are not known yet. Calls the handler when they are known.
 void ProcessRequests::FetchSchemas(const std::string& process,
                                    std::vector<Fingerprint> fingerprints, Handler<void> handler) {
   std::erase_if(fingerprints,

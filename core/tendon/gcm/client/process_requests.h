@@ -20,7 +20,7 @@
 
 namespace tendon::client {
 
-/// Sends requests to processes. Calls their commands with arguments and answers in JSON, which it
+/// Sends requests to processes. Calls commands with arguments and answers in JSON, which it
 /// converts with the schemas of the processes. Calls each handler once, unless the client closes.
 /// Thread-safe.
 class ProcessRequests final : public std::enable_shared_from_this<ProcessRequests> {
@@ -40,8 +40,8 @@ class ProcessRequests final : public std::enable_shared_from_this<ProcessRequest
   void GetProviderCounts(const message::Wire& wire, Handler<ConnectionCounts> handler);
   void GetFill(const std::string& process, const std::string& component,
                Handler<MailboxFill> handler);
-  /// Fetches schemas for FindSchema() from the processes that know them. Waits at most 500 ms for
-  /// the answer of a process.
+  /// Fetches schemas for FindSchema() from processes that know them. Waits at most 500 ms for each
+  /// process.
   void Learn(const std::map<std::string, message::GetSchemas>& types, Handler<void> handler);
 
  private:

@@ -23,8 +23,8 @@ void SourceClock::WhenKnown(Known known) {
   known(shared_from_this());
 }
 
-/// Sends a measurement. The pending request keeps this object alive until the answer arrives;
-/// afterwards only the users of this clock do.
+/// Sends a measurement. The pending request keeps this object alive until the answer arrives. After
+/// that, only the users of this clock keep it alive.
 void SourceClock::Ask() {
   tendon::Ask<message::Pong>(
       *timer_, channel_, message::kPing, None{}, timeout_,

@@ -25,12 +25,11 @@ class SourceClock final : public std::enable_shared_from_this<SourceClock> {
   SourceClock(std::shared_ptr<Worker> timer, std::shared_ptr<Channel> channel,
               std::chrono::milliseconds timeout);
 
-  /// Calls `known` once: with this object when the offset is known, or with an error. The call is
-  /// made at once, or later in a thread of the middleware or the timer.
+  /// Calls `known` once: with this object when the offset is known, or with an error. Calls it at
+  /// once, or later in a thread of the middleware or the timer.
   void WhenKnown(Known known);
 
-  /// Converts the time at which an event was raised from the other clock to the clock of this
-  /// process.
+  /// Converts the time of an event from the other process's clock to the clock of this process.
   [[nodiscard]] EventTime ToLocal(SteadyTime there) const;
 
  private:

@@ -13,7 +13,8 @@
 namespace tendon {
 namespace {
 
-/// Returns true if the component is already as in the file, so it need not be created.
+/// Returns true if the component already is as the file describes it, so that it need not be
+/// created.
 bool IsMadeAs(const SystemFile::Component* running, const SystemFile::Component& wanted) {
   return running != nullptr && running->class_name == wanted.class_name &&
          (wanted.library.empty() || running->library == wanted.library) &&
@@ -25,24 +26,24 @@ bool IsLoaded(const message::Classes& known, const std::string& library) {
          known.classes.end();
 }
 
-/// Returns true if a component of the process needs a plug-in that is not loaded. Its classes are
-/// not known yet.
+/// Returns true if a component of the process needs a plug-in that is not loaded. The classes of
+/// this plug-in are not known yet.
 bool LoadsMore(const message::Classes& known, const SystemFile::Process& process) {
   return std::ranges::any_of(process.components, [&known](const auto& component) {
     return !component.library.empty() && !IsLoaded(known, component.library);
   });
 }
 
-/// Returns the plug-in with the class of the component: the one in the file, or else the one of the
-/// present component.
+/// Returns the plug-in with the class of the component: from the file, or, if the file names none,
+/// from the present component.
 std::string LibraryOf(const SystemFile::Component& component, const ProcessEntry& process) {
   if (!component.library.empty()) return component.library;
   const auto now = process.components.find(component.name);
   return now == process.components.end() ? std::string() : now->second.library;
 }
 
-/// Returns the process as in the file, without the components that cannot be created as the file
-/// says. If such a component exists now, the result has the present component instead.
+/// Returns the process from the file, without the components that cannot be created. If such a
+/// component exists now, the result has the present component instead.
 SystemFile::Process Feasible(const SystemFile::Process& process, const SystemIndex& running,
                              const message::Classes& known, std::vector<std::string>& obstacles) {
   SystemFile::Process feasible = process;
@@ -70,7 +71,7 @@ SystemFile::Process Feasible(const SystemFile::Process& process, const SystemInd
 }
 
 /// Adds a note for each plug-in of the wanted components whose file has changed since a present
-/// process loaded it. `known` is used before the catalogue, because it is newer.
+/// process loaded it. Prefers `known` to the catalogue, because `known` is newer.
 void AddOldPlugins(const Catalogue& catalogue, const SystemFile& wanted, const KnownClasses& known,
                    std::vector<std::string>& notes) {
   for (const SystemFile::Process& process : wanted.processes) {

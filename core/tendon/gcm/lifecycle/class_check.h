@@ -11,15 +11,15 @@
 
 namespace tendon {
 
-// These functions check an order in the same way as the process will check it, before anything is
-// changed. They use the classes and plug-ins that the process has reported.
+// These functions check an order before anything is changed, in the same way as the process will
+// check it. They use the classes and plug-ins that the process has reported.
 
 /// Checks that the process can load the plug-in. Fails with kNotFound; the error suggests similar
 /// names.
 Result<void> CheckPlugIn(const message::Classes& known, const std::string& library);
 
-/// Checks an order to create a component: that the process has the class, and that the class
-/// accepts the configuration. If the plug-in is not loaded, its classes are unknown, so any class
+/// Checks an order to create a component: the process must have the class, and the class must
+/// accept the configuration. If the plug-in is not loaded, its classes are unknown, so every class
 /// and configuration is accepted.
 Result<void> CheckCreation(const message::Classes& known, const message::LifecycleOrder& order);
 
@@ -30,15 +30,14 @@ Result<void> CheckConfiguration(const ClassDescription& of, const std::string& c
 /// The classes that processes have reported, by process.
 using KnownClasses = std::map<std::string, message::Classes>;
 
-/// Returns the processes that should be asked for their classes before a plan is made: those that
-/// are present and have components to create or to configure.
+/// Returns the processes that must be asked for their classes before a plan is made. These are the
+/// present processes with components to create or to configure.
 [[nodiscard]] std::vector<std::string> ProcessesToAsk(const Catalogue& catalogue,
                                                       const SystemFile& wanted);
 
-/// Like MakePlan(), but if CheckCreation() refuses a component, the component stays unchanged and
-/// becomes an obstacle. In this way a mistake in the file is found before anything is stopped. The
-/// check uses the loaded plug-ins; if the file of a plug-in has changed since it was loaded, a note
-/// says so.
+/// Like MakePlan(), but a component that CheckCreation() refuses stays unchanged and becomes an
+/// obstacle. In this way, a mistake in the file is found before components are stopped. The check
+/// uses the loaded plug-ins. A note tells if the file of a plug-in has changed since it was loaded.
 [[nodiscard]] Plan MakeCheckedPlan(const Catalogue& catalogue, const SystemFile& wanted,
                                    const KnownClasses& known);
 

@@ -18,8 +18,8 @@ struct Follower {
   bool was_suspended = false;
 };
 
-/// Returns a text; empty if it is missing or is not a text, because a user may have edited the
-/// history file.
+/// Returns the text of a key. Returns an empty text if the key is missing or has another type,
+/// which is possible if a user has edited the history file.
 std::string TextAt(const ordered_json& object, const char* key) {
   const auto found = object.find(key);
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();

@@ -17,8 +17,8 @@ using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
 /// An undo sends all its orders within this many times the time limit of one order. The client
-/// waits for one more time limit (GcmClient::kUndoTimeouts), in which the undo stops components
-/// that must not run.
+/// waits for one more time limit (GcmClient::kUndoTimeouts). In this time, the undo can stop
+/// components that must not run.
 constexpr int kUndoOrderTimeouts = 5;
 
 std::string PathOf(const LifecycleOrder& order) {
@@ -45,7 +45,7 @@ Error UnknownOutcomeError(const LifecycleOrder& order, const Error& why) {
                                    "; see: gcm show " + PathOf(order)};
 }
 
-/// Returns the components that the undo of a step starts in addition to the component of the step.
+/// Returns the components that the undo of a step starts together with the component of the step.
 std::vector<std::string> StoppedWith(const message::HistoryEntry& step) {
   const bool is_stop = step.verb == ToString(LifecycleVerb::kStop);
   return is_stop ? FollowersOf(step.lifecycle) : std::vector<std::string>();
@@ -82,13 +82,13 @@ void LifecycleOrders::ExecuteOrder(const LifecycleOrder& order, const std::strin
   });
 }
 
-/// If the order changes a configuration, checks that the present configuration is still the one on
-/// which the order is based. If not, the error names the program that changed it, if this is known.
-/// The process checks this again, because it has the newest state.
+/// Checks that the present configuration is still the base of the order, if the order changes a
+/// configuration. Otherwise the error names the program that has changed the configuration, if this
+/// program is known. The process checks this again, because it has the newest state.
 Result<void> LifecycleOrders::CheckConfiguration(const LifecycleOrder& order) const {
   const auto* now = parts_.registry.catalogue().FindComponent(order.process, order.component);
   if (order.verb != LifecycleVerb::kConfigure || now == nullptr) return {};
-  UndoMark last;  // who made the last change, by a step or by its undo
+  UndoMark last;  // the author of the last change: of a step or of its undo
   std::string made;
   for (const message::HistoryEntry& step : parts_.history.steps().entries) {
     const message::LifecycleStep& lifecycle = step.lifecycle;
@@ -108,7 +108,7 @@ Result<void> LifecycleOrders::CheckConfiguration(const LifecycleOrder& order) co
   return CheckBase(order, now->configuration, by);
 }
 
-/// Records a step if it was executed, or if this is unknown; then answers.
+/// Records the step if it was executed, or if this is unknown. Then answers.
 void LifecycleOrders::Record(message::HistoryEntry entry, const Result<LifecycleOutcome>& outcome,
                              const Done<None>& done) {
   Result<None> answer = outcome ? Result<None>(None{}) : outcome.error();
@@ -167,8 +167,8 @@ void LifecycleOrders::ListClasses(const std::string& process, Done<message::Clas
                 std::move(done));
 }
 
-/// Marks the component as busy. Returns `done`, wrapped so that it also releases the component. If
-/// an order for the component is in progress, answers with an error and returns null.
+/// Marks the component as busy. Returns a wrapped `done` that also releases the component. If
+/// another order for the component is in progress, answers with an error and returns null.
 LifecycleOrders::Done<None> LifecycleOrders::Claim(const Path& path, Done<None> done) {
   // A process executes orders without a component one at a time.
   if (path.second.empty()) return done;
@@ -223,15 +223,15 @@ nanoseconds LifecycleOrders::PatienceOf(nanoseconds asked) const {
   return std::min<nanoseconds>(asked, std::chrono::hours(1));
 }
 
-/// Returns how long to wait for the answer to an order. This is shorter than the client waits,
-/// which is twice the patience.
+/// Returns how long to wait for the answer to an order. The client waits longer: twice the
+/// patience.
 milliseconds LifecycleOrders::Longest(nanoseconds patience) const {
   const auto most = std::chrono::ceil<milliseconds>(patience);
   return most + std::min(timeout_, most / 2);
 }
 
-/// Sends the orders one after the other. Ends at the first order that fails, or when no time is
-/// left until `until`.
+/// Sends the orders one after the other. Ends at the first order that fails, or at the time
+/// `until`.
 void LifecycleOrders::SendAll(std::vector<LifecycleOrder> orders, SteadyTime until,
                               Done<None> done) {
   if (orders.empty()) return Answer(std::move(done), Result<None>(None{}));
@@ -240,7 +240,7 @@ void LifecycleOrders::SendAll(std::vector<LifecycleOrder> orders, SteadyTime unt
   if (first.verb == LifecycleVerb::kStart && claim != busy_.end() && claim->second) {
     return Answer(
         std::move(done),
-        Result<None>(Error{ErrorCode::kFailed, PathOf(first) + " was ordered to stop meanwhile, so "
+        Result<None>(Error{ErrorCode::kFailed, PathOf(first) + " has been ordered to stop, so "
                                                                "it is not started"}));
   }
   const auto patience = PatienceWithin(PatienceOf(first.patience), until - SteadyClock().Now());
@@ -260,8 +260,8 @@ void LifecycleOrders::SendAll(std::vector<LifecycleOrder> orders, SteadyTime unt
   });
 }
 
-/// Sends orders of which the first starts the leader of the other components. If a later order
-/// fails, stops the leader, and the other components stop with it.
+/// Sends orders whose first order starts the leader of the other components. If a later order
+/// fails, stops the leader. Then the other components stop, too.
 void LifecycleOrders::RunAgain(std::vector<LifecycleOrder> orders, SteadyTime until,
                                Done<None> done) {
   const LifecycleOrder leader = orders.front();

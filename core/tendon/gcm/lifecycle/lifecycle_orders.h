@@ -16,21 +16,21 @@
 
 namespace tendon::server {
 
-/// Executes orders for the lifecycle of components: forwards each order to the LCM of its process,
-/// and records it in the history. Only one order for a component is in progress at a time. A stop
-/// is forwarded even if another order is in progress; orders that could start the component and are
-/// still pending are then cancelled.
+/// Executes orders for the lifecycle of components. Forwards each order to the LCM of its process,
+/// and records it in the history. Only one order for a component is in progress at a time. However,
+/// a stop is forwarded even if another order is in progress; pending orders that could start the
+/// component are then cancelled.
 ///
-/// An LCM asks the GCM before it executes an order (Begin()). An order that was not begun in time
-/// is cancelled and never executed. If an order was begun, but its outcome does not arrive in time,
+/// An LCM asks the GCM before it executes an order (Begin()). An order that does not begin in time
+/// is cancelled and never executed. If an order has begun, but its outcome does not arrive in time,
 /// the order is recorded with an unknown outcome.
 ///
 /// No function blocks. All functions must be called while the owner's lock is held. `done` is
-/// called once, while the lock is not held.
+/// called once, after the lock is released.
 class LifecycleOrders : private OrderSender {
  public:
   /// Takes the owner's lock, calls its argument with the LifecycleOrders, releases the lock, and
-  /// runs the deferred actions. Does nothing if the owner is gone.
+  /// runs the deferred actions. Does nothing if the owner no longer exists.
   using Locked = std::function<void(const std::function<void(LifecycleOrders&)>&)>;
   template <typename T>
   using Done = OrderSender::Done<T>;
@@ -41,20 +41,21 @@ class LifecycleOrders : private OrderSender {
     DeferredActions& deferred;
     Worker& worker;  ///< provides timeouts
   };
-  /// The answer to an order may arrive up to `timeout` later than the patience of the order allows.
+  /// `timeout` is the time that the answer to an order may need in addition to the patience of the
+  /// order.
   LifecycleOrders(Parts parts, Locked locked, std::chrono::milliseconds timeout);
 
   /// Executes an order that `who` has requested.
   void ExecuteOrder(const message::LifecycleOrder& order, const std::string& who, Done<None> done);
-  /// Restores connections, then calls its argument with the outcome. This call may be made while
-  /// the lock is held.
+  /// Restores connections, then calls its argument with the outcome. The lock may be held during
+  /// this call.
   using Connect = std::function<void(Done<None>)>;
-  /// Undoes a step. Calls `connect` before components are started, while the lock is not held. The
-  /// undo is not recorded in the history.
+  /// Undoes a step. Calls `connect` without the lock, before it starts components. The undo is not
+  /// recorded in the history.
   void Undo(const message::HistoryEntry& step, std::chrono::nanoseconds patience, Connect connect,
             Done<None> done);
-  /// Called when the process `by` is about to execute an order. If this returns an error, the
-  /// process does not execute the order.
+  /// Called when the process `by` is about to execute an order. If it returns an error, the process
+  /// does not execute the order.
   [[nodiscard]] Result<void> Begin(std::uint64_t order, const std::string& by);
   void ListClasses(const std::string& process, Done<message::Classes> done);
 

@@ -34,7 +34,7 @@ Error ChangedError(const LifecycleStep& step, const std::string& how) {
   return {ErrorCode::kFailed, PathOf(step) + " " + how};
 }
 
-/// Returns the state in which a step leaves its component, if the verb changes the state.
+/// Returns the state of a component after a step, if the verb changes the state.
 std::optional<ComponentState> StateAfter(std::string_view verb) {
   if (verb == ToString(LifecycleVerb::kStart)) return ComponentState::kActive;
   if (verb == ToString(LifecycleVerb::kSuspend)) return ComponentState::kSuspended;
@@ -195,8 +195,8 @@ Result<void> CheckUndo(const Catalogue& catalogue, const HistoryEntry& step) {
   if (is_other) return ChangedError(lifecycle, "is of class " + now->class_name + " now");
   const std::string state(ToString(now->state));
   if (const auto after = StateAfter(step.verb)) {
-    // After a stop, an undo may have created the component again. It has not run since, so it still
-    // counts as stopped.
+    // After a stop, an undo may have created the component again. If it has not run after that, it
+    // still counts as stopped.
     const bool is_stopped = *after == ComponentState::kFinished && !IsRunning(now->state) &&
                             now->state != ComponentState::kFaulted;
     if (now->state != *after && !is_stopped) return ChangedError(lifecycle, "is " + state + " now");
@@ -237,8 +237,7 @@ UndoPlan PlanUndo(const HistoryEntry& step, std::chrono::nanoseconds patience) {
     create.thread = lifecycle.thread;
     create.leader = lifecycle.leader;
     plan.first.push_back(create);
-    if (!step.is_unknown)
-      AddOrdersInto(lifecycle.state, order, plan.then);  // otherwise its state is unknown
+    if (!step.is_unknown) AddOrdersInto(lifecycle.state, order, plan.then);
   } else if (step.verb == ToString(LifecycleVerb::kConfigure)) {
     order.verb = LifecycleVerb::kConfigure;
     order.configuration = lifecycle.former;

@@ -140,7 +140,7 @@ Result<Part> Find(Whole& whole, const std::vector<Step>& steps) {
   return part;
 }
 
-/// Copies the changed value from `value` to `told`. Copies only this field; if an element of a list
+/// Copies the changed value from `value` to `told`. Copies only this field. If an element of a list
 /// has changed, copies the whole list.
 void Tell(Whole& whole, const std::vector<Step>& steps) {
   OrderedJson* told = &whole.told;

@@ -13,7 +13,7 @@ namespace tendon {
 struct Parameter {
   std::string name;    ///< "noise", "gain.x"
   std::string type;    ///< "float64[7]"
-  std::string unit;    ///< empty if it has none
+  std::string unit;    ///< empty if the parameter has no unit
   std::string values;  ///< the possible values, "0 to 1" or "off, on"; may be empty
   std::string help;    ///< the description from the class; may be empty
   std::string value;   ///< the present value, JSON
@@ -27,19 +27,19 @@ struct ChangedParameter {
 };
 
 /// Returns all parameters of a component of class `of`, in the order of its configuration type.
-/// `told` is the configuration of the component; fields that keep their default may be missing in
-/// it.
+/// `told` is the configuration of the component. Fields with default values may be missing in
+/// `told`.
 Result<std::vector<Parameter>> ParametersOf(const ClassDescription& of, const std::string& told);
 
-/// Returns the parameter with this name; if it is a structure, the parameters inside it: "home",
-/// "gain". Fails with kNotFound; the error suggests similar names.
+/// Returns the parameter with this name ("home"). For a structure ("gain"), returns the parameters
+/// inside it. Fails with kNotFound; the error suggests similar names.
 Result<std::vector<Parameter>> ParametersAt(const ClassDescription& of, const std::string& told,
                                             const std::string& name);
 
-/// Replaces the value of the parameter, field or element with this name, such as "gain.x" or
-/// "home[2]". `value` is JSON, but a string or an enumerator needs no quotes. Fails with kNotFound
-/// if a part of the name does not exist; the error says which. Fails with kInvalid if the value is
-/// wrong; the error says what was expected and what was found.
+/// Replaces the value of a parameter, a field or an element, such as "gain.x" or "home[2]". `value`
+/// is JSON, but a string or an enumerator needs no quotes. Fails with kNotFound if a part of the
+/// name does not exist; the error names that part. Fails with kInvalid if the value is wrong; the
+/// error says what was expected and what was found.
 Result<ChangedParameter> ChangeParameter(const ClassDescription& of, const std::string& told,
                                          const std::string& name, const std::string& value);
 

@@ -6,7 +6,7 @@
 namespace tendon {
 namespace {
 
-/// Checks that the connection is still as the step left it, and can be restored.
+/// Checks that the connection has not changed since the step, and that it can be restored.
 Result<void> CheckWire(const Catalogue& catalogue, const message::History& history,
                        const message::HistoryEntry& step) {
   const InterfaceName& needed = step.wire.required;

@@ -8,14 +8,14 @@
 
 namespace tendon {
 
-/// Checks, as far as catalogue and history show, that everything that a step of `history` changed
-/// is still as the step left it, and can be restored. The GCM calls this before an undo; other
-/// programs use it for a preview. If the step started a process, the GCM makes further checks.
+/// Checks that a step of `history` can be undone: nothing that it changed has been changed again,
+/// as far as catalogue and history show this. The GCM calls this before an undo; other programs use
+/// it for a preview. For a step that started a process, the GCM makes further checks.
 Result<void> CheckUndoOf(const Catalogue& catalogue, const message::History& history,
                          const message::HistoryEntry& step);
 
 /// Returns true if undoing a disconnect or a replacement restores a connection that was pending.
-/// This is so if an earlier step removed the component of the provider and the component is still
+/// This is the case if an earlier step removed the provider's component and the component is still
 /// missing.
 [[nodiscard]] bool WasPending(const Catalogue& catalogue, const message::History& history,
                               const message::HistoryEntry& step);
@@ -23,7 +23,8 @@ Result<void> CheckUndoOf(const Catalogue& catalogue, const message::History& his
 /// The error "cannot undo step 7 (...): why".
 [[nodiscard]] Error CannotUndo(const message::HistoryEntry& step, const Error& why);
 
-/// The same error for a step that can only be skipped. It also says how to skip the step.
+/// Like CannotUndo(), but for a step that can only be skipped. The error also says how to skip the
+/// step.
 [[nodiscard]] Error CannotUndoNow(const message::HistoryEntry& step, const std::string& why);
 
 }  // namespace tendon

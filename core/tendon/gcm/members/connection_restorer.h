@@ -12,24 +12,24 @@
 
 namespace tendon::server {
 
-/// Keeps the connections of processes that are gone. When a process has returned and both
-/// interfaces exist again, its connections are due to be restored. Each connection is kept until it
-/// is made or finally refused. Not thread-safe.
+/// Keeps the connections of processes that are absent. They are restored when the process has
+/// returned and both interfaces exist again. Each connection is kept until it is made or finally
+/// refused. Not thread-safe.
 class ConnectionRestorer {
  public:
-  /// Adds the present connections of the process to the kept ones.
+  /// Adds the present connections of the process to the kept connections.
   void Keep(const Catalogue& catalogue, const std::string& process);
   void Drop(const std::string& process);
 
-  /// Returns the connections that can be made now. A connection is not returned again before
-  /// Settle() was called for it. If a component has returned with another class, or the required
-  /// interface was connected meanwhile, its connection is dropped silently.
+  /// Returns the connections that can be made now. Returns a connection again only after Settle()
+  /// was called for it. Drops a connection silently if a component has returned with another class,
+  /// or if the required interface has been connected.
   std::vector<message::Wire> TakeDue(const Catalogue& catalogue, SteadyTime now);
 
   enum class Verdict { kDone, kTryAgain, kStillTrying, kGivenUp };
   /// Called with the outcome of an attempt to make a connection. After a temporary failure, the
-  /// connection is due again after a pause, which grows with each failure. The verdict is then
-  /// kTryAgain for the first failure, and kStillTrying for further ones.
+  /// connection is due again after a pause, which grows with each failure. Then the verdict is
+  /// kTryAgain for the first failure, and kStillTrying for further failures.
   Verdict Settle(const message::Wire& wire, const Result<void>& outcome, SteadyTime now);
 
   /// Returns true if the pause of a connection is over. TakeDue() may then return connections

@@ -6,8 +6,8 @@
 
 namespace tendon::server {
 
-/// Actions that are added while a lock is held and run after it is released: answering, sending,
-/// logging. They run one at a time, in the order of Add(), in a thread that calls Flush().
+/// Actions that are added while a lock is held, and run after the lock is released: answering,
+/// sending, logging. They run one at a time, in the order of Add(), in a thread that calls Flush().
 /// Thread-safe.
 class DeferredActions {
  public:
@@ -15,7 +15,7 @@ class DeferredActions {
 
   void Add(Action action);
   /// Runs all pending actions. If another thread is already running actions, returns at once, and
-  /// that thread also runs the new ones.
+  /// that thread also runs the pending actions.
   void Flush();
 
  private:

@@ -12,9 +12,9 @@
 
 namespace tendon::server {
 
-/// Sends orders to processes, and sends the answers to the clients that requested them. All
-/// functions must be called while the owner's lock is held. Orders and answers are sent, and `done`
-/// is called once, after the lock is released.
+/// Sends orders to processes, and sends the answers to the clients that requested the orders. All
+/// functions must be called while the owner's lock is held. Orders and answers are sent after the
+/// lock is released; then `done` is called once.
 class OrderSender {
  public:
   template <typename T>
@@ -29,8 +29,8 @@ class OrderSender {
     deferred_.Add([done = std::move(done), result = std::move(result)] { done(result); });
   }
 
-  /// Sends an order. `done` gets the answer; kFailed if the process is not available; kTimeout if
-  /// there is no answer within `longest`.
+  /// Sends an order. `done` gets the answer. Errors: kFailed if the process is not available;
+  /// kTimeout if no answer arrives within `longest`.
   template <typename T, Message Body>
   void Send(MessageType type, const std::string& process, const Body& body,
             std::chrono::milliseconds longest, Done<T> done) {

@@ -14,16 +14,16 @@ namespace {
 
 using Kind = CatalogueChange::Kind;
 
-/// Returns how many cores a process kept busy between two reports, measured with the clock of the
-/// process. Negative if the reports are inconsistent.
+/// Returns how many cores a process has used on average between two reports. The time is measured
+/// with the clock of the process. Negative if the reports are inconsistent.
 double CoresBetween(const message::Health& before, const message::Health& after) {
   const double passed = static_cast<double>(after.time) - static_cast<double>(before.time);
   const double used = static_cast<double>(after.cpu_time) - static_cast<double>(before.cpu_time);
   return passed > 0.0 && used >= 0.0 ? used / passed : -1.0;
 }
 
-/// Returns true if the change would not change the catalogue. Such a change is dropped, so there is
-/// no new revision.
+/// Returns true if the catalogue already contains the result of the change. This change is dropped
+/// and makes no new revision.
 bool ChangesNothing(const CatalogueChange& change, const ProcessEntry* entry) {
   if (entry == nullptr) return false;
   switch (change.kind) {
@@ -47,8 +47,8 @@ bool ChangesNothing(const CatalogueChange& change, const ProcessEntry* entry) {
   return false;
 }
 
-/// Returns the changes that remove the connections and components that are in the catalogue, but
-/// not in `join`.
+/// Returns the changes that remove the connections and components that are in the catalogue but not
+/// in `join`.
 std::vector<CatalogueChange> Removals(const ProcessEntry& before, const message::Join& join) {
   std::vector<CatalogueChange> changes;
   for (const auto& [id, connection] : before.connections) {
@@ -109,8 +109,8 @@ void Registry::Enter(const message::Join& join, const std::string& link, std::in
   process.state = ProcessState::kAlive;
   process.reason = WhyOutOfReach(process.address, link);
   process.since = now;
-  // If the process kept running, it still has its connections, so there is nothing to restore. If
-  // this is a new instance, the connections of the old instance are restored.
+  // A process that kept running still has its connections, so nothing is restored. For a new
+  // instance, the connections of the old instance are restored.
   const ProcessEntry* before = catalogue_.FindProcess(name);
   if (before != nullptr && before->process.instance == process.instance) restorer_.Drop(name);
   Apply({.kind = Kind::kProcess, .process = name, .processes = {process}});
@@ -198,8 +198,8 @@ void Registry::End(SessionToken session, ProcessState state, const std::string& 
   members_.erase(found);
   restorer_.Keep(catalogue_, name);
   tombstones_[name] = clock_.Now();
-  // If a process hangs, the middleware may close its link before its lease ends. Also in this case,
-  // the reason must say that the process was silent.
+  // The middleware may close the link of a hanging process before its lease ends. Even then, the
+  // reason must say that the process was silent.
   const bool was_silent = state == ProcessState::kLost && silence >= leases_.suspect_after &&
                           !reason.starts_with(kNoRenewal);
   const std::string before =
@@ -263,7 +263,7 @@ std::vector<std::shared_ptr<Channel>> Registry::Tick() {
   ExtendLeases(now);
   std::vector<std::pair<SessionToken, std::chrono::nanoseconds>> given_up;
   for (const auto& [session, member] : members_) {
-    // A large message may delay the renewal, so its parts also count as signs of life.
+    // The parts of a large message also count as signs of life, because they may delay the renewal.
     const SteadyTime last_part = member.channel ? member.channel->last_part() : SteadyTime();
     const auto silence = now - std::max(member.renewed, last_part);
     if (silence >= leases_.lost_after) {
@@ -282,8 +282,8 @@ std::vector<std::shared_ptr<Channel>> Registry::Tick() {
   return channels;
 }
 
-/// If this program was suspended, extends the leases by the length of the pause, because renewals
-/// may have arrived that are not read yet.
+/// If this program was suspended, extends the leases by the length of the pause. Renewals may have
+/// arrived that this program has not read yet.
 void Registry::ExtendLeases(SteadyTime now) {
   constexpr std::chrono::milliseconds kUsual(250);
   const auto pause = now - std::exchange(last_tick_, now);
@@ -378,7 +378,7 @@ void Registry::SetState(const std::string& process, ProcessState state, const st
   Apply({.kind = Kind::kProcess, .process = process, .processes = {description}});
 }
 
-/// Sets the connections of a process that is gone to pending.
+/// Sets the connections of an absent process to pending.
 void Registry::SuspendConnections(const std::string& process) {
   const auto connections = catalogue_.FindProcess(process)->connections;
   for (auto [id, connection] : connections) {

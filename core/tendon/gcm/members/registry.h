@@ -22,36 +22,35 @@ class Channel;
 
 namespace tendon::server {
 
-/// Time limits: when a member that does not renew its lease becomes suspect and then lost, and when
-/// a process that is gone is removed from the catalogue.
+/// Time limits: when a member without renewals becomes suspect, when it becomes lost, and when an
+/// absent process is removed from the catalogue.
 struct Leases {
   std::chrono::milliseconds suspect_after{750};
   std::chrono::milliseconds lost_after{1500};
   std::chrono::hours tombstone_for{24};
 };
 
-/// A random number that identifies a membership and proves it; 0: none.
+/// A random number that identifies a membership, and proves that a process has it; 0: none.
 using SessionToken = std::uint64_t;
 
-/// The processes that have joined (members), and the catalogue that results from their reports. No
-/// two members have the same name. The registry only makes decisions; the caller sends messages and
-/// closes channels. Not thread-safe.
+/// The processes that have joined, called members, and the catalogue that results from their
+/// reports. No two members have the same name. The registry only makes decisions. The caller sends
+/// messages and closes channels. Not thread-safe.
 class Registry {
  public:
   Registry(Leases leases, const Clock& clock) : leases_(leases), clock_(clock) {}
 
   struct Admission {
     SessionToken session = 0;
-    /// The channel of the membership that this one continues; may be null.
+    /// The channel of the membership that the new membership continues; may be null.
     std::shared_ptr<Channel> replaced;
   };
   /// Adds a member. If `held` is the session of the present membership of the same process
-  /// instance, the new membership continues it. Fails with kInvalid for invalid data, and with
-  /// kExists if another process has the name; the error describes that process.
+  /// instance, the new membership continues this membership. Fails with kInvalid for invalid data,
+  /// and with kExists if another process has the name; the error describes that process.
   Result<Admission> Join(message::Join join, SessionToken held, std::shared_ptr<Channel> channel);
 
-  /// Applies the changes in a report. Skips invalid changes; the error describes the first invalid
-  /// one.
+  /// Applies the changes in a report. Skips invalid changes; the error describes the first of them.
   Result<void> Report(SessionToken session, message::Report report);
   /// Renews the lease of a member. Fails with kDenied if the membership has ended.
   Result<void> Renew(SessionToken session);
@@ -61,23 +60,23 @@ class Registry {
   /// Ends a membership. The process stays in the catalogue with `state`, which is lost or left.
   /// Does nothing if the membership has already ended.
   void End(SessionToken session, ProcessState state, const std::string& reason);
-  /// Called when the GCM is about to start the program of a process (`pid` is 0), and again when it
-  /// is started. Until the process joins, the catalogue shows it as starting, with its former
-  /// components. Does nothing if there is a member with this name.
+  /// Called when the GCM is about to start the program of a process (`pid` is 0), and again when
+  /// the program is started. The catalogue shows the process as starting, with its former
+  /// components, until it joins. Does nothing if there is a member with this name.
   void Expect(const std::string& process, std::int64_t pid);
   /// Called when an expected process will not join. Restores the former entry of the process in the
-  /// catalogue, or removes the entry if there was none. Does nothing if the process is not
-  /// expected.
+  /// catalogue. Removes the present entry if there was no former entry. Does nothing if the process
+  /// is not expected.
   void GiveUp(const std::string& process);
-  /// Sets the reason why a process is gone. Returns false if the catalogue has no process with this
-  /// name, or if the process is present.
+  /// Sets the reason why a process is absent. Returns false if the catalogue has no process with
+  /// this name, or if the process is present.
   bool SetReason(const std::string& process, const std::string& reason);
-  /// Removes from the catalogue a process that is lost or has left. Fails with kNotFound for an
-  /// unknown process, and with kFailed for one that is present or starting.
+  /// Removes a process that is lost or has left from the catalogue. Fails with kNotFound for an
+  /// unknown process, and with kFailed for a process that is present or starting.
   Result<void> Forget(const std::string& process);
 
-  /// Checks the leases; must be called regularly. Returns the channels of members that are lost
-  /// now; the caller must close them.
+  /// Checks the leases; must be called regularly. Returns the channels of members that have just
+  /// been lost. The caller must close these channels.
   std::vector<std::shared_ptr<Channel>> Tick();
 
   [[nodiscard]] const Catalogue& catalogue() const { return catalogue_; }
@@ -92,7 +91,7 @@ class Registry {
   /// Returns the changes of the catalogue since the last call.
   [[nodiscard]] std::vector<CatalogueChange> TakeChanges() { return std::exchange(changes_, {}); }
   /// Returns the connections that should be restored now. The caller must call OnRestored() with
-  /// the outcome of each.
+  /// the outcome for each of them.
   [[nodiscard]] std::vector<message::Wire> TakeDueConnections();
   ConnectionRestorer::Verdict OnRestored(const message::Wire& wire, const Result<void>& outcome);
 
@@ -126,7 +125,7 @@ class Registry {
   Catalogue catalogue_;
   DescriptionPool pool_;
   std::map<SessionToken, Member> members_;
-  std::map<std::string, SteadyTime> tombstones_;  // since when a process is gone, by name
+  std::map<std::string, SteadyTime> tombstones_;  // when each absent process was lost, by name
   /// Processes that are being started, with their former entries in the catalogue.
   std::map<std::string, std::optional<ProcessDescription>> expected_;
   ConnectionRestorer restorer_;

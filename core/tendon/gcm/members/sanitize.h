@@ -6,7 +6,7 @@
 
 #include <string>
 
-/// Functions that clean up the data of an LCM: they check names, shorten free texts and make them
+/// Functions that clean up the data of an LCM. They check names, shorten free texts and make them
 /// printable, and fill in missing process names. Errors have the code kInvalid.
 namespace tendon::server {
 
@@ -18,8 +18,8 @@ Result<void> Sanitize(ConnectionDescription& connection, const std::string& proc
 /// Checks everything in a Join; components and connections must be unique.
 Result<void> Sanitize(message::Join& join);
 
-/// Checks one change in a Report. It must be about `process` and must contain exactly one object of
-/// its kind.
+/// Checks one change in a Report. The change must be about `process` and must contain exactly one
+/// object of its kind.
 Result<void> Sanitize(CatalogueChange& change, const std::string& process);
 
 void Sanitize(message::LogRecords& batch);

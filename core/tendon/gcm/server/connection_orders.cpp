@@ -15,13 +15,13 @@ namespace {
 void LogRestored(const message::Wire& wire, const Result<void>& outcome,
                  ConnectionRestorer::Verdict verdict) {
   const std::string what = ToString(wire.required) + " to " + ToString(wire.provided);
-  if (outcome) return Log(LogLevel::kInfo, "gcm", "connected again: " + what);
+  if (outcome) return Log(LogLevel::kInfo, "gcm", "restored the connection of " + what);
   const bool is_told = verdict == ConnectionRestorer::Verdict::kStillTrying;
-  // The process has restored it itself.
+  // After kExists, the process has restored the connection itself.
   if (is_told || outcome.error().code == ErrorCode::kExists) return;
   const bool is_over = verdict == ConnectionRestorer::Verdict::kGivenUp;
   Log(LogLevel::kWarning, "gcm",
-      "cannot connect again " + what + ": " + outcome.error().message +
+      "cannot restore the connection of " + what + ": " + outcome.error().message +
           (is_over ? "" : "; trying again"));
 }
 
@@ -44,8 +44,8 @@ Result<void> OutcomeOf(const auto& result) { return result ? Result<void>() : re
 
 }  // namespace
 
-/// Makes a connection. The object lives as long as one of its callbacks is pending. Each step is
-/// called while the owner's lock is held.
+/// Makes a connection. The object exists until all its callbacks were called. Each step is called
+/// while the owner's lock is held.
 class ConnectionOrders::ConnectOrder final : public std::enable_shared_from_this<ConnectOrder> {
  public:
   ConnectOrder(message::Wire wire, ConnectDone done)
@@ -60,9 +60,9 @@ class ConnectionOrders::ConnectOrder final : public std::enable_shared_from_this
   const ConnectDone done_;
 };
 
-/// Replaces the connection of a required interface if the new one is possible: breaks the old
-/// connection, makes the new one, and restores the old one if the new one fails. The object lives
-/// as long as one of its callbacks is pending. Each step is called while the owner's lock is held.
+/// Replaces the connection of a required interface if the new connection is possible: breaks the
+/// old connection, makes the new one, and restores the old one if this fails. The object exists
+/// until all its callbacks were called. Each step is called while the owner's lock is held.
 class ConnectionOrders::ReplaceOrder final : public std::enable_shared_from_this<ReplaceOrder> {
  public:
   ReplaceOrder(message::Wire wire, std::string who, Done<Replacement> done)
@@ -208,8 +208,8 @@ void ConnectionOrders::RestoreConnection(const message::Wire& wire) {
   });
 }
 
-/// Marks the interface as busy. Returns `done`, wrapped so that it also releases the interface. If
-/// a change of the interface is in progress, answers with an error and returns null.
+/// Marks the interface as busy. Returns a wrapped `done` that also releases the interface. If
+/// another change of the interface is in progress, answers with an error and returns null.
 template <typename T>
 ConnectionOrders::Done<T> ConnectionOrders::Claim(const InterfaceName& required, Done<T> done) {
   if (!busy_.insert(required).second) {
@@ -226,7 +226,7 @@ ConnectionOrders::Done<T> ConnectionOrders::Claim(const InterfaceName& required,
   };
 }
 
-/// Records the step, and answers when the step is written.
+/// Records the step. Answers when the step is on the disk.
 template <typename T>
 void ConnectionOrders::Record(message::HistoryEntry step, std::type_identity_t<Result<T>> answer,
                               Done<T> done) {
@@ -237,8 +237,8 @@ void ConnectionOrders::Record(message::HistoryEntry step, std::type_identity_t<R
 }
 
 /// Makes the plan and calls `planned` with it while the lock is held. If the interfaces do not fit,
-/// may first ask both processes for schemas, so that the refusal can name the first difference of
-/// two types.
+/// may first ask both processes for schemas. Then the refusal can name the first difference of two
+/// types.
 void ConnectionOrders::Plan(const message::Wire& wire, WhenConnected when_connected,
                             const Planned& planned) {
   static constexpr std::chrono::milliseconds kLongest(400);
@@ -276,8 +276,8 @@ void ConnectionOrders::Make(const message::Wire& wire, ConnectDone done) {
   std::make_shared<ConnectOrder>(wire, std::move(done))->Start(*this);
 }
 
-/// Requests a connection to an absent provider. Disconnects the required interface first if it is
-/// connected.
+/// Requests a connection to an absent provider. If the required interface is connected, disconnects
+/// it first.
 void ConnectionOrders::MakePending(const message::Wire& wire, const ConnectDone& done) {
   const auto claimed = Claim(wire.required, done);
   if (!claimed) return;
@@ -308,8 +308,8 @@ void ConnectionOrders::Exchange(const message::Wire& wire, const std::string& wh
   std::make_shared<ReplaceOrder>(wire, who, std::move(done))->Start(*this);
 }
 
-/// Sends the order to make a connection. If no answer arrives, `done` gets the state of the
-/// connection from the catalogue, if the process has reported it.
+/// Sends the order to make a connection. If no answer arrives, but the process has reported the
+/// connection, `done` gets its state from the catalogue.
 void ConnectionOrders::SendMake(const message::ConnectionPlan& plan, ConnectDone done) {
   const auto heard = [locked = locked_, wire = plan.wire,
                       done = std::move(done)](Result<ConnectionDescription> made) {
@@ -347,7 +347,7 @@ void ConnectionOrders::UndoLifecycle(const message::HistoryEntry& step,
   parts_.lifecycle.Undo(step, patience, connect, done);
 }
 
-/// Restores the connections of a component that was created again. If one of them cannot be
+/// Restores the connections of a component that was created again. If a connection cannot be
 /// restored, `done` gets an error, and the component is not started.
 void ConnectionOrders::MakeAgain(const message::HistoryEntry& step, const Done<None>& done) {
   struct Answers {
@@ -438,8 +438,8 @@ void ConnectionOrders::ReplaceOrder::OnBroken(ConnectionOrders& orders,
                   orders.Step(shared_from_this(), &ReplaceOrder::OnMade));
 }
 
-/// Decides whether the new connection stays. If the old connection was active, the new one must be
-/// active too; otherwise the old one is restored.
+/// Decides whether the new connection stays. If the old connection was active and the new one is
+/// not, restores the old one.
 void ConnectionOrders::ReplaceOrder::OnMade(ConnectionOrders& orders,
                                             const Result<ConnectionDescription>& made) {
   if (!made) return Restore(orders, made.error());
@@ -451,8 +451,8 @@ void ConnectionOrders::ReplaceOrder::OnMade(ConnectionOrders& orders,
                    ToString(made->provided) + " was not reached: " + made->reason});
 }
 
-/// Removes the new connection, if there is one, and restores the old one. A slow process executes
-/// these two orders late, but also ends up with the old connection.
+/// Removes the new connection, if it exists, and restores the old one. A slow process executes
+/// these two orders late, but has the old connection in the end.
 void ConnectionOrders::ReplaceOrder::Restore(ConnectionOrders& orders, const Error& why) {
   why_ = why;
   const message::Wire former{wire_.required, former_.provided};
@@ -463,8 +463,8 @@ void ConnectionOrders::ReplaceOrder::Restore(ConnectionOrders& orders, const Err
                                      orders.Step(shared_from_this(), &ReplaceOrder::OnRestored));
 }
 
-/// Reports the failed replacement. If the old connection could not be restored and the interface is
-/// now disconnected, records this as a disconnect, so that it can be undone.
+/// Reports the failed replacement. If the interface is now disconnected because the old connection
+/// could not be restored, records a disconnect, so that it can be undone.
 void ConnectionOrders::ReplaceOrder::OnRestored(ConnectionOrders& orders,
                                                 const Result<ConnectionDescription>& restored) {
   const message::Wire former{wire_.required, former_.provided};

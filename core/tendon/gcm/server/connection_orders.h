@@ -19,15 +19,15 @@ namespace tendon::server {
 
 /// Executes requests to connect and disconnect: checks the request against the catalogue, sends the
 /// order to the LCM of the required side, and records the change in the history. A failed request
-/// normally changes nothing; if a change remains because the LCM could not restore the old
-/// connection, it is recorded in the history.
+/// normally changes nothing. If the LCM could not restore the old connection, this change is
+/// recorded in the history.
 ///
 /// No function blocks. All functions must be called while the owner's lock is held. `done` is
-/// called once, while the lock is not held.
+/// called once, after the lock is released.
 class ConnectionOrders : private OrderSender {
  public:
   /// Takes the owner's lock, calls its argument with the ConnectionOrders, releases the lock, and
-  /// runs the deferred actions. Does nothing if the owner is gone.
+  /// runs the deferred actions. Does nothing if the owner no longer exists.
   using Locked = std::function<void(const std::function<void(ConnectionOrders&)>&)>;
   template <typename T>
   using Done = OrderSender::Done<T>;
@@ -43,21 +43,20 @@ class ConnectionOrders : private OrderSender {
   };
   ConnectionOrders(Parts parts, Locked locked, std::chrono::milliseconds timeout);
 
-  /// Makes a connection that `who` has requested. With WhenConnected::kReplace, an existing
-  /// connection of the required interface is replaced.
+  /// Makes a connection that `who` has requested. WhenConnected::kReplace replaces an existing
+  /// connection of the required interface.
   void Connect(const message::Wire& wire, WhenConnected when_connected, const std::string& who,
                ConnectDone done);
   void Disconnect(const InterfaceName& required, const std::string& who, Done<None> done);
   void Undo(const message::StepSelection& which, const std::string& who,
             Done<message::HistoryEntry> done);
-  /// Marks the newest step as skipped, so that earlier steps can be undone. Refused if the process
-  /// of the step is lost but may come back. Also refused if the step could be undone, unless
-  /// `which` gives its number.
+  /// Marks the newest step as skipped, so that earlier steps can be undone. Refuses this if the
+  /// process of the step is lost but may come back. If the step could be undone, `which` must give
+  /// its number.
   void PassOver(const message::StepSelection& which, const std::string& who,
                 Done<message::HistoryEntry> done);
 
-  /// Makes a connection that existed before a process was lost and came back. Not recorded in the
-  /// history.
+  /// Makes a connection again whose process was lost and has returned. Not recorded in the history.
   void RestoreConnection(const message::Wire& wire);
 
  private:
@@ -88,8 +87,8 @@ class ConnectionOrders : private OrderSender {
   Done<Reply> Step(std::shared_ptr<Order> order,
                    void (Order::*step)(ConnectionOrders&, const Result<Reply>&));
 
-  // These functions send a single order to the LCM of the required side. The LCM executes orders in
-  // the order of sending.
+  // These functions send a single order to the LCM of the required side. The LCM executes its
+  // orders in the order of sending.
 
   void SendMake(const message::ConnectionPlan& plan, ConnectDone done);
   void SendBreak(const InterfaceName& required, Done<None> done);

@@ -15,31 +15,31 @@
 namespace tendon::server {
 
 /// The newest log records of all processes, and the watchers that receive them. A watcher is only a
-/// position in the buffer, so a slow watcher does not delay others and needs no extra memory. If
-/// records are dropped before they were sent to a watcher, the watcher detects a gap. Not
+/// position in the buffer, so a slow watcher does not delay others and needs no additional memory.
+/// If records are dropped before they are sent to a watcher, the watcher detects a gap. Not
 /// thread-safe; never blocks.
 class LogBuffer {
  public:
   static constexpr std::size_t kKept = 4096;
 
-  /// Adds records from a process. Name and instance are those that the GCM knows, not those in the
-  /// records. If earlier records were lost with a broken link, also adds a record that reports the
-  /// loss.
+  /// Adds records from a process. Uses the name and the instance that the GCM knows, not those in
+  /// the records. If earlier records were lost with a broken link, also adds a record that reports
+  /// the loss.
   void Add(const std::string& process, std::uint64_t instance, message::LogRecords batch);
   /// Adds a record of the GCM's own program, with the process name kGcmName.
   void AddOwn(message::LogRecord record);
   /// Called when a process is removed from the catalogue.
   void Forget(const std::string& process) { senders_.erase(process); }
 
-  /// Adds a watcher. The first record that it gets has the number `after`, its last position in the
-  /// log of this GCM; with 0, it gets all kept records. The records are sent by Pump().
+  /// Adds a watcher. `after` is its last position in the log of this GCM: the number of the first
+  /// record that it gets. With 0, it gets all kept records. Pump() sends the records.
   message::WatchLogReply Watch(const std::shared_ptr<Channel>& channel, std::uint64_t after);
   void Remove(const Channel* channel) { watchers_.erase(channel); }
 
-  /// Sends the records that watchers do not have yet. Skips watchers whose links were full at the
-  /// last attempt.
+  /// Sends each watcher the records that it does not have yet. Skips watchers whose links were full
+  /// at the last attempt.
   void Pump();
-  /// Sends records to all watchers, also to those whose links were full.
+  /// Like Pump(), but does not skip watchers.
   void PumpAll();
 
  private:
@@ -50,7 +50,7 @@ class LogBuffer {
   struct Watcher {
     std::shared_ptr<Channel> channel;
     std::uint64_t next = 0;  ///< number of the next record to send
-    bool is_full = false;    ///< its link was full at the last attempt
+    bool is_full = false;    ///< true if its link was full at the last attempt
   };
   /// An encoded frame, which can be sent to several watchers.
   struct Batch {

@@ -28,8 +28,8 @@ auto AnswerOf(const std::shared_ptr<Responder>& responder) {
   return [responder](const auto& result) { responder->Answer(result); };
 }
 
-/// Returns true if the process is this program: a window that hosts a GCM is also a process. The
-/// log records of such a process are already in the buffer.
+/// Returns true if the process is this program. A window that hosts a GCM is also a process. Log
+/// records of this program are already in the buffer.
 bool IsOwn(const ProcessDescription& process) {
   return process.name == kGcmName && process.pid == os::ProcessId() &&
          process.host == os::HostName();
@@ -121,7 +121,7 @@ Server::Server(Options options)
       history_(options_.history),
       registry_(options_.leases, *options_.clock) {}
 
-/// Returns the Locked function that `part`, for example the Supervisor, gets at construction.
+/// Returns the Locked function for the constructor of `part`, for example the Supervisor.
 template <typename Part>
 auto Server::LockedWith(std::unique_ptr<Part> Server::*part) {
   return [weak = weak_from_this(), part](const std::function<void(Part&)>& action) {
@@ -198,8 +198,8 @@ void Server::Publish() {
   }
 }
 
-/// Sends the list of processes at once, but at most once per tick. Otherwise many processes that
-/// join together would keep the GCM and each other too busy to renew their leases.
+/// Sends the list of processes at once, but at most once per tick. Without this limit, many
+/// processes that join together would be too busy to renew their leases.
 void Server::ReportPeers() {
   if (SteadyClock().Now() - peers_sent_at_ < kTick) {
     are_peers_due_ = true;
@@ -285,8 +285,8 @@ void Server::Join(const Request& request) {
   });
 }
 
-/// Renews the lease of a member. From a viewer, the request is only a ping. The answer is sent on a
-/// lane of its own, so that it does not wait behind a large answer.
+/// Renews the lease of a member. For a viewer, the request is only a ping. The answer has its own
+/// lane, so that it does not wait behind a large answer.
 void Server::Renew(const Request& request) {
   Locked([&] {
     const SessionToken session = request.peer.session;
@@ -297,8 +297,8 @@ void Server::Renew(const Request& request) {
   });
 }
 
-/// Stores the health of a member and answers with the GCM's time. Because the answer contains the
-/// time, it must not wait behind other answers.
+/// Stores the health of a member and answers with the GCM's time. The answer must not wait behind
+/// other answers, because it contains the time.
 void Server::OnHealth(const Request& request) {
   const message::GcmClock now{SteadyClock().Now().time_since_epoch().count()};
   const auto health = DecodeBody<message::Health>(request.body);
@@ -472,8 +472,8 @@ void Server::OnClosed(Peer& peer, const SharedChannel& channel, const Error& rea
   });
 }
 
-/// Adds the log records of this program to the buffer, and sends new records to all watchers.
-/// Called by a deferred action.
+/// Adds the log records of this program to the buffer, and sends new records to all watchers. Runs
+/// as a deferred action.
 void Server::WriteOwnLog() {
   auto records = own_log_.Take(LogQueue::kCapacity, SteadyClock().Now());
   for (message::LogRecord& record : records) log_buffer_.AddOwn(std::move(record));

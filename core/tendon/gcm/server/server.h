@@ -27,9 +27,9 @@
 
 namespace tendon::server {
 
-/// The GCM's server for the channels of LCMs and viewers. One mutex guards the state. Code that
-/// holds the mutex only makes decisions: sending, answering and logging are done later by deferred
-/// actions, and the history writes its file in its own thread. Thread-safe.
+/// The GCM's server for the channels of LCMs and viewers. One mutex protects the state. Code that
+/// holds the mutex only makes decisions; deferred actions later send, answer and log. The history
+/// writes its file in its own thread. Thread-safe.
 class Server final : public std::enable_shared_from_this<Server> {
  public:
   struct Options {
@@ -39,14 +39,14 @@ class Server final : public std::enable_shared_from_this<Server> {
     std::chrono::milliseconds order_timeout;
     std::uint64_t instance = 0;
     std::shared_ptr<Launcher> launcher{};
-    std::string broker{};  ///< the broker's address; empty: there is none
+    std::string broker{};  ///< the broker's address; empty without a broker
   };
   explicit Server(Options options);
 
   /// Must be called once, before all other functions.
   void Start();
-  /// Ends the server's threads and waits until the history is on the disk. Afterwards no request is
-  /// answered.
+  /// Ends the server's threads and waits until the history is on the disk. After this, no request
+  /// is answered.
   void Stop();
 
   /// Returns a new handler for one channel.
@@ -57,8 +57,8 @@ class Server final : public std::enable_shared_from_this<Server> {
  private:
   class Peer;
   using SharedChannel = std::shared_ptr<Channel>;
-  /// The viewer that holds the plan lock. The lock is released when its channel closes, at the
-  /// latest.
+  /// The viewer that has the plan lock. At the latest, the lock is released when the viewer's
+  /// channel closes.
   struct PlanLockHolder {
     const Peer* peer = nullptr;
     std::string who;
@@ -71,7 +71,7 @@ class Server final : public std::enable_shared_from_this<Server> {
     std::shared_ptr<Responder> responder;  ///< shared, because std::function must be copyable
   };
 
-  /// Calls `action` and publishes its changes of the catalogue while the lock is held. Then
+  /// Calls `action` and publishes its changes of the catalogue, both while the lock is held. Then
   /// releases the lock and runs the deferred actions.
   template <typename Action>
   void Locked(Action&& action);
@@ -86,7 +86,7 @@ class Server final : public std::enable_shared_from_this<Server> {
   /// Returns the name of the peer in printable form.
   static std::string NameOf(const Channel& channel);
 
-  /// Pointer to a function that serves one type of request; the functions follow below.
+  /// The type of a function that serves one type of request. The functions follow below.
   using Serve = void (Server::*)(const Request&);
   static Serve ServeOf(MessageType type);
   void Join(const Request& request);
@@ -114,7 +114,7 @@ class Server final : public std::enable_shared_from_this<Server> {
   void SetLogLevel(const Request& request);
   void ConnectInterface(const Request& request, WhenConnected when_connected);
   void OnReport(const Peer& peer, std::span<const std::byte> body);
-  /// `session` is a reference, because it may be read only while the lock is held.
+  /// `session` is a reference, because its value may be read only while the lock is held.
   void OnLogRecords(const SessionToken& session, std::span<const std::byte> body);
   void OnClosed(Peer& peer, const SharedChannel& channel, const Error& reason);
 

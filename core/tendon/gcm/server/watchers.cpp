@@ -30,9 +30,9 @@ void Watchers::Pump() {
   DropSent();
 }
 
-/// Sends changes to one watcher until it has all or its link is full. While its viewer does not
-/// read, the link refuses each batch, and encoding large batches would be wasted work. Therefore
-/// the batch gets smaller with each refusal, down to one change.
+/// Sends changes to one watcher until it has all changes or its link is full. A link refuses each
+/// batch while its viewer does not read. Therefore, the batch gets smaller with each refusal, down
+/// to one change, so that little work is wasted.
 void Watchers::Pump(Watcher& watcher, Batch& batch) const {
   while (watcher.revision < newest_) {
     const bool is_too_much = batch.last - batch.after > watcher.most;

@@ -13,9 +13,9 @@
 namespace tendon::server {
 
 /// Sends every change of the catalogue to every watcher, in order. A watcher is only a position in
-/// one shared list of changes, so a slow watcher does not delay others and needs no extra memory.
-/// If the changes that a watcher needs are no longer in the list, it gets only the newest change,
-/// detects the gap, and asks for a snapshot. Not thread-safe; never blocks.
+/// one shared list of changes, so a slow watcher does not delay others and needs no additional
+/// memory. If the changes that a watcher needs are no longer in the list, it gets only the newest
+/// change, detects the gap, and asks for a snapshot. Not thread-safe; never blocks.
 class Watchers {
  public:
   /// Adds a watcher that has all changes up to `revision`. If the watcher already exists, sets its

@@ -8,14 +8,14 @@
 
 namespace tendon {
 
-/// How a GCM starts processes on its own host.
+/// Options for the processes that a GCM starts on its own host.
 struct LaunchOptions {
   std::filesystem::path program;  ///< path of `lcm`; empty: the GCM cannot start processes
-  /// Returns further arguments for the command line of `lcm`. The process name comes from the
-  /// request and was checked before.
+  /// Returns additional arguments for the command line of `lcm`. `process` comes from the request
+  /// and has been checked.
   std::function<std::vector<std::string>(const std::string& process)> options =
       [](const std::string& /*process*/) { return std::vector<std::string>(); };
-  /// The log of a process is rotated when it is larger than this; bytes.
+  /// The size in bytes above which the log of a process is rotated.
   std::uintmax_t longest_log = std::uintmax_t{8} << 20U;
 };
 

@@ -52,7 +52,7 @@ class Launcher {
   /// Returns the log of the process that was last started with this name.
   virtual ProcessLog LogOf(const std::string& process) = 0;
   /// Rotates the log of a running process if it is too large; must be called regularly. Logs a
-  /// failure once, and the same failure again only after a success.
+  /// failure once, and logs the same failure again only after a success.
   virtual void ShortenLog(const std::string& process) = 0;
 };
 

@@ -115,9 +115,9 @@ ProcessLog LcmLauncher::LogOf(const std::string& process) {
   return {words, log.string()};
 }
 
-/// Truncation is safe, because the process opened its log for appending. If the log cannot be
-/// copied, for example because the disk is full, it is truncated nevertheless; otherwise it would
-/// grow for ever.
+/// The log can be truncated safely, because the process appends to it. If the log cannot be copied,
+/// for example because the disk is full, it is truncated nevertheless. Otherwise it would grow for
+/// ever.
 void LcmLauncher::ShortenLog(const std::string& process) {
   std::error_code reason;
   const fs::path log = FileOf(process, ".log");
@@ -136,7 +136,7 @@ void LcmLauncher::ShortenLog(const std::string& process) {
   Complain(process, not_kept + both + not_cut);
 }
 
-/// Logs a warning about the log of a process, but not if the last warning about it was the same.
+/// Logs a warning about the log of a process, unless the last warning about it was the same.
 void LcmLauncher::Complain(const std::string& process, const std::string& what) {
   const bool is_new = what != std::exchange(complaints_[process], what);
   if (what.empty() || !is_new) return;

@@ -5,18 +5,19 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 
 namespace tendon::server {
 
-/// Starts each `lcm` in a session of its own, so that it does not receive the signals of a
-/// terminal. For each process, the folder contains a log (NAME.log), the previous part of this log
-/// or the log of the previous run (NAME.log.1), and, if the process was started with components, a
-/// system file (NAME.json).
+/// Starts each `lcm` in its own session, so that it does not receive the signals of a terminal. For
+/// each process, the folder contains a log (NAME.log), and NAME.log.1 with the previous part of the
+/// log or the log of the previous run. If the process was started with components, it also contains
+/// a system file (NAME.json).
 class LcmLauncher final : public Launcher {
  public:
-  /// `gcm` is the address of the GCM. `folder` is made accessible only to this user.
+  /// `gcm` is the address of the GCM. Only this user gets access to `folder`.
   LcmLauncher(LaunchOptions launch, const std::string& gcm, std::filesystem::path folder);
 
   Result<std::shared_ptr<StartedProcess>> Start(const Order& order) override;

@@ -8,7 +8,7 @@
 
 namespace tendon {
 
-/// When a GCM restarts a process that it has started.
+/// Says when a GCM restarts a process that it has started.
 enum class RestartPolicy : std::int32_t {
   kNever,
   kOnFailure,  ///< after an exit code other than 0, or a signal
@@ -21,7 +21,7 @@ inline constexpr auto kPayload<RestartPolicy> =
     DescribeEnum("tendon.RestartPolicy", Enumerator{"never", RestartPolicy::kNever},
                  Enumerator{"on_failure", RestartPolicy::kOnFailure});
 
-/// The word for the policy in a system file: "never", "on-failure".
+/// Returns the word for the policy in a system file: "never", "on-failure".
 [[nodiscard]] constexpr std::string_view ToString(RestartPolicy policy) noexcept {
   return policy == RestartPolicy::kNever ? "never" : "on-failure";
 }

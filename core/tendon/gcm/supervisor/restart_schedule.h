@@ -9,8 +9,8 @@
 
 namespace tendon::server {
 
-/// Decides when a process that fails repeatedly is restarted. The first pause is 0.5 s, and each
-/// further pause is twice as long, up to 10 s. If the process has run for a minute, the pauses
+/// Decides when a process that fails repeatedly is restarted. The first pause is 0.5 s. Each
+/// further pause is twice as long, up to 10 s. When the process has run for a minute, the pauses
 /// begin at 0.5 s again. After five failures within a minute, the process is not restarted.
 class RestartSchedule {
  public:
@@ -19,8 +19,8 @@ class RestartSchedule {
   static constexpr std::chrono::minutes kLongEnough{1};
   static constexpr std::size_t kMostFailures = 5;
 
-  /// Called when the process has run since `begin` and failed at `now`. Returns the pause before
-  /// the restart; empty if the process should not be restarted.
+  /// Called when a process that has run since `begin` has failed at `now`. Returns the pause before
+  /// the restart. Returns nothing if the process should not be restarted.
   std::optional<std::chrono::milliseconds> PauseAfter(SteadyTime begin, SteadyTime now);
 
  private:

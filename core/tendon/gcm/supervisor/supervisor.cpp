@@ -17,8 +17,8 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// A process that did not join in time is terminated, and killed if it has not ended after this
-/// time.
+/// A process that did not join in time is terminated. If it has not ended after this time, it is
+/// killed.
 constexpr std::chrono::seconds kLongestEnd(2);
 
 milliseconds PatienceOf(std::chrono::nanoseconds asked) {
@@ -113,8 +113,8 @@ void Supervisor::Start(const message::ProcessOrder& order, const std::string& wh
   Launch(order.process, child);
 }
 
-/// Checks that a process can be started. A process whose restart is pending may be started at once;
-/// it then counts as a new process.
+/// Checks that a process can be started. If the restart of a process is pending, it may be started
+/// at once, and counts as a new process.
 Result<void> Supervisor::CheckStart(const std::string& process) const {
   if (process == kGcmName) {
     return Error{ErrorCode::kInvalid,
@@ -307,7 +307,8 @@ void Supervisor::Drop(const std::string& process, const std::string& how) {
   children_.erase(process);
 }
 
-/// Reports a text about the process to the log, and to viewers if the catalogue has the process.
+/// Writes a text about the process to the log. Viewers also see the text if the catalogue has the
+/// process.
 void Supervisor::Report(const std::string& process, const std::string& what) {
   if (parts_.registry.SetReason(process, what)) return;  // then the server logs the change
   parts_.deferred.Add(
@@ -320,8 +321,8 @@ bool Supervisor::IsMember(const std::string& process, const Child& child) const 
          entry->process.pid == child.program->pid() && entry->process.host == os::HostName();
 }
 
-/// Returns the last known components of the process, for its restart; empty if the catalogue does
-/// not have the process.
+/// Returns the last known components of the process, for its restart. Returns nothing if the
+/// catalogue does not have the process.
 std::optional<SystemFile> Supervisor::SystemWith(const std::string& process) const {
   const SystemFile system =
       SystemOf(parts_.registry.catalogue(), process, AbsentProcesses::kIncluded).file;

@@ -20,18 +20,20 @@
 
 namespace tendon::server {
 
-/// Starts processes on the GCM's host, and ends those that it has started. If the restart policy
-/// says so, restarts a failed process with its former components and states; the GCM then restores
-/// its connections. A process that was ended on request, or ended with exit code 0, is not
-/// restarted. When the GCM ends, the processes continue to run, but the next GCM does not know that
-/// a GCM has started them.
+/// Starts processes on the GCM's host, and ends the processes that it has started. Depending on the
+/// restart policy, restarts a failed process with its former components and states; the GCM then
+/// restores its connections. A process is not restarted if it was ended on request or ended with
+/// exit code 0.
+///
+/// When the GCM ends, the processes continue to run, but the next GCM does not know that a GCM has
+/// started them.
 ///
 /// No function blocks. All functions except Stop() must be called while the owner's lock is held.
-/// `done` is called once, while the lock is not held.
+/// `done` is called once, after the lock is released.
 class Supervisor {
  public:
   /// Takes the owner's lock, calls its argument with the Supervisor, releases the lock, and runs
-  /// the deferred actions. Does nothing if the owner is gone.
+  /// the deferred actions. Does nothing if the owner no longer exists.
   using Locked = std::function<void(const std::function<void(Supervisor&)>&)>;
   using Done = std::function<void(Result<None>)>;
 
@@ -44,25 +46,24 @@ class Supervisor {
   };
   Supervisor(Parts parts, Locked locked);
 
-  /// Executes an order that `who` has requested. If it starts a process, the start is recorded in
-  /// the history.
+  /// Executes an order that `who` has requested. The start of a process is recorded in the history.
   void ExecuteOrder(const message::ProcessOrder& order, const std::string& who, Done done);
   /// Checks all started processes; must be called regularly.
   void Tick();
   /// From now on, no more processes are started; running processes continue.
   void Stop() { worker_.Stop(); }
 
-  /// Called when a component of the process may have changed. A later restart then restores the
-  /// components as they are in the catalogue.
+  /// Called when a component of the process may have changed. If the process is restarted later,
+  /// its components are created as they are in the catalogue.
   void NoteChange(const std::string& process);
 
   /// Returns the started processes, except those that were asked to end.
   [[nodiscard]] message::Children children() const;
 
-  /// Checks that the process that a step has started can be ended by this GCM, and has no
+  /// Checks that this GCM can end the process that a step has started, and that the process has no
   /// components.
   [[nodiscard]] Result<void> CheckUndo(const message::HistoryEntry& step) const;
-  /// Undoes the step that started a process: ends the process. The undo is not recorded in the
+  /// Undoes a step that started a process: ends the process. The undo is not recorded in the
   /// history.
   void Undo(const message::HistoryEntry& step, std::chrono::nanoseconds patience, Done done);
 
@@ -87,7 +88,7 @@ class Supervisor {
     SteadyTime until{};  ///< end of the phase, if it has a time limit
     std::shared_ptr<StartedProcess> program{};
     ProcessEnd end{};
-    bool is_known = false;     ///< the process has joined, in this run or an earlier one
+    bool is_known = false;     ///< the process has joined, in this run or an earlier run
     bool is_unwanted = false;  ///< was asked to end
     bool is_changed = false;   ///< its components may have changed since the last start
     std::string fault{};       ///< why the supervisor had to end it

@@ -10,8 +10,8 @@ namespace {
 
 using Kind = PlanStep::Kind;
 
-/// Each wait is longer than the timeout of the client by this time, because the error of the client
-/// is more precise.
+/// The executor waits longer than the client by this time, because the error of the client is more
+/// precise.
 constexpr std::chrono::milliseconds kLonger(500);
 
 /// Time between two checks of the catalogue.
@@ -34,7 +34,7 @@ bool IsOutcomeUnknown(const Error& error) {
   return error.code == ErrorCode::kTimeout || error.code == ErrorCode::kUnreachable;
 }
 
-/// Returns true if the component is already in the state to which `verb` leads, whatever the cause.
+/// Returns true if the component is already in the state to which `verb` leads.
 bool IsSo(const Catalogue& catalogue, LifecycleVerb verb, const PlanStep& step) {
   const auto* now = catalogue.FindComponent(step.process, step.component.name);
   if (now == nullptr) return verb == LifecycleVerb::kRemove;
@@ -73,8 +73,8 @@ void ClientExecutor::End() {
   has_lock_ = false;
 }
 
-/// Requests the lock again. Called before each step, because the GCM releases the lock if the link
-/// breaks.
+/// Requests the lock again. Called before each step, because the GCM releases the lock when the
+/// link breaks.
 Result<void> ClientExecutor::KeepLock() {
   if (!has_lock_) return {};
   const auto kept = TakeLock();
@@ -126,8 +126,8 @@ Result<void> ClientExecutor::CheckInstance(const PlanStep& step) const {
                                        "another plan"};
 }
 
-/// Waits until the connections that the step needs are active, because a connection that was just
-/// requested may not be active yet.
+/// Waits until the connections that the step needs are active. A connection that was just requested
+/// may not be active yet.
 Result<void> ClientExecutor::AwaitConnections(const PlanStep& step) const {
   for (const message::Wire& wire : step.needs) {
     const auto check = [&](const Catalogue& now) { return CheckConnected(now, wire); };
@@ -153,8 +153,8 @@ Result<void> ClientExecutor::Connect(const PlanStep& step) {
   return made.error();
 }
 
-/// Called when a connection was refused. Returns true if the connection exists nevertheless,
-/// because the GCM may have restored it when a component returned. Waits up to kLonger for this.
+/// Called when a connection was refused. Returns true if the connection exists nevertheless: the
+/// GCM may have restored it when a component returned. Waits up to kLonger for this.
 bool ClientExecutor::IsMadeByOthers(const message::Wire& wire, ErrorCode refusal) const {
   if (refusal != ErrorCode::kExists && refusal != ErrorCode::kFailed) return false;
   for (auto waited = kLook; waited <= kLonger; waited += kLook) {
@@ -200,8 +200,8 @@ Result<void> ClientExecutor::ExecuteLifecycleOrder(LifecycleVerb verb, const Pla
   return is_refused && Seen(client_, is_so) ? Result<void>() : made;
 }
 
-/// Starts a component and then suspends it. If the component cannot be suspended, stops it, because
-/// it must not run.
+/// Starts a component and then suspends it. If it cannot be suspended, stops it, because it must
+/// not run.
 Result<void> ClientExecutor::StartSuspended(const PlanStep& step) {
   const auto started = ExecuteLifecycleOrder(LifecycleVerb::kStart, step);
   if (!started && !IsOutcomeUnknown(started.error())) return started;

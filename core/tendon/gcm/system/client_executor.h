@@ -9,7 +9,7 @@
 namespace tendon {
 
 /// Executes the steps of a plan through a GCM. Refuses a step if its process was restarted, or the
-/// configuration on which it is based was changed, since the plan was made. Also refuses to start a
+/// configuration on which it is based was changed, after the plan was made. Also refuses to start a
 /// component if a connection that the step needs is missing.
 class ClientExecutor final : public PlanExecutor {
  public:
@@ -18,11 +18,11 @@ class ClientExecutor final : public PlanExecutor {
   ClientExecutor(GcmClient& client, std::chrono::milliseconds timeout)
       : client_(client), timeout_(timeout) {}
 
-  /// Takes the plan lock. Also succeeds if the GCM answers kDenied: then the GCM is too old to have
-  /// this lock, or the client may not make changes, so there is no lock to wait for.
+  /// Takes the plan lock. Also succeeds if the GCM answers kDenied, because then there is no lock
+  /// to wait for: the GCM is too old to have this lock, or the client may not make changes.
   Result<void> Begin() override;
-  /// Also refuses the step if the lock was lost with the link to the GCM and another viewer has it
-  /// now.
+  /// Executes a step. Also refuses the step if the lock was lost with the link to the GCM and
+  /// another viewer has it now.
   Result<void> Execute(const PlanStep& step) override;
   void End() override;
 

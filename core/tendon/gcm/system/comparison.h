@@ -29,15 +29,15 @@ struct SystemComparison {
   std::size_t equal = 0;  ///< processes, components and connections without a difference
 };
 
-/// Whether differences in how processes are started are reported.
+/// Says whether differences in how the GCM starts processes are reported.
 enum class StartComparison {
   kCompare,
-  kIgnore,  ///< for a running system as the second, because it does not have this information
+  kIgnore,  ///< for a running system as the second system, because it lacks this information
 };
 
 /// Compares two systems, except for their comments, layouts and names. All states in which a
-/// component does not run count as equal. If only one of the two systems has a period, library or
-/// thread for a component, this is not a difference.
+/// component does not run count as equal. A period, library or thread that only one of the two
+/// systems has for a component does not count as a difference.
 [[nodiscard]] SystemComparison CompareSystems(const SystemFile& first, const SystemFile& second,
                                               StartComparison starts);
 
@@ -51,7 +51,7 @@ enum class StartComparison {
                                  const SystemFile::Component& other);
 
 /// Returns true if both run after the same component, or if neither runs after another component.
-/// Also returns true if the thread of one of the two is not known.
+/// Also returns true if the thread of one component is not known.
 [[nodiscard]] bool HasSameLeader(const SystemFile::Component& one,
                                  const SystemFile::Component& other);
 
@@ -59,8 +59,8 @@ enum class StartComparison {
 [[nodiscard]] bool IsSameThread(const SystemFile::Component& one,
                                 const SystemFile::Component& other);
 
-/// Returns true if a component in one state satisfies a request for the other state: the states are
-/// equal, or the component runs in neither of them.
+/// Returns true if a component in one state satisfies a request for the other state. This is the
+/// case if the states are equal, or if the component runs in neither of them.
 [[nodiscard]] bool IsSameDesire(ComponentState one, ComponentState other);
 
 /// Returns true if both texts are equal, or if both are equal as JSON.

@@ -24,7 +24,7 @@ std::size_t EndOfString(std::string_view text, std::size_t begin) {
   return at + 1;
 }
 
-/// Returns the position after the comment that begins at `begin`; `begin` itself if there is no
+/// Returns the position after the comment that begins at `begin`. Returns `begin` if there is no
 /// complete comment.
 std::size_t EndOfComment(std::string_view text, std::size_t begin) {
   const std::string_view sign = text.substr(begin, 2);
@@ -33,8 +33,8 @@ std::size_t EndOfComment(std::string_view text, std::size_t begin) {
   return end == text.npos ? begin : end + 2;
 }
 
-/// Returns the text with comments replaced by blanks, so that line and column of the rest stay the
-/// same. Only this file format allows comments.
+/// Returns the text with comments replaced by blanks, so that lines and columns do not change. Only
+/// this file format allows comments.
 std::string WithoutComments(std::string_view text) {
   std::string plain(text);
   std::size_t at = plain.find_first_of("\"/");
@@ -131,8 +131,7 @@ class ComponentManagerReader {
     return component;
   }
 
-  /// Reads the constructor argument of a component. It may have keys that only the class knows;
-  /// these are left out.
+  /// Reads the constructor argument of a component. Leaves out keys that only the class knows.
   FileObject ReadArgument(const Json& json, const FileObject& object) {
     std::vector<std::string> keys = {"Name", "Period", "IsHardRealTime", "NewThread",
                                      "StateTableSize"};
@@ -148,8 +147,8 @@ class ComponentManagerReader {
     return {json, place, keys};
   }
 
-  /// Reads "configure-parameter". If it is a JSON object, it becomes the configuration. Any other
-  /// text is the name of a file for the class, and is kept as a comment.
+  /// Reads "configure-parameter". A JSON object becomes the configuration. Any other text is the
+  /// name of a file for the class, and is kept as a comment.
   void ReadParameter(const FileObject& object, SystemFile::Component& component) {
     const std::string text = object.Text("configure-parameter");
     if (text.empty()) return;

@@ -17,9 +17,9 @@ struct ImportedSystem {
 
 /// Converts the text of a file of a cisst component manager (1.1). Reads "components" and
 /// "connections", which are at the top level or inside "component-manager", as in a file for the
-/// console of a dVRK. Comments are ignored. Components for which the file gives no process are put
-/// into `process`. If the file connects a component but does not create it, the program of its
-/// process is expected to create it. Fails like ParseSystemFile().
+/// console of a dVRK. Comments are ignored. Components without a process in the file are put into
+/// `process`. A component that is only connected, not created, must be created by the program of
+/// its process. Fails like ParseSystemFile().
 Result<ImportedSystem> ParseComponentManagerFile(std::string_view text, const std::string& source,
                                                  const std::string& process);
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-/// Functions that read files that people write. If a file has a mistake, they throw a FileError,
-/// which ReadText() converts to an Error.
+/// Functions that read files that people write. They throw a FileError for a mistake in a file.
+/// ReadText() converts a FileError to an Error.
 namespace tendon::file {
 
 /// A mistake in a file. `place` is the path to the mistake: "processes[0].name".
@@ -41,20 +41,20 @@ class FileObject {
 
   [[nodiscard]] const Json& Get(const std::string& key) const;
   [[nodiscard]] std::string Text(const std::string& key) const;
-  /// `what` says what is named, for error messages: "component".
+  /// `what` is the kind of the named object, for error messages: "component".
   [[nodiscard]] std::string Name(const std::string& key, const std::string& what) const;
   [[nodiscard]] InterfaceName Interface(const std::string& key) const;
 
   // These functions read a member that may be missing.
 
-  /// Returns "comment" with control characters escaped; empty if it is missing.
+  /// Returns "comment" with control characters escaped; empty if the member is missing.
   [[nodiscard]] std::string Comment() const;
   /// Returns `otherwise` if the number is missing. `unit` is for the error message: "seconds".
   [[nodiscard]] double Number(const std::string& key, const std::string& unit,
                               double otherwise) const;
   /// Returns false if the flag is missing.
   [[nodiscard]] bool Flag(const std::string& key) const;
-  /// Returns a period in s; 0 if it is missing.
+  /// Returns a period in s; 0 if the member is missing.
   [[nodiscard]] double Period(const std::string& key) const;
   /// Calls `read(element, place)` for each element; a missing list is empty.
   template <typename Read>
@@ -75,7 +75,7 @@ class FileObject {
 /// Checks that the names in one list are unique.
 class UniqueNames {
  public:
-  /// `what` says what is named, for error messages: "component".
+  /// `what` is the kind of the named objects, for error messages: "component".
   explicit UniqueNames(std::string what) : what_(std::move(what)) {}
 
   /// Throws a FileError if the name was added before.

@@ -19,8 +19,8 @@ Leaders LeadersOf(const std::vector<SystemFile::Component>& components) {
   return leaders;
 }
 
-/// Describes a cycle: the part of `chain` that begins with `first`. Its last component runs after
-/// `first`.
+/// Describes a cycle: the part of `chain` from `first` to the end. The last component of the chain
+/// runs after `first`.
 std::string RingText(const std::vector<std::string>& chain, const std::string& first) {
   constexpr std::ptrdiff_t kMostNames = 20;
   const auto begin = std::find(chain.begin(), chain.end(), first);

@@ -22,7 +22,7 @@ bool IsMadeByItsProgram(const SystemFile::Component& component) {
   return component.class_name.empty();
 }
 
-/// Returns true if the two differ at most in the state, so the component need not be created or
+/// Returns true if at most the states of the two differ. Then the component need not be created or
 /// configured again.
 bool IsSameInParts(const SystemFile::Component& wanted, const SystemFile::Component& now) {
   return wanted.class_name == now.class_name && IsSameLibrary(wanted, now) &&
@@ -35,7 +35,7 @@ std::string TextOf(const message::Wire& wire) {
   return ToString(wire.required) + " -> " + ToString(wire.provided);
 }
 
-/// Sorts steps of components so that each comes after the step of its leader.
+/// Sorts steps so that the step of a component comes after the step of its leader.
 void SortByLeaders(std::vector<PlanStep>& steps) {
   std::map<ComponentPath, PlanStep> by_path;
   std::vector<ComponentPath> order;
@@ -110,8 +110,8 @@ class Planner {
     }
   }
 
-  /// Finds components that must be created again because their leader is removed or created again:
-  /// the leader cannot be removed while it has followers.
+  /// Finds components that must be created again because their leader is removed or created again.
+  /// A leader cannot be removed while it has followers.
   void FindUnsettled(const SystemFile::Process& process) {
     const auto* running = catalogue_.FindProcess(process.name);
     if (running == nullptr || running_index_.FindProcess(process.name) == nullptr) return;
@@ -183,8 +183,8 @@ class Planner {
     return {.kind = kind, .wire = wire, .instance = Instance(wire.required.process)};
   }
 
-  /// Returns the instance for the steps of a process. If the plan starts the process, returns 0,
-  /// which means any instance.
+  /// Returns the instance for the steps of a process. Returns 0, which means any instance, if the
+  /// plan starts the process.
   [[nodiscard]] std::uint64_t Instance(const std::string& process) const {
     return born_.contains(process) ? 0 : InstanceOf(catalogue_, process);
   }
@@ -234,8 +234,8 @@ class Planner {
       if (has_periods && component.period != now.period) {
         plan_.obstacles.push_back(
             TextOf(path) + " does not have the period of the file (" + ChangesOf(component, now) +
-            "), because the class of the component sets the period; save the file again, or, if "
-            "the configuration contains a period, change it in the configuration");
+            "): only the class of the component can set its period; save the file again, or change "
+            "the period in the configuration, if it has one");
       }
       return PlanState(path, component, now.state);
     }
@@ -261,7 +261,7 @@ class Planner {
     makings_.back().based_on = BaseOf(told->configuration);
   }
 
-  /// Returns the leader in the file. If the file says nothing about the thread, returns the present
+  /// Returns the leader in the file. If the file does not describe the thread, returns the present
   /// leader.
   [[nodiscard]] std::string LeaderOf(const ComponentPath& path) const {
     const auto* wanted = wanted_index_.FindComponent(path.first, path.second);
@@ -270,8 +270,8 @@ class Planner {
     return now == nullptr ? std::string() : now->runs_after;
   }
 
-  /// Returns the component as in the file. If the file says nothing about the thread, adds the
-  /// present thread and leader.
+  /// Returns the component in the file. If the file does not describe the thread, adds the present
+  /// thread and leader.
   [[nodiscard]] SystemFile::Component WithThreadOf(const ComponentPath& path,
                                                    const SystemFile::Component& now,
                                                    SystemFile::Component component) const {
@@ -354,8 +354,8 @@ class Planner {
     lacks_.emplace(OwnerOf(wire.required), "its connection " + TextOf(wire) + ": " + why);
   }
 
-  /// Records that a component must not start, because the file lacks connections that the component
-  /// needs. Does nothing if its interfaces are not known yet.
+  /// Records that a component must not start, because the file lacks connections that it needs.
+  /// Does nothing if the interfaces of the component are not known yet.
   void FindUnmetNeeds(const ComponentPath& path) {
     const auto* component = catalogue_.FindComponent(path.first, path.second);
     const bool is_known = component != nullptr && !born_.contains(path.first) &&
@@ -415,7 +415,7 @@ class Planner {
   const RunningSystem running_;
   const SystemIndex wanted_index_{wanted_};
   const SystemIndex running_index_{running_.file};
-  std::map<InterfaceName, const ConnectionDescription*> connections_;  // all of the catalogue
+  std::map<InterfaceName, const ConnectionDescription*> connections_;  // of the whole catalogue
   Plan plan_;
   std::map<ComponentPath, PlanStep> stops_;
   std::vector<PlanStep> disconnects_;
@@ -427,9 +427,9 @@ class Planner {
   std::set<std::string> born_;         // processes that the plan starts
   std::set<ComponentPath> leads_;      // leaders of other components
   std::set<ComponentPath> unsettled_;  // created again because of their leaders
-  std::set<ComponentPath> removed_;    // components to remove; they may be created again
+  std::set<ComponentPath> removed_;    // removed components; the plan may create them again
   std::set<ComponentPath> made_;       // created or configured
-  std::set<ComponentPath> missing_;    // do not exist; only their own programs can create them
+  std::set<ComponentPath> missing_;    // missing components that only their own programs can create
   std::map<ComponentPath, std::string> lacks_;  // why the component must not start
   std::vector<ErrorCode> refusals_;             // error codes of refused connections
 };

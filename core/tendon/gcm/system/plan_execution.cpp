@@ -15,7 +15,7 @@ bool IsOfConnection(const PlanStep& step) { return step.process.empty(); }
 /// The path that represents the process itself.
 ComponentPath PathOf(const std::string& process) { return {process, ""}; }
 
-/// The failures on which later steps depend.
+/// Collects the failures on which later steps depend.
 class Failures {
  public:
   /// Adds a step that has failed or was not executed. `cause` is the step that failed first.
@@ -27,7 +27,7 @@ class Failures {
     }
   }
 
-  /// Returns the failed step on which `step` depends; empty if there is none.
+  /// Returns the failed step on which `step` depends; empty if it depends on none.
   [[nodiscard]] std::string Before(const PlanStep& step) const {
     if (step.kind == Kind::kDisconnect) return {};
     if (IsOfConnection(step)) {
@@ -60,7 +60,7 @@ class Failures {
   Steps lacking_;  // components without a planned connection
 };
 
-/// Returns the outcome of a plan of which no step was executed. Only the first step is reported
+/// Returns the outcome of a plan whose steps were not executed. Only the first step is reported
 /// with the reason.
 PlanOutcome LeaveAll(const Plan& plan, const Error& why, const PlanProgress& progress) {
   std::string reason = why.message;

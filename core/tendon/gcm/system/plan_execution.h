@@ -13,7 +13,7 @@ namespace tendon {
 class PlanExecutor {
  public:
   virtual ~PlanExecutor() = default;
-  /// Called before the first step; takes the plan lock until End(). If it fails, no step is
+  /// Called before the first step. Takes the plan lock until End(). After an error, no step is
   /// executed.
   virtual Result<void> Begin() { return {}; }
   virtual Result<void> Execute(const PlanStep& step) = 0;
@@ -55,9 +55,9 @@ using PlanProgress =
 /// Called before each step. If it returns true, this and all further steps are not executed.
 using PlanInterrupt = std::function<bool()>;
 
-/// Executes a plan. With kStop, ends after the first failure. With kGoOn, continues after a
-/// failure, but does not execute steps that depend on it: a component with a failed step is not
-/// changed or connected any more, and a component whose planned connection failed is not started.
+/// Executes a plan. kStop: ends after the first failure. kGoOn: continues after a failure, but does
+/// not execute steps that depend on the failed step. A component with a failed step is not changed
+/// or connected any more. A component whose planned connection failed is not started.
 PlanOutcome ExecutePlan(
     const Plan& plan, PlanExecutor& executor, AfterError after_error, const PlanProgress& progress,
     const PlanInterrupt& interrupt = [] { return false; });

@@ -25,7 +25,7 @@ SystemFile::Component ComponentOf(const ComponentDescription& running) {
   }
   if (!running.thread.empty()) component.thread = running.thread.front();
   component.runs_after = running.leader;
-  if (!component.runs_after.empty()) component.period = 0.0;  // the period is that of the leader
+  if (!component.runs_after.empty()) component.period = 0.0;  // it has its leader's period
   return component;
 }
 

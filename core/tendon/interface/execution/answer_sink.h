@@ -19,8 +19,8 @@ class AnswerSink {
   /// Returns memory for a reply of `size` bytes; the caller must write all of them. Returns an
   /// empty span if there is not enough memory. May throw std::bad_alloc.
   virtual std::span<std::byte> Room(std::size_t size) = 0;
-  /// An alternative to Room(): takes a reply that is already encoded and stays valid during the
-  /// call. The default implementation copies the reply.
+  /// An alternative to Room() for a reply that is already encoded and stays valid during the call.
+  /// The default implementation copies the reply.
   virtual void Take(std::span<const std::byte> answer) {
     const std::span<std::byte> room = Room(answer.size());
     if (!room.empty()) std::ranges::copy(answer, room.begin());

@@ -7,9 +7,8 @@
 namespace tendon {
 
 /// While this object exists, calls and events of its thread wait for room in a full mailbox instead
-/// of being refused, at most kPatience in total. Used during Cleanup(), because the last command of
-/// Cleanup(), such as a stop, must not be refused. Waiting is allowed there, because Cleanup() is
-/// not part of a cycle.
+/// of being refused, at most kPatience in total. Used during Cleanup(), because a full mailbox must
+/// not refuse its last command, such as a stop. Cleanup() may wait, because it is
 class BlockWhenFull {
  public:
   static constexpr std::chrono::milliseconds kPatience{800};
@@ -19,8 +18,8 @@ class BlockWhenFull {
   BlockWhenFull& operator=(const BlockWhenFull&) = delete;
   ~BlockWhenFull();
 
-  /// The time until which the calling thread waits for room in a mailbox; in the past if it does
-  /// not wait.
+  /// The time until which the calling thread waits for room in a mailbox. A time in the past if the
+  /// thread does not wait.
   [[nodiscard]] static SteadyTime deadline() noexcept;
 
  private:

@@ -10,9 +10,9 @@
 
 namespace tendon {
 
-/// The completion records of one mailbox, one per slot. A call with a waiting caller takes a record
-/// and keeps it until the caller has read the reply. By then, another call may already use the
-/// slot.
+/// The completion records of one mailbox, one per slot. A call whose caller waits takes a record
+/// and keeps it until the caller has read the reply. At that time, another call may already use the
+/// slot, so the record is not a part of the slot.
 class CompletionPool {
  public:
   explicit CompletionPool(std::size_t slots)
@@ -20,7 +20,7 @@ class CompletionPool {
         records_(std::make_unique<Completion<>[]>(slots)),
         of_slot_(std::make_unique<std::uint32_t[]>(slots)) {}
 
-  /// Returns the number of a record for the caller; empty if all are in use. Lock-free.
+  /// Returns the number of a free record for the caller; empty if all are in use. Lock-free.
   [[nodiscard]] std::optional<std::size_t> Take() noexcept {
     for (std::size_t record = 0; record < size_; ++record) {
       if (records_[record].TryTake()) return record;
@@ -42,7 +42,7 @@ class CompletionPool {
     cancelled_.Set(true);
     Interrupt();
   }
-  /// Any thread: makes all waiting callers check again if their wait is over.
+  /// Any thread: makes all waiting callers check whether their wait is over.
   void Interrupt() noexcept {
     for (std::size_t record = 0; record < size_; ++record) records_[record].Interrupt();
   }

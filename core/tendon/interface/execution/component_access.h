@@ -32,9 +32,9 @@ class ComponentAccess {
   struct Listeners {
     /// Called with the reason, in the thread in which the component's code threw.
     std::function<void(const std::string& reason)> on_exception;
-    /// Called in a manager's thread when the interface has got another peer, or has none any more.
+    /// Called in a manager's thread when the interface has a new peer or has lost its peer.
     std::function<void(RequiredInterface&)> on_peer_changed{};
-    /// Called in a manager's thread when no further call of the client will be executed.
+    /// Called in a manager's thread when all calls of the client that will be executed have ended.
     std::function<void(DisconnectedClient)> on_client_gone{};
   };
 
@@ -53,17 +53,17 @@ class ComponentAccess {
     listeners_.on_client_gone(std::move(client));
   }
 
-  /// While the component is faulted, its peers get kNotActive, even for reads, because its values
-  /// are not updated.
+  /// Sets whether the component is faulted. Peers of a faulted component get kNotActive, even for
+  /// reads, because its values are no longer updated.
   void SetFaulted(bool faulted) noexcept { faulted_.Set(faulted); }
   [[nodiscard]] bool is_faulted() const noexcept { return faulted_.Get(); }
 
-  /// Sets whether calls that are not queued for a thread of the component are executed.
+  /// Sets whether the component executes calls that are not queued for its thread.
   void SetAccepting(bool accepting) noexcept { accepting_.Set(accepting); }
   [[nodiscard]] bool accepting() const noexcept { return accepting_.Get(); }
 
   /// Runs `body() -> Status`. If it throws, returns kFailed and reports the exception to
-  /// `component`, if any.
+  /// `component`, unless it is null.
   template <typename Body>
   static Status CatchExceptions(const ComponentAccess* component, Body body) {
     try {

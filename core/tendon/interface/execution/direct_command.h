@@ -7,8 +7,8 @@
 
 namespace tendon {
 
-/// Runs `body(in, out) -> Status` in the caller's thread: for reads and thread-safe methods. An
-/// exception gives kFailed and is reported to `component`, if any.
+/// Runs `body(in, out) -> Status` in the caller's thread, for reads and thread-safe methods. If
+/// `body` throws, the caller gets kFailed, and `component`, unless it is null, gets a report.
 template <Payload In, Payload Out, typename Body>
 class DirectCommand final : public Command<In, Out> {
  public:

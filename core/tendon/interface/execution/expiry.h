@@ -16,7 +16,7 @@ namespace tendon {
 /// Thread safety: only the thread that executes the calls of the component uses it.
 class Expiry {
  public:
-  /// `end` runs if the command was not executed for `after`.
+  /// Runs `end` if the command was not executed during the time `after`.
   Expiry(std::string command, std::chrono::nanoseconds after, std::function<void()> end)
       : command_(std::move(command)),
         message_(
@@ -36,15 +36,15 @@ class Expiry {
     due_ = SteadyClock().Now() + after_;
     connection_ = connection;
   }
-  /// Stops the time limit, because there is no effect that must end.
+  /// Stops the time limit. Called when there is no effect that must end.
   void Disarm() noexcept { due_ = SteadyTime::max(); }
   /// Returns the time when `end` is due; the largest time if there is no effect to end.
   [[nodiscard]] SteadyTime due() const noexcept { return due_; }
-  /// True if the present effect was last requested through this connection.
+  /// True if the last call that requested the present effect came through this connection.
   [[nodiscard]] bool IsOf(std::uint64_t connection) const noexcept {
     return due_ != SteadyTime::max() && connection_ == connection;
   }
-  /// Stops the time limit and runs `end`. May throw whatever the author's code throws.
+  /// Stops the time limit and runs `end`. Throws the exceptions of the author's code.
   void End() {
     Disarm();
     end_();

@@ -8,7 +8,7 @@
 
 namespace tendon {
 
-/// Converts the argument in the caller's thread and calls another command with the result.
+/// Runs `filter` on the argument in the caller's thread, and calls another command with the result.
 template <Payload In, Payload Filtered, typename Filter>
 class FilteredCommand final : public Command<In, None> {
  public:

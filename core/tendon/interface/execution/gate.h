@@ -8,8 +8,8 @@
 
 namespace tendon {
 
-/// A pointer that callers use while a manager replaces it. The manager can wait until no caller
-/// uses the old object. For one calling thread or for many.
+/// A pointer that calling threads use while a manager may replace it. The manager can wait until no
+/// caller uses the old object. There may be one calling thread or many.
 ///
 /// Thread safety: the threads that SetCallers() allows call Enter(), also nested. Managers call
 /// Exchange() and Get(), one manager at a time, never inside Enter().
@@ -17,15 +17,16 @@ template <typename T>
 class Gate {
  public:
   /// Sets the threads that may call Enter(). Call it before the first Enter(). `home` is the inbox
-  /// of the calling component, or null. If a thread is bound to `home`, a single caller must be
-  /// that thread; debug builds check it.
+  /// of the calling component, or null. If there is one caller, and a thread is bound to `home`,
+  /// the caller must be that thread; debug builds check it.
   void SetCallers(CallerThreads callers, const Inbox* home) {
     callers_ = callers;
     home_ = callers == CallerThreads::kOneThread ? home : nullptr;
   }
   [[nodiscard]] CallerThreads callers() const noexcept { return callers_; }
 
-  /// Runs `body(T*)` with the object, which may be null and is not freed meanwhile.
+  /// Runs `body(T*)` with the object, which may be null. The object is not freed before `body`
+  /// returns.
   template <typename Body>
   auto Enter(Body body) {
     if (callers_ == CallerThreads::kManyThreads) {
@@ -47,8 +48,8 @@ class Gate {
       one_.Exchange(next);
     }
   }
-  /// Sets the first object, for all further calls. Called by the thread that calls Enter(), between
-  /// two of its calls, while no manager replaces the object.
+  /// Sets the first object. Only for the thread that calls Enter(), between two of its calls, while
+  /// no manager replaces the object.
   void SetByCaller(T* object) noexcept {
     if (callers_ == CallerThreads::kManyThreads) {
       many_.Exchange(object);

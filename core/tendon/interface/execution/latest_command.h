@@ -9,9 +9,9 @@
 namespace tendon {
 
 /// A queued command that keeps only the latest call. A new call replaces an older call that is
-/// still queued, and is never refused because of a full mailbox. A token in the mailbox stands for
-/// the queued call. At most one token is in the mailbox while another one is executed, so two slots
-/// are reserved. A call with a waiting caller uses a separate slot.
+/// still queued, so a full mailbox never refuses it. A token in the mailbox represents the queued
+/// call. While one token is executed, one more may be queued, so two slots are reserved. A call
+/// whose caller waits uses a slot of its own.
 template <Payload In, typename Handler>
 class LatestCommand final : public Command<In, None>, private Mailbox::Entry {
  public:

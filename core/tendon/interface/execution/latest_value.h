@@ -11,21 +11,21 @@
 namespace tendon {
 
 /// The argument of a command that keeps only its latest call. A newer argument replaces an older
-/// one that is still queued. One token in the mailbox stands for the queued argument. Another token
-/// may be executed at the same time, so the mailbox reserves two slots.
+/// one that is still queued. A token in the mailbox represents the queued argument. While one token
+/// is executed, one more may be queued, so the mailbox reserves two slots.
 template <typename T>
 class LatestValue {
  public:
   explicit LatestValue(Mailbox& mailbox) : mailbox_(mailbox) {}
 
-  /// Stores the value that `make` returns. Any thread; never waits. One thread at a time calls
-  /// `make`; if `make` throws, nothing changes. The server later executes `token`, which calls
+  /// Stores the value that `make` returns. Never waits. Any thread, but only one thread at a time
+  /// runs `make`; if `make` throws, nothing changes. The server later executes `token`, which calls
   /// Take().
   template <typename Make>
   Status Post(Mailbox::Entry& token, Make&& make) {
     if (!mailbox_.is_open()) return mailbox_.refusal();
     const TryLock<>::Hold writing(writing_);
-    if (!writing) {  // another thread writes a value now, which counts as the newer one
+    if (!writing) {  // another thread writes a value now, which counts as the newer value
       mailbox_.CountReplaced();
       return Status::kQueued;
     }
@@ -41,7 +41,8 @@ class LatestValue {
     });
   }
 
-  /// Returns the newest value, or null if it was already taken. Called in the server's thread.
+  /// Returns the newest value, or null if the server has already taken it. Called in the server's
+  /// thread.
   T* Take() noexcept { return newest_.Take(); }
 
  private:

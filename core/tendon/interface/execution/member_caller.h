@@ -25,12 +25,12 @@ struct BoundMember {
   }
 };
 
-/// Points to the first member of a connected interface; the members are in the order of the
-/// functions. A pointer to the first member saves an indirection per call. All members change at
-/// once. Null if the interface is not connected.
+/// Points to the array of members of a connected interface, in the order of its functions; null if
+/// the interface is not connected. A pointer to the first member saves an indirection per call. All
+/// members change at once.
 using BindingGate = Gate<const BoundMember>;
 
-/// Runs `call(CommandBase&) -> Status` if the member is bound and enabled, otherwise returns the
+/// Runs `call(CommandBase&) -> Status` if the member is bound and enabled. Otherwise returns the
 /// reason as a Status.
 template <typename Call>
 Status CallMember(BindingGate& gate, std::size_t index, Call call) {
@@ -45,7 +45,8 @@ Status CallMember(BindingGate& gate, std::size_t index, Call call) {
   });
 }
 
-/// The calling end of a member: a function of a required interface, or an event of a provided one.
+/// The calling end of a member: a function of a required interface, or an event of a provided
+/// interface.
 class MemberCaller {
  public:
   MemberCaller() = default;
@@ -53,8 +54,8 @@ class MemberCaller {
   MemberCaller& operator=(const MemberCaller&) = delete;
   virtual ~MemberCaller() = default;
 
-  /// Returns null if `command` can be called directly, otherwise a converting command to call
-  /// instead. `command` has the caller's signature and must outlive the result.
+  /// Returns null if `command` can be called directly. Otherwise returns a converting command that
+  /// must be called instead. `command` has the caller's signature and must outlive the result.
   [[nodiscard]] virtual std::unique_ptr<CommandBase> Adapt(CommandBase& command) const = 0;
 };
 

@@ -21,16 +21,18 @@ namespace tendon {
 template <typename T>
 inline constexpr bool kLiesInSlot = std::is_trivially_copyable_v<T>;
 
-/// Queues each call in the mailbox; the thread that empties the mailbox runs `handler(in, out)`. If
-/// there is no mailbox, because the component has no thread, the caller's thread runs `handler`,
-/// while `component` accepts calls. To get the reply, the caller must wait. Replies are stored in a
-/// pool, because the caller may stop waiting before its call ends.
+/// Queues each call in the mailbox. The thread that empties the mailbox runs `handler(in, out)`. A
+/// component without a thread has no mailbox; then the caller's thread runs `handler`, if
+/// `component` accepts calls.
+///
+/// A caller gets the reply only if it waits. Replies are stored in a pool, because the caller may
+/// stop waiting before its call ends.
 template <Payload In, Payload Out, typename Handler>
 class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
  public:
   static_assert(alignof(In) <= 64, "an argument of a queued command is aligned to at most 64");
 
-  /// Each executed call renews `expiry`, if there is one.
+  /// Each executed call renews `expiry`, which may be null.
   QueuedCommand(Handler handler, Mailbox* mailbox, const ComponentAccess* component = nullptr,
                 Expiry* expiry = nullptr)
       : handler_(std::move(handler)), mailbox_(mailbox), component_(component), expiry_(expiry) {
@@ -52,9 +54,9 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
     return claimed;
   }
 
-  /// Decodes the argument directly into its slot, without a copy. For this reason, a malformed
-  /// argument occupies a slot until the server skips it. If the mailbox refuses the call, the
-  /// caller gets the status of the mailbox, not kInvalid.
+  /// Decodes the argument directly into its slot, without a copy. Therefore, a malformed argument
+  /// occupies a slot until the server skips it. If the mailbox refuses the call, the caller gets
+  /// the mailbox's status even for a malformed argument.
   Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& out) override {
     if (mailbox_ == nullptr || kAnswers) return Command<In, Out>::ExecuteEncoded(in, out);
     std::byte* argument = nullptr;
@@ -120,9 +122,9 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
     });
   }
 
-  /// Claims a slot and copies the argument. If it returns kQueued, the argument is in the claimed
-  /// slot, which must be published. Otherwise nothing has changed: the mailbox has refused the
-  /// call, or the copy threw (kFailed).
+  /// Claims a slot and copies the argument. After kQueued, the argument is in the claimed slot,
+  /// which must be published. After any other status nothing has changed: the mailbox has refused
+  /// the call, or the copy has thrown (kFailed).
   Status Claim(const In& in, std::byte*& argument) {
     argument = mailbox_->Claim();
     if (argument == nullptr) return mailbox_->refusal();
@@ -135,8 +137,8 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
       return copied;
     }
   }
-  /// Like Claim(), but for an encoded argument. Returns kInvalid if it cannot be decoded, and
-  /// kFailed if the codec threw.
+  /// Like Claim(), but for an encoded argument. Returns kInvalid if the argument cannot be decoded,
+  /// and kFailed if the codec throws.
   Status ClaimDecoded(std::span<const std::byte> in, std::byte*& argument) {
     argument = mailbox_->Claim();
     if (argument == nullptr) return mailbox_->refusal();

@@ -13,8 +13,10 @@ namespace tendon {
 /// A read command for a shared value, which must never change after the command has returned it.
 /// Runs `body() -> std::shared_ptr<const Out>` in the caller's thread. Returns kNoSample if the
 /// pointer is null, and kFailed if `body` throws. An encoded read encodes the value without copying
-/// it first. The value is freed by the last thread that uses it. This can be the caller's thread,
-/// so a real-time cycle should not read large values this way.
+/// it first.
+///
+/// The last thread that uses the value frees it. This can be the caller's thread, so a real-time
+/// cycle should not read large values this way.
 template <Payload Out, typename Body>
 class SharedReadCommand final : public Command<None, Out> {
  public:
@@ -26,7 +28,8 @@ class SharedReadCommand final : public Command<None, Out> {
       return Status::kDone;
     });
   }
-  /// Returns kFailed if the size of the value changed during the read, which is not allowed.
+  /// Returns kFailed if the size of the value changes during the read, which is a mistake of the
+  /// author.
   Status ExecuteEncoded(std::span<const std::byte> /*in*/, AnswerSink& out) override {
     return With([&out](const Out& value) -> Status {
       const std::span<std::byte> room = out.Room(EncodedSize(value));

@@ -7,7 +7,7 @@
 
 namespace tendon {
 
-/// Marks a method that may run in any thread, concurrently with its component: it touches only
+/// Marks a method that may run in any thread, concurrently with its component. The method uses only
 /// constant or synchronised data.
 struct ThreadSafe {};
 inline constexpr ThreadSafe kThreadSafe;

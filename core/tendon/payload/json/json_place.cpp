@@ -27,7 +27,7 @@ bool EnterMember(JsonScanner& walk, std::string_view name, int nth, std::size_t&
     const std::size_t begin = walk.offset();
     std::string_view key = walk.Take();
     if (!walk.ToValue()) return false;
-    key = key.substr(1, key.size() - 2);  // the quotes
+    key = key.substr(1, key.size() - 2);  // removes the quotes
     if (key == name && --nth == 0) {
       place = begin;
       return true;

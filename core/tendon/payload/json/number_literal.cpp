@@ -42,7 +42,7 @@ bool TakeLetter(std::string_view& text, std::string_view letters) {
   return true;
 }
 
-/// Removes the longest leading number from `text` and returns it; nothing if there is none.
+/// Removes the longest leading number from `text` and returns it, if the text begins with a number.
 std::optional<Spelling> TakeNumber(std::string_view& text) {
   std::string_view rest = text;
   Spelling number;
@@ -93,7 +93,7 @@ std::pair<char32_t, std::size_t> LetterAt(std::string_view text, std::size_t at)
   return {letter, size};
 }
 
-/// Returns the ASCII letter that has the same meaning in a number; 0 if there is none.
+/// Returns the ASCII character with the same meaning in a number; 0 if no character has it.
 char InAscii(char32_t letter) {
   constexpr auto kZeros = std::to_array<char32_t>({0x660, 0x6f0, 0x966, 0x9e6, 0xff10});
   for (const char32_t zero : kZeros) {
@@ -141,8 +141,8 @@ std::string Trimmed(std::string_view text) {
   return std::string(end == text.npos ? "" : text.substr(begin, end + 1 - begin));
 }
 
-/// Returns the JSON word for infinity or not-a-number: "inf" for "+Infinity"; empty for any other
-/// text.
+/// Returns the JSON word for infinity or not-a-number: "inf" for "+Infinity". Returns an empty text
+/// for all other input.
 std::string NotFinite(const std::string& text) {
   const std::string lower = InLowerCase(text);
   const bool is_signed = lower.starts_with('+') || lower.starts_with('-');
@@ -236,16 +236,16 @@ std::optional<std::string> DecimalOfHex(std::string_view text) {
   return (is_negative ? "-" : "") + std::to_string(number);
 }
 
-/// Returns the text after a number, such as "deg" in "5 deg". Empty if there is no such text, or no
-/// number.
+/// Returns the text after a number, such as "deg" in "5 deg". Returns an empty text if nothing
+/// follows the number, or if `text` does not begin with a number.
 std::string RestBehindNumber(std::string_view text) {
   const std::size_t end = text.find_first_not_of("+-0123456789.,_' ");
   if (end == text.npos || text.substr(0, end).find_first_of(kDigits) == text.npos) return "";
   return std::string(text.substr(end));
 }
 
-/// Returns the digits of an integer that may have a point or an exponent ("1.50e2"); nothing if the
-/// number is not an integer. No type has more than `kMost` digits.
+/// Returns the digits of an integer that may be written with a point or an exponent ("1.50e2").
+/// Returns nothing if the number is not an integer. No type has more than `kMost` digits.
 std::optional<std::string> IntegerDigits(const Spelling& number, bool& is_too_long) {
   constexpr int kMost = 40;
   std::string digits = number.whole + number.fraction;
@@ -325,8 +325,8 @@ NumberLiteral OfKind(Kind kind, const Spelling& number) {
 
 bool HasInfinity(Kind kind) { return kind == Kind::kFloat32 || kind == Kind::kFloat64; }
 
-/// Converts seconds, without their sign, to nanoseconds, rounded. Empty if the result is `limit` or
-/// more.
+/// Converts seconds, without their sign, to rounded nanoseconds. Returns nothing if the result is
+/// `limit` or more.
 std::optional<std::int64_t> Nanoseconds(const Spelling& seconds, std::int64_t limit) {
   constexpr int kPlaces = 9;
   const std::string digits = seconds.whole + seconds.fraction;

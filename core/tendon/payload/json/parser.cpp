@@ -93,7 +93,8 @@ bool ToReal(const Json& value, Real& out) {
   return true;
 }
 
-/// Unit and range of all numbers in a value, from the innermost field that has them.
+/// The unit and the range for all numbers in a value. They come from the innermost field that has
+/// them.
 struct Numbers {
   std::string unit;
   std::optional<Range> range;
@@ -199,9 +200,9 @@ class Builder {
             static_cast<std::uint32_t>((time - whole).count())};
   }
 
-  /// Reads a duration whose nanoseconds a double cannot hold. It may be a number, or a string of
-  /// the digits, which programs send if they store numbers as doubles. Returns nothing for all
-  /// other values.
+  /// Reads a duration whose nanoseconds a double cannot hold. The value may be a number. It may
+  /// also be a string of digits, which is sent by programs that store numbers as doubles. Returns
+  /// nothing for all other values.
   std::optional<std::chrono::nanoseconds> FineDuration(const Json& value) {
     if (const auto fine = fine_.find(path_); value.is_number_float() && fine != fine_.end()) {
       return NanosecondsIn(fine->second);

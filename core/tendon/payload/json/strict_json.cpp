@@ -47,9 +47,9 @@ std::string Words(const std::string& what) {
   return Printable(words, 200);
 }
 
-/// Returns the number of bytes from the start of the mistake to the parser's position. `last_token`
-/// ends at this position. Only if it is a string, it starts where the mistake starts; otherwise it
-/// starts too early.
+/// Returns the number of bytes from the start of the mistake to the parser's position. The parser's
+/// `last_token` ends at this position. If the token is a string, it starts where the mistake
+/// starts. Otherwise the token starts too early.
 std::size_t OffendingLength(const std::string& words, const std::string& last_token) {
   if (words.starts_with("unexpected end")) return 0;
   if (words.starts_with("unexpected string")) return last_token.size();
@@ -191,7 +191,7 @@ class StrictReader final : public nlohmann::json_sax<Json> {
   const Integers integers_;
   FineNumbers* const fine_;
   Json root_;
-  std::vector<Open> open_;  // from the root to the innermost open one
+  std::vector<Open> open_;  // from the root to the innermost
   std::string key_;
   std::string error_;
 };
@@ -221,7 +221,7 @@ Result<nlohmann::ordered_json> ParseOrderedJson(std::string_view text) {
   if (IsTooDeep(text)) return Error{ErrorCode::kInvalid, TooDeep()};
   auto value = nlohmann::ordered_json::parse(text, nullptr, /*allow_exceptions=*/false);
   if (!value.is_discarded()) return value;
-  const auto strict = ParseStrictJson(text);  // its error names the place
+  const auto strict = ParseStrictJson(text);  // returns an error with the place
   return strict ? Error{ErrorCode::kInvalid, "is not valid JSON"} : strict.error();
 }
 

@@ -21,9 +21,9 @@ using FineNumbers = std::map<std::string, std::string>;
 Result<Json> ParseStrictJson(std::string_view text);
 
 /// Like ParseStrictJson(), but for values of a known type. A number with an integer value becomes
-/// an integer, however it is written (2.0, 1e3). Any other number does not become an integer, not
-/// even 1.00000000000000000001. If `fine` is not null, it receives the digits of each number for
-/// which IsFinerThanDouble() is true.
+/// an integer, even if it is written as 2.0 or 1e3. A number that is not exactly an integer never
+/// becomes one: 1.00000000000000000001 becomes a double. If `fine` is not null, it receives the
+/// digits of each number for which IsFinerThanDouble() is true.
 Result<Json> ParseExactJson(std::string_view text, FineNumbers* fine);
 
 /// Reads JSON that a program wrote, perhaps another process; members keep their order. Errors are

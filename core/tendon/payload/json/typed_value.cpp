@@ -30,7 +30,7 @@ Result<nlohmann::ordered_json> TypedNumber(const Schema& schema, const std::stri
 /// integer 1.
 Result<void> CheckTyped(const Schema& schema, const std::string& name, const std::string& typed,
                         const nlohmann::ordered_json& value) {
-  if (!FromJson(schema, value.dump())) return {};  // reported later, with its unit
+  if (!FromJson(schema, value.dump())) return {};  // FromJson() reports this later, with the unit
   const auto body = FromJson(schema, typed);
   if (body) return {};
   return Error{ErrorCode::kInvalid, name + ": " + body.error().message};

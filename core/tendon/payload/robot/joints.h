@@ -38,8 +38,8 @@ struct JointCommand {
 };
 
 /// The state of joints of any kind and number, by name. Each list has as many items as `name`, or
-/// none if the values are unknown. A revolute joint has rad, rad/s and N m; a prismatic one has m,
-/// m/s and N.
+/// is empty if its values are unknown. The units are rad, rad/s and N m for a revolute joint, and
+/// m, m/s and N for a prismatic joint.
 struct NamedJointState {
   Header header;
   std::vector<std::string> name;

@@ -10,7 +10,7 @@ std::string Differ(const std::string& where, const std::string& needed,
   return (where.empty() ? "" : where + ": ") + needed + " needed, " + offered + " offered";
 }
 
-/// True if two types are equal without regard to their fields and elements.
+/// True if two types are equal, apart from their fields and elements.
 bool SameShell(const Schema& needed, const Schema& offered) {
   return needed.kind() == offered.kind() && needed.name() == offered.name() &&
          needed.length() == offered.length();
@@ -35,7 +35,7 @@ std::string WithUnit(const Schema::Field& field) {
   return field.schema.TypeName() + (field.unit.empty() ? " without unit" : " in " + field.unit);
 }
 
-/// Returns the first difference. `where` names the compared values as in the innermost structure:
+/// Returns the first difference. `where` is the name of the compared values for the message:
 /// "position of arm.JointState".
 std::optional<std::string> Difference(const Schema& needed, const Schema& offered,
                                       const std::string& where);

@@ -10,8 +10,8 @@ namespace tendon {
 class MemberCalls::Target : public std::enable_shared_from_this<Target>,
                             private ExecutingCalls::Owner {
  public:
-  /// `line` executes the calls of this command. It is null if no call runs component code in the
-  /// caller's thread.
+  /// `line` executes the calls of this command. It may be null if no call runs component code in
+  /// the caller's thread.
   Target(const Offer& offer, ProvidedInterface& provided, const std::string& name,
          std::shared_ptr<SerialExecutor> line)
       : description_(offer.description()),
@@ -31,7 +31,7 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>,
   Target& operator=(const Target&) = delete;
   ~Target() override { Close(); }
 
-  /// Executes the call and replies. If this may take long, another thread does it. Any thread.
+  /// Executes the call and replies. Another thread does this if it may take long. Any thread.
   void Call(const std::shared_ptr<message::CallMember>& call, NetworkThread& network,
             const std::shared_ptr<Responder>& responder) {
     const auto execute = [self = shared_from_this(), call, &network, responder,
@@ -50,7 +50,7 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>,
     begun_.Answer(now, next);
   }
 
-  /// Disconnects the command. When this function returns, the component is not used any more.
+  /// Disconnects the command. After this function has returned, the component is not used any more.
   void Close() {
     is_closed_.Set(true);  // threads that wait for mutex_ check it and stop
     const std::scoped_lock lock(mutex_);
@@ -63,7 +63,7 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>,
   }
 
  private:
-  /// Executes the call and replies, or leaves the reply to Answer() and notifies the network
+  /// Executes the call and replies. If the call must wait, Answer() replies later in the network
   /// thread.
   void Execute(std::span<const std::byte> argument, SteadyTime deadline, NetworkThread& network,
                Responder responder) {

@@ -23,9 +23,9 @@ class MemberCalls final : private NetworkJob {
   explicit MemberCalls(ProcessContext& context) : context_(context) { context.network->Add(*this); }
   ~MemberCalls() override { context_.network->Remove(*this); }
 
-  /// Executes a call and replies. Call it in a thread of the middleware. Replies at once, except
-  /// for the first call of a member, for a call that waits for the component, and for a call that
-  /// runs component code. Refusals: kNotFound with a suggestion, kFailed if too many calls wait.
+  /// Executes a call and replies. Call it in a thread of the middleware. Replies before it returns,
+  /// except to the first call of a member, and to calls that wait for the component or run
+  /// component code. Refusals: kNotFound with a suggestion, kFailed if too many calls wait.
   void Call(const std::shared_ptr<message::CallMember>& call,
             const std::shared_ptr<Responder>& responder);
 

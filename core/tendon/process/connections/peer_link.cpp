@@ -110,7 +110,7 @@ void PeerLink::OnNotice(const std::shared_ptr<Channel>& channel, const FrameHead
     });
   }
   const auto [proxy, offset] = handles_.Find(header.handle);
-  if (!proxy || offset > 0) return;  // closed meanwhile
+  if (!proxy || offset > 0) return;  // the connection has been closed
   if (header.type == message::kCredit) {
     const auto credit = DecodeBody<message::Credit>(body);
     if (!credit || !proxy->OnCredit(*credit)) return;

@@ -27,22 +27,22 @@ class PeerListener {
  public:
   virtual ~PeerListener() = default;
   virtual void OnLinkClosed(const PeerLink& link, const Error& reason) = 0;
-  /// Called when the provided interface of one connection is gone. `handle` is our number for this
-  /// connection.
+  /// Called when the provided interface of one connection no longer exists. `handle` is the number
+  /// that this end has issued for the connection.
   virtual void OnInterfaceClosed(const PeerLink& link, std::uint32_t handle,
                                  const Error& reason) = 0;
   /// Called when a remote component has faulted or was restarted.
   virtual void OnServerChanged() = 0;
 };
 
-/// The channel to one other process, opened by this one and shared by all connections to that
-/// process. Closes itself if the peer hangs.
+/// The channel to one other process. This process has opened the channel, and all connections to
+/// the other process share it. Closes itself if the peer hangs.
 class PeerLink final : public ChannelHandler, public std::enable_shared_from_this<PeerLink> {
  public:
   using Opened = std::function<void(const Result<std::shared_ptr<PeerLink>>&)>;
 
-  /// Opens a link, like OpenChannel(), within a second. The error is kUnreachable if a different
-  /// process answers at the address.
+  /// Opens a link within a second, like OpenChannel(). Returns kUnreachable if a different process
+  /// answers at the address.
   static void Open(const ProcessContext& context, PeerListener& listener,
                    const std::string& process, const std::string& address, Opened opened);
 
@@ -57,12 +57,12 @@ class PeerLink final : public ChannelHandler, public std::enable_shared_from_thi
   [[nodiscard]] std::chrono::nanoseconds silence() const {
     return SteadyClock().Now() - last_heard_.Get();
   }
-  /// Makes copies of remote values, in the order of `mirrored`, and updates each copy as long as
+  /// Makes copies of remote values, in the order of `mirrored`. Updates each copy as long as
   /// another object holds it. Call it in a thread of the middleware, before the first value
   /// arrives.
   using MirroredValues = std::vector<std::shared_ptr<MirroredValue>>;
   Result<MirroredValues> MakeCopies(const message::MirrorReply& mirrored);
-  /// Our numbers for connections and event handlers.
+  /// The numbers that this end has issued for connections and event handlers.
   [[nodiscard]] HandleTable<ProvidedInterfaceProxy>& handles() { return handles_; }
 
  private:
@@ -92,7 +92,8 @@ class PeerLink final : public ChannelHandler, public std::enable_shared_from_thi
   std::map<std::uint32_t, std::weak_ptr<MirroredValue>> mirrored_;  // by the peer's handles
 };
 
-/// A request for the provided interface of another process that a required interface here needs.
+/// A request for the provided interface of another process, made for a required interface of this
+/// process.
 struct InterfaceRequest {
   message::OpenInterface open;
   std::chrono::milliseconds read_deadline{0};
@@ -102,9 +103,9 @@ struct InterfaceRequest {
 
 using OpenedInterface = Result<std::shared_ptr<ProvidedInterfaceProxy>>;
 
-/// Asks the peer for the interface and makes its proxy, which is registered at the link under
+/// Asks the peer for the interface and makes its proxy. Registers the proxy at the link under
 /// `wanted.open.handle`. Calls `done` in a thread of the middleware, before the proxy receives
-/// anything from the peer.
+/// messages from the peer.
 void OpenProvided(const std::shared_ptr<NetworkThread>& network,
                   const std::shared_ptr<PeerLink>& link, const InterfaceRequest& wanted,
                   const std::function<void(const OpenedInterface&)>& done);

@@ -15,15 +15,15 @@
 
 namespace tendon {
 
-/// Knows the other processes, and holds the links to the processes that are needed. Used only on
+/// Knows the other processes, and holds the links to those that this process needs. Used only on
 /// the worker.
 class PeerLinks {
  public:
   PeerLinks(ProcessContext& context, PeerListener& listener)
       : context_(context), listener_(listener) {}
 
-  /// Sets the present processes, as the GCM reports them. Closes no links, because the GCM's report
-  /// may be outdated.
+  /// Sets the list of present processes from a report of the GCM. Closes no links, because the
+  /// report may be outdated.
   void Update(const std::vector<ProcessDescription>& processes);
   /// Adds or updates one process.
   void Learn(const std::string& process, const std::string& address, std::uint64_t instance);
@@ -34,11 +34,11 @@ class PeerLinks {
 
   using Done = PeerLink::Opened;
 
-  /// Calls `done` with the link to the process, at once if the link is already open. Links to
-  /// processes that did not answer last time are opened one at a time.
+  /// Calls `done` with the link to the process. If the link is already open, calls it before
+  /// returning. Links to processes that did not answer the last attempt are opened one at a time.
   void LinkTo(const std::string& process, Done done);
-  /// Closes links to outdated instances, and links to processes that the GCM has lost and that do
-  /// not answer here either.
+  /// Closes links to outdated instances. Also closes links to processes that the GCM has lost and
+  /// that do not answer this process either.
   void CloseOutdated();
   void CloseAll();
 
@@ -55,7 +55,7 @@ class PeerLinks {
   struct UnresponsivePeer {
     Endpoint endpoint;
     Error error;
-    // Its pauses are not longer than those of RemoteConnections.
+    // The pauses are not longer than those of RemoteConnections.
     Backoff backoff{std::chrono::milliseconds(500), std::chrono::milliseconds(1500)};
     SteadyTime until{};
   };

@@ -108,7 +108,7 @@ void PeerSession::OpenInterface(Body body, Responder responder) {
 }
 
 /// Serves a client that only listens to events. The client may be a viewer, which must not call
-/// functions. It gets all events, with their times.
+/// functions. The client gets all events with their times.
 void PeerSession::Listen(Body body, Responder responder) {
   Post<message::OpenInterface>(
       body, std::move(responder),
@@ -124,8 +124,8 @@ void PeerSession::Listen(Body body, Responder responder) {
       });
 }
 
-/// Serves a request on the worker, because it may have to wait for the manager's lock. Reserves
-/// room in the quota before it decodes the request, because decoding takes more memory.
+/// Serves a request on the worker, because the request may have to wait for the manager's lock.
+/// Reserves room in the quota before it decodes the request, because decoding needs more memory.
 template <typename Wanted>
 void PeerSession::Post(
     Body body, Responder responder,

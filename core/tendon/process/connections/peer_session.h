@@ -25,8 +25,8 @@ struct Services {
   TelemetryServer telemetry;
 };
 
-/// Limits how many requests of one peer wait for a thread, because waiting requests need memory and
-/// a peer may send faster than it is served. Thread-safe.
+/// Limits how many requests of one peer wait for a thread. Without the limit, a peer that sends
+/// faster than it is served could use up the memory. Thread-safe.
 class RequestQuota : public std::enable_shared_from_this<RequestQuota> {
  public:
   /// Maximum number of waiting requests: four times the subscriptions that a viewer may have.
@@ -60,7 +60,7 @@ class RequestQuota : public std::enable_shared_from_this<RequestQuota> {
 };
 
 /// Serves one channel that another process or a viewer has opened. Executes commands and reads in
-/// the middleware's thread; posts all other work, which might block, to the worker.
+/// the middleware's thread. Posts all work that might block to the worker.
 class PeerSession final : public GuardedHandler {
  public:
   explicit PeerSession(Services& services) : services_(services) {}

@@ -110,8 +110,8 @@ void RemoteConnections::Try(ConnectionId id) {
   context_.worker->PostAfter(kOpenTimeout, [this, id, attempt] { ReportPending(id, attempt); });
 }
 
-/// Reports that the connection is pending, because the attempt may have to wait for other links
-/// that hang.
+/// Reports that the connection is pending, because the attempt may have to wait for links to
+/// hanging processes.
 void RemoteConnections::ReportPending(ConnectionId id, std::uint64_t attempt) {
   Done done;
   ConnectionDescription description;
@@ -155,7 +155,8 @@ void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>
     entry.handle = attempt.handle = wanted.open.handle;
     attempt.number = entry.attempt;
   }
-  // The answer is needed even after GiveUp(), because it says which interface the peer must close.
+  // The answer is needed even after GiveUp(), because it contains the handle with which
+  // CloseThere() closes the interface at the peer.
   OpenProvided(context_.network, link, wanted,
                [this, worker = context_.worker, attempt](const OpenedInterface& opened) {
                  worker->Post([this, attempt, opened] { Finish(attempt, opened); });
@@ -209,8 +210,8 @@ Result<void> RemoteConnections::Bind(Entry& entry,
                                      const std::shared_ptr<ProvidedInterfaceProxy>& proxy) {
   ConnectionDescription& description = entry.description;
   const auto required = context_.process.LookUpRequired(description.required);
-  // The proxy is added before Make(), because a component may call at once, and Make() waits until
-  // this call is executed.
+  // The proxy is added before Make(), because a component may make a call at once, and Make() waits
+  // until the call is executed.
   context_.proxies.Add(description.provided, proxy);
   auto connection =
       required ? Connection::Make(**required, proxy->interface(), ToString(description.required),
@@ -314,7 +315,7 @@ bool RemoteConnections::IsNewest(ConnectionId id, std::uint64_t attempt) const {
   return found != entries_.end() && found->second.attempt == attempt;
 }
 
-/// Closes the connection, and ignores outcomes of earlier attempts.
+/// Closes the connection. Outcomes of earlier attempts are ignored from now on.
 void RemoteConnections::TakeDown(Entry& entry, SteadyTime deadline) {
   ++entry.attempt;
   entry.is_opening = false;
@@ -332,7 +333,7 @@ void RemoteConnections::TakeDown(Entry& entry, SteadyTime deadline) {
 }
 
 /// Asks the peer to close its end of the connection. The notice is sent on the lane of the calls,
-/// so that it arrives after them. The peer keeps the connection until the notice arrives.
+/// so that it arrives after them. The peer keeps the connection until then.
 void RemoteConnections::CloseThere(const std::shared_ptr<Channel>& channel, std::uint32_t handle,
                                    Lane lane) {
   NotifyUntilSent(context_.worker, channel, message::kCloseInterface, handle, lane);
@@ -357,9 +358,10 @@ Result<void> RemoteConnections::Disconnect(const InterfaceName& required) {
     TakeDown(ended.mapped(), SteadyClock().Now() + LocalManager::kDrainPatience);
   }
   context_.process.StructureChanged();
-  if (done) {  // on the worker, because this thread may be any, and holds the lock
+  if (done) {  // on the worker, because any thread with the lock may be here
     context_.worker->Post([done, required] {
-      done(Error{ErrorCode::kFailed, ToString(required) + " was disconnected meanwhile"});
+      done(Error{ErrorCode::kFailed,
+                 ToString(required) + " was disconnected before the connection was made"});
     });
   }
   return {};

@@ -25,9 +25,9 @@ class RemoteConnections final : private PeerListener {
 
   explicit RemoteConnections(ProcessContext& context) : context_(context), peers_(context, *this) {}
 
-  /// Adds the connection, and calls `done` when it is active or pending. On an error, the
-  /// connection is not added: kNotFound if the required interface does not exist here, kExists, or
-  /// kIncompatible. All names include the process.
+  /// Adds the connection, and calls `done` when it is active or pending. After an error, the
+  /// connection is not added. Errors: kNotFound if this process has no such required interface,
+  /// kExists, kIncompatible. All names include the process.
   void Connect(const message::Wire& wire, Done done);
 
   /// Sets the present processes, and opens the connections that are now possible.
@@ -37,7 +37,7 @@ class RemoteConnections final : private PeerListener {
   // Any thread.
 
   [[nodiscard]] bool Has(const InterfaceName& required) const;
-  /// Removes the connection, after sending accepted calls.
+  /// Sends the accepted calls, then removes the connection.
   Result<void> Disconnect(const InterfaceName& required);
   /// Removes all connections of a component. Call it before the component is removed.
   void RemoveComponent(const std::string& component);
@@ -49,18 +49,19 @@ class RemoteConnections final : private PeerListener {
   /// True if servers may still execute accepted calls of the component.
   [[nodiscard]] bool HasCallsUnderWay(const std::string& component) const;
 
-  /// Ends all connections, but first sends the accepted calls, until `deadline`. Call it after the
-  /// worker has stopped.
+  /// Sends the accepted calls, at most until `deadline`, and ends all connections. Call it after
+  /// the worker has stopped.
   void Close(SteadyTime deadline);
 
  private:
   struct Entry {
     ConnectionDescription description;
-    SteadyTime since{};            // the time since which it is not active
+    SteadyTime since{};            // start of the time without a connection
     Done done;                     // callback of Connect(); empty after the first outcome
-    std::uint64_t attempt = 0;     // the newest attempt; outcomes of earlier ones are ignored
-    bool is_opening = false;       // an attempt has no outcome yet
-    std::uint64_t refused_by = 0;  // the instance of the process that refused it
+    std::uint64_t attempt = 0;     // the newest attempt; outcomes of earlier attempts are
+                                   // ignored
+    bool is_opening = false;       // true until the attempt has an outcome
+    std::uint64_t refused_by = 0;  // instance of the process that has refused the connection
     Backoff backoff = kLinkRetry;
     std::shared_ptr<PeerLink> link;
     std::uint32_t handle = 0;  // the number that this end has issued
@@ -99,7 +100,7 @@ class RemoteConnections final : private PeerListener {
 
   ProcessContext& context_;
   PeerLinks peers_;
-  Entries entries_;  // under the manager's lock
+  Entries entries_;  // protected by the manager's lock
 };
 
 }  // namespace tendon

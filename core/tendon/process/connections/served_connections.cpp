@@ -15,10 +15,10 @@
 namespace tendon {
 namespace {
 
-constexpr std::chrono::milliseconds kAnswerTimeout(400);  // the opener waits meanwhile
+constexpr std::chrono::milliseconds kAnswerTimeout(400);  // the opener waits this long
 constexpr std::size_t kMostTypes = 8;
 
-/// Adds the incompatible types of `members` that this process does not know.
+/// Adds the types of incompatible `members` that this process does not know to `unknown`.
 void AddUnknown(const std::vector<MemberDescription>& members, const Compatibility& compatibility,
                 std::vector<Fingerprint>& unknown) {
   for (const Mismatch& mismatch : compatibility.mismatches) {
@@ -43,8 +43,8 @@ Error Misfit(const message::OpenInterface& open, const ProvidedDescription& prov
 }
 
 /// Refuses a connection to the incompatible interface `provided`, and names the first difference.
-/// Asks the opener for types that only the opener knows. If the opener does not answer in time,
-/// refuses with `why`; `timer` checks the time.
+/// First asks the opener for the types that only the opener knows. If the opener does not answer in
+/// time, refuses with `why`; `timer` provides the timeout.
 void RefuseMisfit(Worker& timer, const std::shared_ptr<Channel>& channel,
                   const message::OpenInterface& open, const ProvidedDescription& provided,
                   const Error& why, const std::shared_ptr<Responder>& responder) {
@@ -156,7 +156,7 @@ Result<ServedConnections::Entry> ServedConnections::Make(const std::shared_ptr<C
   }
 }
 
-/// Limits the memory that another process can request here.
+/// Limits the memory that another process can request from this process.
 Result<void> ServedConnections::CheckSize(const message::OpenInterface& open, std::size_t bytes) {
   constexpr std::size_t kMostCalls = 65536;
   constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
@@ -187,8 +187,8 @@ void ServedConnections::RemoveComponent(const std::string& component) {
     Channel& channel = *entry.client->channel;
     const Status told = channel.Notify(message::kInterfaceClosed, entry.proxy->handle(), reason,
                                        entry.proxy->lane());
-    // The client must be notified. Because the link is full, the channel is closed instead, and the
-    // client opens it again.
+    // The client must learn that its connection has ended. The link is too full for the notice, so
+    // the channel is closed instead, and the client opens it again.
     if (told == Status(Status::kQueueFull)) channel.Close();
   }
   const SteadyTime deadline = SteadyClock().Now() + LocalManager::kDrainPatience;
@@ -239,7 +239,7 @@ void ServedConnections::CheckHanging() {
 template <typename Predicate>
 void ServedConnections::TakeDownWhere(std::list<Entry>& entries, Predicate predicate,
                                       SteadyTime deadline) {
-  for (Entry& entry : entries) {  // all entries first, so that none waits for the reads of others
+  for (Entry& entry : entries) {  // for all entries, before any entry waits
     if (predicate(entry)) Detach(entry);
   }
   for (auto entry = entries.begin(); entry != entries.end();) {

@@ -19,46 +19,46 @@ namespace tendon {
 /// Another process that has opened a channel to this one, and the handles issued to it.
 struct Client {
   std::shared_ptr<Channel> channel;
-  AuditLog audit;  ///< audit log for its connections
+  AuditLog audit;  ///< for the connections of this client
   HandleTable<RequiredInterfaceProxy> handles;
 };
 
 /// Returns "robot/arm/Control for desk/operator/Robot", for the audit log.
 [[nodiscard]] std::string EndsOf(const message::OpenInterface& open);
 
-/// The connections from required interfaces of other processes to provided interfaces here. When a
-/// connection that may transmit commands is opened or closed, the audit log gets a line, with the
-/// number of commands.
+/// The connections from required interfaces of other processes to provided interfaces of this
+/// process. The audit log gets a line when a connection that may transmit commands is opened, and a
+/// line with the number of commands when it is closed.
 ///
 /// Functions are called on the worker unless noted.
 class ServedConnections {
  public:
   explicit ServedConnections(ProcessContext& context) : context_(context) {}
 
-  /// kEventsOnly is for a client that only listens to events. Such a client may be a viewer. The
-  /// number of these connections is limited for each client and in total. Closing such a connection
-  /// does not wait until the client has received all events.
+  /// kEventsOnly is for a client that only listens to events. This client may be a viewer. The
+  /// number of these connections is limited, for each client and in total. Closing one of them does
+  /// not wait until the client has received all events.
   enum class Use { kAll, kEventsOnly };
   static constexpr std::ptrdiff_t kMostListenersOfOne = 64;
   static constexpr std::ptrdiff_t kMostListeners = 256;
 
-  /// Makes the connection, and replies before anything else about the connection is sent. Refusals:
+  /// Makes the connection. Replies before it sends other messages of the connection. Refusals:
   /// kNotFound with a suggestion, kIncompatible with the first difference, kInvalid for a mailbox
   /// that is too large, kFailed for too many listeners.
   void Open(const std::shared_ptr<Client>& client, const message::OpenInterface& open, Use use,
             const std::shared_ptr<Responder>& responder);
-  /// Executes the calls that have arrived, then closes the connection; `handle` is the number that
-  /// this end has issued. If a call hangs in component code, the connection is freed when that call
-  /// returns, and no thread waits.
+  /// Executes the calls that have arrived, then closes the connection. `handle` is the number that
+  /// this end has issued. If a call hangs in component code, no thread waits for it; the connection
+  /// is freed when the call returns.
   void Close(const std::shared_ptr<Client>& client, std::uint32_t handle);
-  /// Closes all connections of a client that is gone, in the same way.
+  /// Closes all connections of a client that has disconnected, in the same way.
   void CloseAll(const std::shared_ptr<Client>& client);
 
   /// Closes all connections to a component. Notifies clients and waits for hanging calls. Call it
   /// before the component is removed. Any thread.
   void RemoveComponent(const std::string& component);
   /// Closes all connections. Call it after the worker has stopped and all channels are closed.
-  /// Waits for running calls until `deadline`; waits longer only for calls that must not be
+  /// Waits for running calls until `deadline`, and longer only for calls that must not be
   /// abandoned.
   void Close(SteadyTime deadline);
 
@@ -92,7 +92,7 @@ class ServedConnections {
 
   ProcessContext& context_;
   std::list<Entry> entries_;  // guarded by the manager's lock
-  std::list<Entry> hanging_;  // like entries_, but closed, and a call has not returned
+  std::list<Entry> hanging_;  // closed entries with a call that has not returned
 };
 
 }  // namespace tendon

@@ -42,7 +42,7 @@ Result<void> ComponentFactory::Load(const std::string& library, const Begin& beg
   if (!loader_) return NoLoader();
   const std::scoped_lock lock(mutex_);
   if (auto begun = begin(); !begun) return begun;
-  loader_->files()->Update();  // updates the state of a plug-in that was loaded before
+  loader_->files()->Update();  // updates the states of loaded plug-ins
   return loader_->Load(library);
 }
 

@@ -16,7 +16,7 @@ namespace tendon {
 /// thread-safe. Thread-safe.
 class ComponentFactory {
  public:
-  /// Called just before the order is executed; an error cancels the order.
+  /// Called just before the order is executed. An error cancels the order.
   using Begin = std::function<Result<void>()>;
   /// A new component that was not added to its process yet.
   struct Created {
@@ -24,7 +24,7 @@ class ComponentFactory {
     ComponentOrigin origin;
   };
 
-  /// `loader` must not be used elsewhere afterwards. If it is null, every order is refused.
+  /// `loader` must not be used by other code from now on. If it is null, every order is refused.
   ComponentFactory(std::string process, std::shared_ptr<ComponentLoader> loader)
       : process_(std::move(process)), loader_(std::move(loader)) {}
 

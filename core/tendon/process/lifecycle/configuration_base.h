@@ -5,17 +5,18 @@
 
 #include <string>
 
-/// Detects two concurrent changes of one configuration: the second change is refused, because it is
-/// based on a configuration that was replaced.
+/// Detects two concurrent changes of one configuration. The second change is refused, because it is
+/// based on an outdated configuration.
 namespace tendon {
 
-/// Returns the fingerprint of the configuration on which an order is based; it is never all zeros.
-/// `configuration` is JSON as in the catalogue, or empty for the defaults.
+/// Returns the fingerprint of a configuration, which identifies the base of an order. The
+/// fingerprint is never all zeros. `configuration` is JSON as in the catalogue, or empty for the
+/// defaults.
 [[nodiscard]] Fingerprint BaseOf(const std::string& configuration);
 
-/// Checks that the order may replace the configuration `now`. If it may not, the text of kFailed
-/// says what to check. `by` names the author of `now`, for example " by gcm set at 2025-11-21
-/// 15:40:03", or is empty.
+/// Checks that the order may replace the present configuration `now`. Otherwise returns kFailed;
+/// the text says what to check. `by` says who made the present configuration, for example " by gcm
+/// set at 2025-11-21 15:40:03", or is empty.
 Result<void> CheckBase(const message::LifecycleOrder& order, const std::string& now,
                        const std::string& by = "");
 

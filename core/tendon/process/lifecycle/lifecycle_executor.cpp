@@ -40,7 +40,7 @@ bool IsAmong(const std::vector<ConnectionDescription>& all, const ConnectionDesc
 
 }  // namespace
 
-/// Reserves a component for one order, and shows this order if a stop has arrived.
+/// Reserves a component for one order. Tells this order whether a stop has arrived.
 class LifecycleExecutor::Claim {
  public:
   Claim(LifecycleExecutor& executor, std::string component)
@@ -250,9 +250,9 @@ LifecycleExecutor::Outcome LifecycleExecutor::StartOrSuspend(const TimedOrder& g
   return OutcomeAfter(*before);
 }
 
-/// Stops a component. A stop does not wait for claims. If the GCM is slow or gone, the stop does
-/// not wait for its confirmation, either. If the stop interrupts another order, first marks the
-/// claim of that order.
+/// Stops a component, without waiting for claims. If the GCM is slow or absent, does not wait for
+/// its confirmation either. If the stop interrupts another order, first marks the claim of that
+/// order.
 LifecycleExecutor::Outcome LifecycleExecutor::StopComponent(const TimedOrder& given) {
   const std::string& component = given.order.component;
   const auto before = Find(component);
@@ -284,8 +284,8 @@ LifecycleExecutor::Outcome LifecycleExecutor::Restart(const TimedOrder& given, c
   return OutcomeAfter(*before);
 }
 
-/// Starts the component, unless a stop has arrived. An earlier stop is marked in the claim. A later
-/// stop finds a component that is starting, and stops it.
+/// Starts the component, unless a stop has arrived. A stop that arrived earlier is marked in the
+/// claim. A stop that arrives later finds a component that is starting, and stops it.
 Result<void> LifecycleExecutor::StartUnlessStopped(const TimedOrder& given, const Claim& claim) {
   return parts_.manager.Start(given.order.component, Left(given.deadline),
                               [&claim] { return !claim.is_to_stop(); });
@@ -306,7 +306,7 @@ LifecycleExecutor::Outcome LifecycleExecutor::Remove(const TimedOrder& given) {
   return outcome;
 }
 
-/// Stops and removes a component. If it cannot be removed, makes its connections again.
+/// Stops and removes a component. If the component cannot be removed, makes its connections again.
 Result<void> LifecycleExecutor::RemoveFromProcess(const std::string& component,
                                                   SteadyTime deadline) {
   const auto connections = ConnectionsOf(component);
@@ -342,7 +342,7 @@ Result<void> LifecycleExecutor::Add(ComponentFactory::Created made) {
   }
 }
 
-/// Tries to make all connections; the error names the first one that failed.
+/// Tries to make all connections. The error names the first connection that failed.
 Result<void> LifecycleExecutor::Reconnect(const std::vector<ConnectionDescription>& connections) {
   Result<void> outcome;
   for (const ConnectionDescription& one : connections) {

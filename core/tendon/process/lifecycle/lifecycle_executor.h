@@ -17,14 +17,15 @@
 namespace tendon {
 
 /// Executes orders from the GCM in a process: loads plug-ins, creates components of their classes,
-/// configures, starts, suspends, stops and removes them. Each order has a thread of its own,
-/// because plug-ins and components may take long; orders wait for each other only if both need a
-/// plug-in. A component executes one order at a time, but accepts a stop at any time; then the
-/// interrupted order does not start the component again. The limit on the number of orders does not
-/// apply to stops. Thread-safe.
+/// configures, starts, suspends, stops and removes them. Thread-safe.
 ///
-/// A component that the program itself created can be started and stopped, but only the program
-/// removes it.
+/// Each order has its own thread, because plug-ins and components may take long. Orders wait for
+/// each other only if both need a plug-in. A component executes one order at a time, but accepts a
+/// stop at any time; then the interrupted order does not start the component again. The number of
+/// orders is limited; stops do not count.
+///
+/// The program that created a component itself is the only one that can remove it. Orders can start
+/// and stop such a component.
 class LifecycleExecutor {
  public:
   /// The parts of the process in which orders are executed. `manager` and `loader` must live until
@@ -32,31 +33,31 @@ class LifecycleExecutor {
   struct Parts {
     LocalManager& manager;
     std::string process;                      ///< name of the process
-    std::shared_ptr<ComponentLoader> loader;  ///< must not be used elsewhere; may be null
+    std::shared_ptr<ComponentLoader> loader;  ///< used only by this object; may be null
   };
   template <typename T>
   using Done = std::function<void(const Result<T>&)>;
-  /// Called at most once, just before execution; an error cancels the order.
+  /// Called at most once, just before the execution. An error cancels the order.
   using Begin = ComponentFactory::Begin;
 
   explicit LifecycleExecutor(Parts parts) : parts_(std::move(parts)) {}
 
-  /// Executes an order, and calls `done` in the order's thread. An order that has not begun when
-  /// its time limit ends is refused and not executed later.
+  /// Executes an order, and calls `done` in the order's thread. If the time limit of an order ends
+  /// before the order has begun, the order is refused and never executed.
   void ExecuteOrder(const message::LifecycleOrder& order, Begin begin,
                     Done<message::LifecycleOutcome> done);
   void ListClasses(Done<message::Classes> done);
 
-  /// Calls `changed`, in a thread of its own, whenever plugins() changes, until Stop(). Does
-  /// nothing without a loader.
+  /// Calls `changed` whenever plugins() changes, in a separate thread, until Stop(). Does nothing
+  /// without a loader.
   void WatchPlugins(std::function<void()> changed);
   /// The loaded plug-ins and the state of their files.
   [[nodiscard]] std::vector<PluginDescription> plugins() const;
 
-  /// Refuses new orders; running orders start no more components.
+  /// Refuses new orders. Running orders start no more components.
   void Close();
-  /// Calls Close(), requests the components to stop, and waits for running orders, which may take
-  /// long.
+  /// Calls Close(), requests the stop of the components, and waits for running orders, which may
+  /// take long.
   void Stop();
 
  private:
@@ -81,7 +82,7 @@ class LifecycleExecutor {
   Outcome Restart(const TimedOrder& given, const Claim& claim);
   Outcome Remove(const TimedOrder& given);
 
-  /// Checks that the order is still valid; if so, marks it as begun.
+  /// Checks that the order is still valid. If so, marks it as begun.
   [[nodiscard]] Result<void> MarkBegun(const TimedOrder& given) const;
   Result<void> StartUnlessStopped(const TimedOrder& given, const Claim& claim);
 
@@ -91,7 +92,7 @@ class LifecycleExecutor {
       const std::string& component) const;
   Result<void> Reconnect(const std::vector<ConnectionDescription>& connections);
   /// Finds a component that can be replaced or removed: it was created from a class, and no other
-  /// component runs after it. If there is no such component, the error says why.
+  /// component runs after it. Otherwise returns an error that gives the reason.
   [[nodiscard]] Result<ComponentDescription> FindOfClass(const std::string& component,
                                                          const std::string& what) const;
   [[nodiscard]] Result<ComponentDescription> Find(const std::string& component) const;

@@ -44,7 +44,7 @@ inline constexpr auto kPayload<LifecycleVerb> = DescribeEnum(
 struct ClassDescription {
   std::string name;
   std::string library;
-  std::string configuration;  ///< Schema::TextWithHelp(); of None if there is no configuration
+  std::string configuration;  ///< Schema::TextWithHelp() of its type, or of None
   std::string defaults;       ///< the default configuration, as JSON
 
   bool operator==(const ClassDescription&) const = default;
@@ -52,42 +52,44 @@ struct ClassDescription {
 
 }  // namespace tendon
 
-/// Orders for the lifecycle of components, from a viewer to its GCM and from there to the LCM.
-/// Each struct is the body of a frame; all are requests.
+/// Orders for the lifecycle of components. A viewer sends them to its GCM, and the GCM sends them
+/// to the LCM. Each struct is the body of a frame. All messages are requests.
 namespace tendon::message {
 
 // LifecycleOrder -> LifecycleOutcome. The LCM reports the changes before it answers.
 inline constexpr auto kLifecycleOrder = static_cast<MessageType>(0x317);
 inline constexpr auto kGetClasses = static_cast<MessageType>(0x318);  // GetClasses -> Classes
 // BeginOrder -> None. An LCM sends this request to its GCM before it executes an order. The GCM
-// refuses if nobody waits for the order any more, and the refusal cancels the order. In this way, a
-// process that was suspended or busy does not execute an outdated order.
+// refuses it if the sender of the order has stopped waiting; then the LCM does not execute the
+// order. Therefore, a process that was suspended or busy does not execute an outdated order.
 inline constexpr auto kBeginOrder = static_cast<MessageType>(0x319);
 
 /// The longest configuration, in bytes.
 inline constexpr std::size_t kLongestConfiguration = std::size_t{1} << 16U;
 
-/// One order, for one component or library. Fields that its verb does not use are empty.
+/// One order, for one component or library. Fields that the verb of the order does not use are
+/// empty.
 struct LifecycleOrder {
-  std::uint64_t id = 0;  ///< issued by the GCM
+  std::uint64_t id = 0;  ///< number that the GCM has issued
   LifecycleVerb verb = LifecycleVerb::kStart;
   std::string process;
   std::uint64_t instance = 0;  ///< instance of the target process; 0: any
   std::string component;       ///< for all verbs except load
   std::string class_name;      ///< for create
-  /// For load and create. For create, empty means the only loaded library that has this class.
+  /// For load and create. If it is empty for create, the only loaded library that has this class is
+  /// used.
   std::string library;
   std::string configuration;  ///< for create and configure: JSON; empty for the defaults
-  /// For configure: BaseOf() of the configuration that the new one is based on. The order is
-  /// refused if the component's configuration has changed since then. All zeros: the order replaces
+  /// For configure: BaseOf() of the configuration from which the new configuration was made. The
+  /// order is refused if the component now has another configuration. All zeros: the order replaces
   /// any configuration.
   Fingerprint based_on;
   std::string thread;  ///< for create: ThreadOptions as JSON; empty: the class chooses
   std::string leader;  ///< for create: the component after which it runs, or empty
-  /// For start: the order is refused if an interface that the component needs is not connected.
+  /// For start: refuses the order if an interface that the component needs is not connected.
   bool is_strict = false;
-  /// The time limit. If 0, the program that forwards the order chooses it. An order that has not
-  /// begun when this time is over is not executed.
+  /// The time limit. An order that has not begun within this time is not executed. If 0, the
+  /// program that forwards the order chooses the limit.
   std::chrono::nanoseconds patience{0};
 };
 

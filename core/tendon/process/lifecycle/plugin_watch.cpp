@@ -22,7 +22,7 @@ PluginWatch::~PluginWatch() {
 void PluginWatch::Run() {
   constexpr std::chrono::seconds kBetweenLooks(1);
   os::NameThisThread("plugin watch");
-  std::uint64_t told = 0;  // the last reported revision; changes found by orders count, too
+  std::uint64_t told = 0;  // the last reported revision; orders also change the revision
   std::unique_lock lock(mutex_);
   while (!ending_.wait_for(lock, kBetweenLooks, [this] { return is_ending_; })) {
     lock.unlock();

@@ -10,15 +10,15 @@
 
 namespace tendon {
 
-/// Checks the files of the loaded plug-ins of a process once a second, in a thread of its own, so
-/// that a slow disk delays nothing except orders that load plug-ins.
+/// Checks the files of the loaded plug-ins of a process once a second. Uses its own thread, so that
+/// a slow disk delays only orders that load plug-ins.
 class PluginWatch {
  public:
   /// Starts the thread, which calls `changed` after each change.
   PluginWatch(std::shared_ptr<PluginFiles> files, std::function<void()> changed);
   PluginWatch(const PluginWatch&) = delete;
   PluginWatch& operator=(const PluginWatch&) = delete;
-  /// Stops the thread. Afterwards, `changed` is not called any more.
+  /// Stops the thread. After this, `changed` is not called any more.
   ~PluginWatch();
 
  private:
@@ -29,7 +29,7 @@ class PluginWatch {
   std::mutex mutex_;
   std::condition_variable ending_;
   bool is_ending_ = false;
-  std::thread thread_;  // last, because it uses the others
+  std::thread thread_;  // last, because it uses the other members
 };
 
 }  // namespace tendon

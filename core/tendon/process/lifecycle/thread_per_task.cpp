@@ -59,8 +59,8 @@ void ThreadPerTask::Run(const std::function<void()>& task, Threads::iterator sel
   changed_.notify_all();
 }
 
-/// Joins the threads whose tasks have ended. Called with the lock held, which cannot deadlock,
-/// because these threads do not need the lock any more.
+/// Joins the threads whose tasks have ended. Called with the lock held. This cannot deadlock,
+/// because these threads do not take the lock any more.
 void ThreadPerTask::JoinEnded() {
   for (std::thread& thread : ended_) thread.join();
   ended_.clear();

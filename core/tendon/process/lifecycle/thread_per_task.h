@@ -14,19 +14,19 @@
 
 namespace tendon {
 
-/// Executes each task in a thread of its own, so that no task waits for another one. This is needed
+/// Executes each task in its own thread, so that no task waits for another task. This is necessary
 /// because code of component authors may take long, or never return. Thread-safe.
 class ThreadPerTask {
  public:
-  /// `most` tasks may run at a time. `owner` is the process named in errors and in the log.
+  /// At most `most` tasks may run at a time. Errors and log records name the process `owner`.
   ThreadPerTask(std::string owner, std::size_t most) : owner_(std::move(owner)), most_(most) {}
   ThreadPerTask(const ThreadPerTask&) = delete;
   ThreadPerTask& operator=(const ThreadPerTask&) = delete;
   /// Calls Stop().
   ~ThreadPerTask() { Stop(); }
 
-  /// Executes `task`. Fails, without executing it, if too many tasks run, no thread can be started,
-  /// or Stop() was called.
+  /// Executes `task`. Fails, without executing it, if too many tasks run, if no thread can be
+  /// started, or after Stop().
   Result<void> Do(std::function<void()> task);
   /// From now on, no task is started.
   void Close();

@@ -45,8 +45,8 @@ bool LogForwarder::Work(SteadyTime now, SteadyTime& next) {
 }
 
 /// Sends the queued records. Called with the lock held, while there is a channel. Reports
-/// suppressed records only once per call, because otherwise a source that logs without pause would
-/// keep this loop running.
+/// suppressed records only once per call. Otherwise, a source that logs without pause would keep
+/// this loop running.
 void LogForwarder::Send(SteadyTime now) {
   while (true) {
     if (unsent_.empty()) {

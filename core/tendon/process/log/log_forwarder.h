@@ -14,20 +14,23 @@ namespace tendon {
 
 /// Sends the log records of this process to its GCM. The logging thread puts records into a queue,
 /// which the network thread sends every 20 ms. Without a GCM, or while the link is full, the queue
-/// keeps the newest records. Logs nothing itself, because that would create new records endlessly.
+/// keeps the newest records. This class logs nothing itself, because each record would cause
+/// another record.
 class LogForwarder final : private NetworkJob {
  public:
   static constexpr std::chrono::milliseconds kBetweenBatches{20};
-  static constexpr std::size_t kMostInBatch = 256;  ///< plus one that reports lost records
+  static constexpr std::size_t kMostInBatch = 256;  ///< plus one record about lost records
 
   explicit LogForwarder(std::shared_ptr<NetworkThread> network);
   ~LogForwarder() override;
 
-  /// Sets sends a record, as if it had been logged.
+  /// Sends a record as if this process had logged it.
   void Add(LogLevel level, std::string_view source, std::string_view text);
-  /// Any thread: the channel to the joined GCM; null while there is no GCM. Any thread.
+  /// Sets the channel to the GCM that the process has joined; null while there is no GCM. Any
+  /// thread.
   void SetChannel(std::shared_ptr<Channel> channel);
-  /// Sends the queued records that the link accepts; nothing is sent afterwards. Any thread.
+  /// Sends as many of the queued records as the link accepts. Nothing is sent afterwards. Any
+  /// thread.
   void Finish();
 
  private:
@@ -43,7 +46,7 @@ class LogForwarder final : private NetworkJob {
   std::uint64_t sent_ = 0;  // number of records, including those in `unsent_`
   SteadyTime next_batch_{};
 
-  ScopedLogSink tap_;  // last, because it uses the others
+  ScopedLogSink tap_;  // last, because it uses the other members
 };
 
 }  // namespace tendon

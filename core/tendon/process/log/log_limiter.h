@@ -14,24 +14,24 @@
 
 namespace tendon {
 
-/// Limits how many log records of each source are sent, so that a flood from one source does not
-/// displace others. Each source has a token bucket in the form of the generic cell rate algorithm
-/// (ITU-T I.371, virtual scheduling), which stores only one time. Counts and reports what it
-/// suppresses. Not thread-safe.
+/// Limits how many log records of each source are sent, so that one source with many records does
+/// not displace others. Each source has a token bucket in the form of the generic cell rate
+/// algorithm (ITU-T I.371, virtual scheduling), which stores only one time. Counts and reports the
+/// suppressed records. Not thread-safe.
 class LogLimiter {
  public:
-  /// After a silence, allows `burst` records at once, then one in each `interval`.
+  /// After a silence, allows `burst` records at once. Then allows one record in each `interval`.
   struct Rate {
     int burst = 200;
     std::chrono::nanoseconds interval = std::chrono::milliseconds(10);
   };
-  /// The maximum number of sources with their own bucket. Further sources share the bucket kOthers,
+  /// The maximum number of sources with their own bucket. Further sources share the bucket kOthers
   /// until the bucket of a silent source is freed.
   static constexpr std::size_t kMostSources = 256;
   static constexpr std::string_view kOthers = "others";
   /// Source names are compared up to this many bytes.
   static constexpr std::size_t kLongestSource = 64;
-  /// The count of suppressed records is reported this long after the first suppressed record.
+  /// Time from the first suppressed record to the report of the count.
   static constexpr std::chrono::seconds kUntilTold{1};
 
   LogLimiter() : LogLimiter(Rate{}) {}
@@ -40,22 +40,22 @@ class LogLimiter {
   /// Returns true if a record of this source may be sent now; otherwise counts it as suppressed.
   bool Admit(std::string_view source, LogLevel level, SteadyTime now);
 
-  /// Suppressed records of one source.
+  /// The suppressed records of one source.
   struct Suppressed {
     std::string source;
-    LogLevel level = LogLevel::kDebug;  ///< the highest level among them
+    LogLevel level = LogLevel::kDebug;  ///< the highest level of these records
     std::uint64_t count = 0;
 
     bool operator==(const Suppressed&) const = default;
   };
-  /// Returns and removes the counts that are due; all of them for SteadyTime::max().
+  /// Removes and returns the counts that are due. Pass SteadyTime::max() to get all counts.
   std::vector<Suppressed> TakeSuppressed(SteadyTime now);
   /// True if there are suppressed records to report, now or later.
   [[nodiscard]] bool owes() const { return owing_ > 0; }
 
  private:
   struct Bucket {
-    SteadyTime due{};  // when the next record would be due at an even rate
+    SteadyTime due{};  // time of the next record at an even rate
     std::uint64_t suppressed = 0;
     LogLevel level = LogLevel::kDebug;
     SteadyTime since{};  // time of the first suppressed record

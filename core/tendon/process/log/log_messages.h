@@ -27,9 +27,10 @@ inline constexpr auto kPayload<LogLevel> = DescribeEnum("tendon.LogLevel",
 /// struct is the body of a frame.
 namespace tendon::message {
 
-// Notice from an LCM to its GCM, and from there to a viewer that watches the log: LogRecords.
+// A notice with LogRecords, from an LCM to its GCM, and from the GCM to a viewer that watches the
+// log.
 inline constexpr auto kLogRecords = static_cast<MessageType>(0x340);
-// Request from a viewer to its GCM, and from there to the LCM: SetLogLevel -> None.
+// A request SetLogLevel -> None, from a viewer to its GCM, and from the GCM to the LCM.
 inline constexpr auto kSetLogLevel = static_cast<MessageType>(0x341);
 
 /// The largest kLogRecords that a GCM reads, in bytes.
@@ -48,8 +49,8 @@ struct LogRecord {
 
 /// The next records, oldest first.
 struct LogRecords {
-  /// Number of earlier records, which an LCM has sent or a GCM has received. A gap means that
-  /// records were lost.
+  /// Number of earlier records that an LCM has sent or a GCM has received. A gap between two
+  /// messages means that records were lost.
   std::uint64_t before = 0;
   std::vector<LogRecord> records;
 };

@@ -16,11 +16,11 @@
 
 namespace tendon {
 
-/// Log records of this process that wait to be sent. LogLimiter limits the records of each source;
-/// if the queue is full, the newest records are kept. Extra records report how many records were
+/// Log records of this process that wait to be sent. LogLimiter limits the records of each source.
+/// A full queue keeps the newest records. Additional records report how many records were
 /// suppressed or lost.
 ///
-/// Thread-safe. A thread waits for another thread at most as long as the other one copies a record.
+/// Thread-safe. A thread waits for another thread at most for the time of copying one record.
 class LogQueue {
  public:
   static constexpr std::size_t kCapacity = 1024;
@@ -32,15 +32,15 @@ class LogQueue {
   /// Adds a record. Returns true if has_news() was false before. Allocates.
   bool Add(LogLevel level, std::string_view source, std::string_view text);
 
-  /// Removes and returns the oldest records, at most `most`, plus one about lost records. Reports
-  /// suppressed records that are due at `now`; pass SteadyTime::max() in the last call.
+  /// Removes and returns the oldest records: at most `most`, plus one record about lost records.
+  /// Reports suppressed records that are due at `now`; pass SteadyTime::max() in the last call.
   std::vector<message::LogRecord> Take(std::size_t most, SteadyTime now);
 
   /// True if Take() will return records, now or within LogLimiter::kUntilTold. Wait-free.
   [[nodiscard]] bool has_news() const noexcept { return has_news_.Get(); }
 
  private:
-  /// A record, and the number of logged records that are lost if it is dropped.
+  /// A record, and the number of logged records that are lost if this record is dropped.
   struct Waiting {
     message::LogRecord record;
     std::uint64_t stands_for = 1;

@@ -4,14 +4,14 @@
 
 namespace tendon {
 
-/// A log sink that is removed by its destructor, unlike those of AddLogSink(). The sink must not
+/// A log sink that its destructor removes; a sink of AddLogSink() stays for ever. The sink must not
 /// log, and must not create or destroy a ScopedLogSink.
 class ScopedLogSink {
  public:
   explicit ScopedLogSink(LogSink sink);
   ScopedLogSink(const ScopedLogSink&) = delete;
   ScopedLogSink& operator=(const ScopedLogSink&) = delete;
-  /// Waits for a running call of the sink; afterwards the sink is not called any more.
+  /// Waits for a running call of the sink. After this, the sink is not called any more.
   ~ScopedLogSink();
 };
 

@@ -9,8 +9,8 @@
 namespace tendon {
 namespace {
 
-/// Splits an address into host and port. Empty if the address has another form, as with some
-/// middlewares.
+/// Splits an address into host and port. Returns nothing if the address of a middleware has another
+/// form.
 std::optional<HostPort> HostPortOf(const std::string& address) {
   auto place = ParseAddress(address, 0);
   return place ? std::optional(*std::move(place)) : std::nullopt;

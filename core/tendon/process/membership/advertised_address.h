@@ -7,15 +7,15 @@
 
 namespace tendon {
 
-/// The address that a process announces, as far as the process can know it.
+/// The address that a process announces.
 struct AdvertisedAddress {
   std::string address;  ///< the announced address
-  std::string warning;  ///< which hosts cannot reach it, and the remedy; or empty
+  std::string warning;  ///< says which hosts cannot reach it, and what to do; or empty
 
   bool operator==(const AdvertisedAddress&) const = default;
 };
 
-/// How a process reaches its GCM. Both are empty without a GCM.
+/// The route from a process to its GCM. Both addresses are empty without a GCM.
 struct GcmRoute {
   std::string to;    ///< the GCM's address
   std::string from;  ///< the local address of the route: os::AddressTowards()

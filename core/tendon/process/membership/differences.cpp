@@ -53,7 +53,7 @@ std::vector<CatalogueChange> Differences(const ProcessContent& before,
         there.push_back(ChangeOf(ChangeKind::kComponent));
         there.back().components = {component};
       });
-  std::vector<CatalogueChange> changes;  // removed connections before components, added ones after
+  std::vector<CatalogueChange> changes;  // begins with removed connections
   CompareMaps(
       ByKey(before.connections, &ConnectionDescription::id),
       ByKey(after.connections, &ConnectionDescription::id),

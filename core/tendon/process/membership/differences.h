@@ -15,8 +15,8 @@ struct ProcessContent {
   bool operator==(const ProcessContent&) const = default;
 };
 
-/// Returns the changes from `before` to `after`, in a valid order. Changes of the process itself
-/// are not included. Revisions and process names are left empty. Components must have unique names,
+/// Returns the changes from `before` to `after`, in a valid order. Does not include changes of the
+/// process itself. Leaves revisions and process names empty. Components must have unique names, and
 /// connections unique ids.
 [[nodiscard]] std::vector<CatalogueChange> Differences(const ProcessContent& before,
                                                        const ProcessContent& after);

@@ -9,12 +9,12 @@
 
 namespace tendon {
 
-/// Reports to a GCM every second which resources this process uses, and estimates the GCM's clock
-/// from the answers. Used by one thread; answers arrive in threads of the middleware.
+/// Reports to a GCM every second how much CPU time and memory this process uses, and estimates the
+/// GCM's clock from the answers. Used by one thread; answers arrive in threads of the middleware.
 class HealthReporter {
  public:
-  /// Sends a report if a second has passed or the channel has changed. Lowers `next` to the time of
-  /// the next report.
+  /// Sends a report if a second has passed or the channel has changed. If the next report is due
+  /// before `next`, sets `next` to the time of the report.
   void Work(const std::shared_ptr<Channel>& channel, SteadyTime now, SteadyTime& next);
 
  private:

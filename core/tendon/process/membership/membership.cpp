@@ -160,8 +160,8 @@ Error Membership::WhyNotThere(const Error& error) const {
   return is_away ? NoGcm(options_.gcm, error.message) : error;
 }
 
-/// Asks the GCM for the address of the broker. Called before the GCM shows this process to viewers,
-/// because they may ask for rows at once.
+/// Asks the GCM for the address of the broker. Called before viewers can see this process, because
+/// they may subscribe to rows at once.
 void Membership::AskForBroker(const std::shared_ptr<Channel>& channel) {
   Ask<message::BrokerAddress>(
       *context_.worker, channel, message::kGetBroker, None{}, kJoinTimeout,
@@ -190,8 +190,8 @@ void Membership::Join(const std::shared_ptr<Channel>& channel) {
 }
 
 /// Returns the description of this process for the GCM. `gcm` is a numeric address, because
-/// resolving a name may take long. Called for each attempt, because the addresses of the GCM and of
-/// this host may change.
+/// resolving a name may take long. Called for each attempt to join, because the addresses of the
+/// GCM and of this host may change.
 ProcessDescription Membership::Myself(const ProcessContent& content, const std::string& gcm) {
   const auto place = ParseAddress(gcm, 1);
   const std::string from = place ? os::AddressTowards(place->host, place->port) : std::string();

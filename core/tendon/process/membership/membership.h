@@ -29,14 +29,14 @@ class MembershipDelegate {
   /// Called with the address that this process announces.
   virtual void OnOwnAddress(const std::string& address) = 0;
   virtual void OnPeers(const std::vector<ProcessDescription>& processes) = 0;
-  /// Called with the address of the multicast broker for rows. The address is empty if there is no
+  /// Called with the address of the multicast broker for rows, which is empty if there is no
   /// broker.
   virtual void OnBroker(const std::string& address) = 0;
   /// Makes a connection. `done` is called on the worker.
   virtual void MakeConnection(const message::ConnectionPlan& plan,
                               std::function<void(const Result<ConnectionDescription>&)> done) = 0;
   virtual Result<void> BreakConnection(const InterfaceName& required) = 0;
-  /// Executes an order. `begin` is called in a thread that may block; an error cancels the order.
+  /// Executes an order. `begin` is called in a thread that may block; its error cancels the order.
   /// `done` is called on the worker.
   virtual void ExecuteOrder(const message::LifecycleOrder& order,
                             std::function<Result<void>()> begin,
@@ -46,11 +46,11 @@ class MembershipDelegate {
 
 /// The membership of the process in a GCM. This class joins the GCM, reports changes, log and
 /// health, and renews the lease four times a second. It joins again if the GCM was lost, was
-/// restarted or has ended the membership. Without a GCM, or if the name is taken, the process
-/// continues, and joining is tried again.
+/// restarted or has ended the membership. If there is no GCM, or another process has the same name,
+/// the process continues to run, and this class tries again to join.
 class Membership final : private NetworkJob {
  public:
-  /// The GCM, and how to join it.
+  /// The address of the GCM, and the settings for joining it.
   struct Options {
     std::string gcm;  ///< the GCM's address
     bool retry = true;
@@ -65,8 +65,8 @@ class Membership final : private NetworkJob {
   /// Leaves the GCM. Call it after the worker has stopped.
   void Leave();
 
-  /// Waits until the process has joined. If the GCM refuses, returns the error at once. Returns the
-  /// last error after `timeout`.
+  /// Waits until the process has joined. If the GCM refuses the process, returns the error at once.
+  /// After `timeout`, returns the error of the last attempt.
   Result<void> WaitUntilJoined(std::chrono::milliseconds timeout) const;
   [[nodiscard]] bool is_joined() const;
 
@@ -122,8 +122,8 @@ class Membership final : private NetworkJob {
   const std::shared_ptr<Published<SteadyTime>> last_renewed_ =
       std::make_shared<Published<SteadyTime>>();
 
-  /// This thread renews the lease even while the network thread copies large messages. It is the
-  /// last member, because it uses the others.
+  /// The thread that renews the lease even while the network thread copies large messages. It is
+  /// the last member, because it uses the other members.
   NetworkThread lease_thread_{"lease"};
 };
 

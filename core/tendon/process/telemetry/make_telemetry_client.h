@@ -10,18 +10,18 @@
 
 namespace tendon {
 
-/// Returns the current address of a process, or the reason why there is none. Not called in the
+/// Returns the current address of a process, or the reason why it is unknown. Not called in the
 /// middleware's threads.
 using ResolveAddress = std::function<Result<std::string>(const std::string& process)>;
 
-/// Returns the address of the multicast broker, or the reason why there is none. Not called in the
+/// Returns the address of the multicast broker, or the reason why it is unknown. Not called in the
 /// middleware's threads; may be null.
 using FindBroker = std::function<Result<std::string>()>;
 
-/// Makes a client that opens channels to processes on demand, with `mine` as its Hello.
-/// Subscriptions to every row use the broker if there is one and the process and the middleware
-/// support it. Otherwise, or if the broker delivers nothing for some seconds, the process sends the
-/// rows directly, which is logged.
+/// Makes a client that opens channels to processes on demand, with `mine` as its Hello. A
+/// subscription to every row uses the broker, if the process and the middleware support this. If
+/// there is no broker, or if it delivers nothing for some seconds, the process sends the rows
+/// directly; the client logs this.
 std::unique_ptr<TelemetryClient> MakeTelemetryClient(std::shared_ptr<Middleware> middleware,
                                                      ResolveAddress resolve, Hello mine,
                                                      FindBroker find_broker = nullptr);

@@ -15,7 +15,7 @@
 
 namespace tendon {
 
-/// Reads the past rows of one table, page by page: TelemetryClient::ReadPast().
+/// Reads the past rows of one table in pages, for TelemetryClient::ReadPast().
 ///
 /// Thread safety: any thread, one call at a time.
 class PastRowsReading {
@@ -27,13 +27,14 @@ class PastRowsReading {
 
   [[nodiscard]] const std::string& process() const { return subscription_.wanted().process; }
   [[nodiscard]] const message::ReadRows& NextRequest() const { return next_; }
-  /// Passes the rows of a page to the sink. Returns true if another page must be requested;
-  /// otherwise it has called `done`.
+  /// Passes the rows of a page to the sink. Returns true if another page must be requested.
+  /// Otherwise it has called `done`.
   [[nodiscard]] bool Take(const message::ReadRowsReply& page, const ClockOffset& clock);
   void Fail(const Error& reason) { done_(reason); }
 
  private:
-  /// The reply of a process is untrusted.
+  /// Like Take(), but returns an error if the reply is invalid. The reply of a process is
+  /// untrusted.
   [[nodiscard]] Result<void> TryTake(const message::ReadRowsReply& page, const ClockOffset& clock);
 
   RowSubscription subscription_;
@@ -41,7 +42,7 @@ class PastRowsReading {
   message::ReadRows next_;
   PastRows read_;
   std::uint64_t beginning_ = 0;
-  std::uint64_t end_tick_ = 0;  // rows that are written later do not count
+  std::uint64_t end_tick_ = 0;  // rows from this tick on are not read
 };
 
 }  // namespace tendon

@@ -9,7 +9,8 @@
 namespace tendon {
 namespace {
 
-/// Where the body begins in the memory of a writer: behind the room for the frame's header.
+/// The offset of the body in the memory of a writer. The space before the body is for the frame's
+/// header.
 constexpr std::size_t kBody = FrameHeader::kSize;
 constexpr std::size_t kHeaderSize = 32;
 constexpr std::size_t kStampSize = 16;  // tick and time

@@ -11,12 +11,12 @@
 
 namespace tendon {
 
-/// Builds the body of kRows. Reused for all batches; allocates nothing once its buffers are large
-/// enough.
+/// Builds the body of kRows. One object builds all batches; it allocates nothing when its buffers
+/// have become large enough.
 class RowBatchWriter {
  public:
-  /// `sizes` has an element for each column: the bytes of a cell, or 0 if they differ from row to
-  /// row.
+  /// `sizes` has one element per column: the number of bytes of a cell, or 0 if this number differs
+  /// from row to row.
   explicit RowBatchWriter(std::vector<std::uint32_t> sizes);
 
   void Clear();
@@ -30,12 +30,12 @@ class RowBatchWriter {
   [[nodiscard]] std::size_t size() const {
     return frame_.size() - FrameHeader::kSize + loose_.size();
   }
-  /// Returns the body. Fills in `rows` and `columns` of the header; the rest may differ between
-  /// viewers.
+  /// Returns the body. Fills in `rows` and `columns` of the header. The other fields may be
+  /// different for each viewer.
   std::span<const std::byte> Finish(const message::RowsHeader& header) {
     return FinishFrame(header).subspan(FrameHeader::kSize);
   }
-  /// Like Finish(), but the result also has room for the frame's header before the body, for
+  /// Like Finish(), but the result also has space for the frame's header before the body, for
   /// Channel::NotifyInPlace().
   std::span<std::byte> FinishFrame(message::RowsHeader header);
 
@@ -49,7 +49,7 @@ class RowBatchWriter {
   std::size_t column_ = 0;
   std::size_t position_ = 0;  // offset of the next cell in the frame
   bool is_joined_ = false;
-  Bytes frame_;  // room for its header, and the body
+  Bytes frame_;  // space for the frame's header, then the body
   Bytes loose_;  // cells of variable size, until they are appended to the rows
 };
 

@@ -16,7 +16,7 @@ enum class RowDelivery : std::uint8_t {
 /// The rows of a state table that a viewer wants.
 struct RowChoice {
   /// If 0, the viewer gets every row. Otherwise it gets the first row in each period of the
-  /// source's steady clock, so all viewers with the same period get the same rows.
+  /// source's steady clock. Therefore, all viewers with the same period get the same rows.
   std::chrono::nanoseconds period{0};
   RowDelivery delivery = RowDelivery::kAll;
 

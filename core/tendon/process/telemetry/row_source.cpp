@@ -129,7 +129,7 @@ void RowSource::RequestRows(Item& item) {
       [self = shared_from_this(), channel = channel_,
        subscription = item.subscription](const Result<message::SubscribeReply>& answer) {
         auto outcome = answer;
-        if (answer) {  // this must be done before the first rows arrive
+        if (answer) {  // before the first rows arrive
           const auto begun = self->Begin(*channel, subscription, *answer);
           if (!begun) outcome = begun.error();
         }
@@ -182,11 +182,11 @@ void RowSource::OnTopicJoined(const std::shared_ptr<Channel>& channel,
   }
 }
 
-/// Subscribes at the broker. Messages are ignored until the subscription has begun; it starts with
-/// the next message.
+/// Subscribes at the broker. Messages are ignored until the subscription has begun. The
+/// subscription begins with the next message after that.
 Result<void> RowSource::Follow(Item& item, const std::string& broker,
                                const message::JoinTopicReply& joined) {
-  if (HasFailedRecently(broker)) {  // another subscription at this broker has failed meanwhile
+  if (HasFailedRecently(broker)) {  // another subscription has failed
     return Error{ErrorCode::kUnreachable, "the broker at " + broker + " has just failed"};
   }
   const auto line = std::make_shared<TopicState>();

@@ -45,7 +45,7 @@ class TopicState {
    private:
     TopicState& line_;
   };
-  /// The number of the present activation; 0 if there is none.
+  /// The number of the present activation; 0 while not active.
   [[nodiscard]] std::uint64_t beginning() const {
     const std::scoped_lock lock(mutex_);
     return beginning_;
@@ -69,14 +69,14 @@ class TopicState {
   SteadyTime last_ = SteadyClock().Now();
 };
 
-/// The viewer's channel to one process, and its subscriptions there. The channel is open while
-/// there are subscriptions. Lost subscriptions are requested again, with growing pauses of at most
-/// a second.
+/// The viewer's channel to one process, and the subscriptions on this channel. The channel is open
+/// while there are subscriptions. Lost subscriptions are requested again, with growing pauses of at
+/// most a second.
 ///
 /// Functions are called on the worker unless noted.
 class RowSource final : public ChannelHandler, public std::enable_shared_from_this<RowSource> {
  public:
-  /// The data for opening channels; must outlive the worker.
+  /// The data for opening channels. It must outlive the worker.
   struct Access {
     std::shared_ptr<Middleware> middleware;
     ResolveAddress resolve;
@@ -86,7 +86,7 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
     std::shared_ptr<std::map<std::string, SteadyTime>> failed_brokers =
         std::make_shared<std::map<std::string, SteadyTime>>();
   };
-  /// `pulse` sends pings to the process even while the worker waits for another process.
+  /// `pulse` pings the process even while the worker waits for another process.
   RowSource(const Access& access, std::shared_ptr<Worker> worker, std::shared_ptr<Worker> pulse,
             std::string process)
       : access_(access),
@@ -113,15 +113,15 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
     std::shared_ptr<RowSubscription> subscription;
     Stage stage = Stage::kWanted;
     std::uint32_t handle = 0;
-    bool is_direct = false;            // the broker has failed on this channel: rows come directly
-    std::shared_ptr<TopicState> line;  // set if the rows come through a topic, like the next member
+    bool is_direct = false;  // the broker has failed on this channel, so the process sends the rows
+    std::shared_ptr<TopicState> line;  // set for rows from a topic, like the next member
     std::unique_ptr<Broadcast::Subscription> reception;
   };
   using SharedSubscription = std::shared_ptr<RowSubscription>;
   struct ActiveSubscription {
     std::shared_ptr<RowSubscription> subscription;
     std::uint64_t beginning = 0;
-    std::shared_ptr<TopicState> line{};  // set if the rows come through a topic
+    std::shared_ptr<TopicState> line{};  // set for rows from a topic
   };
 
   void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
@@ -137,7 +137,7 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   [[nodiscard]] ClockOffset clock();
   void Ask(Item& item);
   void RequestRows(Item& item);
-  /// The address of the broker, if it exists and supports this subscription; otherwise empty.
+  /// Returns the address of the broker if it supports this subscription; otherwise empty.
   [[nodiscard]] std::string BrokerFor(const Item& item) const;
   /// True if a subscription at the broker has failed recently.
   [[nodiscard]] bool HasFailedRecently(const std::string& broker) const;
@@ -162,7 +162,7 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   Item* Find(const std::shared_ptr<RowSubscription>& subscription);
   std::shared_ptr<RowSubscription> Take(const Channel* channel, std::uint32_t handle);
 
-  const Access& access_;  // used only on the worker, because a channel may outlive this data
+  const Access& access_;  // used only on the worker, because a channel may outlive it
   const std::shared_ptr<Worker> worker_;
   const std::shared_ptr<Worker> pulse_;
   const std::string process_;

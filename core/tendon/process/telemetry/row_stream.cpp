@@ -24,13 +24,13 @@ bool Includes(const RowAcknowledgements& acknowledgements, const std::shared_ptr
 void ReportEnd(const RowViewer& viewer, const Error& reason) {
   const Status sent =
       viewer.channel->Notify(message::kRowsEnded, viewer.handle, reason, viewer.lane);
-  // If the link is full, the channel is closed, because otherwise the viewer would wait for rows
-  // for ever. The viewer opens the channel again, and then gets the reason.
+  // If the link is full, the channel is closed. Otherwise the viewer would wait for rows for ever.
+  // The viewer opens the channel again, and then gets the reason.
   if (sent == Status(Status::kQueueFull)) viewer.channel->Close();
 }
 
 void RowTopic::Send(RowBatchWriter& batch, std::uint64_t lost, std::uint64_t next_tick) {
-  constexpr int kLongestQuiet = 25;  // calls of Send(), which means half a second
+  constexpr int kLongestQuiet = 25;  // calls of Send(): half a second
   lost_table_ += lost;
   ++silence_;
   if (batch.rows() == 0 && lost_table_ == 0 && silence_ < kLongestQuiet) return;

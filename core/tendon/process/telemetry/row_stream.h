@@ -23,7 +23,7 @@
 
 namespace tendon {
 
-/// For each channel, the subscriptions whose last row was acknowledged.
+/// The acknowledged subscriptions of each channel.
 using RowAcknowledgements = std::map<std::shared_ptr<Channel>, std::set<std::uint32_t>>;
 
 [[nodiscard]] bool Includes(const RowAcknowledgements& acknowledgements,
@@ -33,19 +33,20 @@ using RowAcknowledgements = std::map<std::shared_ptr<Channel>, std::set<std::uin
 struct RowViewer {
   std::shared_ptr<Channel> channel;
   std::uint32_t handle = 0;
-  Lane lane = kCommonLane;  ///< lane for its rows
+  Lane lane = kCommonLane;  ///< lane for the viewer's rows
 };
 
 /// Notifies the viewer that its rows have ended. Closes the viewer's channel if the notice cannot
 /// be sent.
 void ReportEnd(const RowViewer& viewer, const Error& reason);
 
-/// The bytes of a cell of each of these columns; 0 if they differ from row to row.
+/// Returns the number of bytes of a cell for each of these columns; 0 if this number differs from
+/// row to row.
 [[nodiscard]] std::vector<std::uint32_t> CellSizes(const StateTable& table,
                                                    const std::vector<std::size_t>& columns);
 
-/// The viewers of one stream or topic. The type `Viewer`, which is RowViewer or derived from it,
-/// holds the state of one viewer.
+/// The viewers of one stream or topic. The state of one viewer has the type `Viewer`, which is
+/// RowViewer or derived from RowViewer.
 ///
 /// One thread at a time.
 template <std::derived_from<RowViewer> Viewer>
@@ -60,8 +61,8 @@ class ViewerList {
   void RemoveClosed() {
     std::erase_if(viewers_, [](const Viewer& viewer) { return !viewer.channel->is_open(); });
   }
-  /// Reports the end to all viewers and removes them; closes the channel of a viewer to which the
-  /// report cannot be sent.
+  /// Reports the end to all viewers and removes them. If a report cannot be sent, closes the
+  /// channel of the viewer.
   void EndAll(const Error& reason) {
     for (const Viewer& viewer : viewers_) ReportEnd(viewer, reason);
     viewers_.clear();
@@ -80,7 +81,7 @@ class ViewerList {
 };
 
 /// Publishes the rows of one stream once, for all viewers that use a broker. The process does not
-/// know which batches arrive; each viewer computes its losses from the numbers in the batches.
+/// know which batches arrive. Each viewer computes its losses from the numbers in the batches.
 ///
 /// One thread at a time.
 class RowTopic {
@@ -90,7 +91,7 @@ class RowTopic {
 
   [[nodiscard]] const std::string& name() const { return name_; }
 
-  /// The viewers of this topic. Their channels carry all messages except rows.
+  /// The viewers of this topic. All their messages except rows use their channels.
   [[nodiscard]] ViewerList<RowViewer>& viewers() { return viewers_; }
   [[nodiscard]] const ViewerList<RowViewer>& viewers() const { return viewers_; }
 
@@ -109,8 +110,8 @@ class RowTopic {
 using MakeRowTopic = std::function<std::unique_ptr<RowTopic>()>;
 
 /// Sends rows with chosen columns of a table. The rows are built once for all viewers with the same
-/// choice. A slow viewer loses rows, which it can count, or skips outdated rows, as it has chosen;
-/// other viewers are not affected.
+/// choice. A slow viewer loses rows, which it can count, or skips outdated rows, depending on its
+/// choice. Other viewers are not affected.
 ///
 /// One thread at a time. The table must outlive the stream.
 class RowStream {
@@ -121,7 +122,7 @@ class RowStream {
     return columns_ == columns && rows_ == rows;
   }
 
-  /// Number of cells that are read for each row, but at least 1.
+  /// The number of cells that are read for each row, but at least 1.
   [[nodiscard]] std::size_t width() const { return std::max<std::size_t>(1, columns_.size()); }
   [[nodiscard]] std::size_t SubscriptionsOf(const Channel& viewer) const;
 
@@ -137,24 +138,23 @@ class RowStream {
   void RemoveClosed();
   [[nodiscard]] bool has_viewers() const { return !viewers_.empty() || topic_; }
 
-  /// Adds the next row of the table if the viewers chose it; `row` is a copy made by CopyRow().
+  /// Adds the next row of the table if the viewers want it. `row` is a copy made by CopyRow().
   void Take(std::uint64_t tick, std::int64_t time, std::span<const std::uint64_t> row);
   /// True if the batch is full, so that Send() must be called.
   [[nodiscard]] bool is_full() const;
   /// Sends the rows taken since the last call. `lost` is the number of rows that were overwritten
   /// in or just before this batch; `next_tick` is the tick of the next row.
   void Send(std::uint64_t lost, std::uint64_t next_tick);
-  /// Reports the end to all viewers; closes the channel of a viewer to which the report cannot be
-  /// sent.
+  /// Reports the end to all viewers. If a report cannot be sent, closes the channel of the viewer.
   void End(const Error& reason);
 
  private:
   struct DirectViewer : RowViewer {
     std::uint64_t rows_before = 0;
     std::uint64_t lost_table = 0;  // rows lost since the last sent batch
-    bool is_owed = false;          // a batch was refused: the viewer does not know of the loss yet
-    bool is_busy = false;          // the viewer has not acknowledged the newest row
-    std::uint64_t next_tick = 0;   // ticks below this were sent to the viewer
+    bool is_owed = false;  // a batch was refused, and the viewer does not know of the loss yet
+    bool is_busy = false;  // the viewer has not acknowledged the newest row
+    std::uint64_t next_tick = 0;  // rows with smaller ticks were sent to the viewer
   };
 
   [[nodiscard]] bool Wants(std::int64_t time);

@@ -49,7 +49,8 @@ void RowSubscription::GoOn(std::uint64_t first_tick) {
 bool RowSubscription::GoOnWith(const RowBatchReader& batch) {
   const message::RowsHeader& header = batch.header();
   if (goes_on_ && header.next_tick <= next_tick_) return false;
-  // Ignores the loss that the batch reports, because it may have happened before the subscription.
+  // The loss that this batch reports is ignored, because it may have happened before the
+  // subscription.
   GoOn(header.rows == 0 ? header.next_tick : std::min(batch.tick(0), header.next_tick));
   rows_ = header.rows_before;
   waits_for_batch_ = false;
@@ -82,7 +83,7 @@ void RowSubscription::Deliver(std::uint64_t beginning, std::span<const std::byte
   if (sink_) sink_->OnRows(batch);
 }
 
-/// True if all rows of the batch are new. Gaps between ticks are lost rows.
+/// True if all rows of the batch are newer than the last row. Gaps between ticks are lost rows.
 bool RowSubscription::GoesForward(const RowBatchReader& batch) const {
   const message::RowsHeader& header = batch.header();
   if (header.rows_before < rows_ || header.rows_before + header.rows < header.rows_before) {
@@ -96,8 +97,8 @@ bool RowSubscription::GoesForward(const RowBatchReader& batch) const {
   return header.next_tick >= next;
 }
 
-/// Returns the number of rows that were lost in the table. For a topic, computes it from ticks,
-/// because the batch that reported the loss may itself be lost.
+/// Returns the number of rows that were lost in the table. For a topic, this number is computed
+/// from ticks, because the batch that reported the loss may itself be lost.
 std::uint64_t RowSubscription::LostInTable(const message::RowsHeader& header,
                                            std::uint64_t lost_here) const {
   if (!is_of_topic_) return header.lost_table;

@@ -69,8 +69,8 @@ bool TableFeed::Gather() {
   has_more_ = false;
   if (!has_viewers()) return false;
   const std::uint64_t end = table_.next_tick();
-  // Before the first row, the table may still be allocating its memory, so oldest_tick() is not
-  // called.
+  // oldest_tick() is not called before the first row, because the table may still be allocating its
+  // memory.
   const std::uint64_t first = end == 0 ? 0 : std::clamp(table_.oldest_tick(), next_tick_, end);
   std::uint64_t lost = first - next_tick_;
   next_tick_ = first;

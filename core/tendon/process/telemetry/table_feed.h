@@ -13,8 +13,8 @@
 
 namespace tendon {
 
-/// Reads the rows of one state table once for all viewers of any of its columns. When the batch of
-/// one stream is full, the batches of all streams are sent.
+/// Reads the rows of one state table once for all viewers of its columns. When the batch of one
+/// stream is full, the batches of all streams are sent.
 ///
 /// One thread at a time. The table must outlive the feed.
 class TableFeed {
@@ -26,8 +26,8 @@ class TableFeed {
   /// The tick of the first row that a viewer gets if it is added now.
   [[nodiscard]] std::uint64_t next_tick() const { return next_tick_; }
 
-  /// Adds a viewer. `handle` is the number of the subscription, which this process has issued;
-  /// `lane` is used only for its rows. A viewer that chose only the newest row gets the present row
+  /// Adds a viewer. `handle` is the number that this process has issued for the subscription.
+  /// `lane` is used only for its rows. A viewer that wants only the newest row gets the present row
   /// at once, even if no more rows are written.
   void Add(const std::vector<std::size_t>& columns, const RowChoice& rows,
            std::shared_ptr<Channel> channel, std::uint32_t handle, Lane lane);
@@ -38,22 +38,22 @@ class TableFeed {
   void OnRowsTaken(const RowAcknowledgements& acknowledgements);
   [[nodiscard]] bool has_viewers() const { return !streams_.empty(); }
   [[nodiscard]] std::size_t SubscriptionsOf(const Channel& viewer) const;
-  /// Returns the number of cells that are read per row for a viewer if this subscription is added.
-  /// Subscriptions to the same columns and rows are read once.
+  /// Returns the number of cells that are read per row for a viewer, including the given
+  /// subscription. Cells for several subscriptions to the same columns and rows are read once.
   [[nodiscard]] std::size_t CellsFor(const Channel& viewer, const std::vector<std::size_t>& columns,
                                      const RowChoice& rows) const;
 
-  /// Sends the rows written since the last call, or one full batch; returns true if there are more.
+  /// Sends the rows written since the last call, or one full batch. Returns true if more rows wait.
   bool Gather();
   [[nodiscard]] bool has_more() const { return has_more_; }
   void End(const Error& reason);
 
  private:
-  /// Adds the present row to the stream, if Gather() will not reach it.
+  /// Adds the present row to the stream, unless Gather() will read this row.
   void TakeNewest(RowStream& stream);
   RowStream& StreamOf(const std::vector<std::size_t>& columns, const RowChoice& rows);
-  /// Called if the next row was overwritten while it was read. Skips to a newer row, further ahead
-  /// at each repetition, and returns the number of skipped rows.
+  /// Called if the next row was overwritten while it was read. Skips to a newer row and returns the
+  /// number of skipped rows. Each repetition skips more rows.
   std::uint64_t FallBehind();
   [[nodiscard]] bool IsBatchFull() const;
   void RemoveUnwatched();
@@ -62,7 +62,7 @@ class TableFeed {
   const StateTable& table_;
   std::uint64_t next_tick_ = 0;
   bool has_more_ = false;
-  std::uint64_t head_start_ = 0;  // how many rows after the oldest row the last skip ended
+  std::uint64_t head_start_ = 0;  // rows between the oldest row and the end of the last skip
   std::vector<std::uint64_t> row_;
   std::list<RowStream> streams_;
 };

@@ -19,15 +19,16 @@ std::vector<std::string> ListedNames(const List& list) {
   return names;
 }
 
-/// Returns the first row that is not older than `last`; the oldest one if all are younger.
+/// Returns the tick of the first row that is not older than `last`. Returns the oldest row if all
+/// rows are younger.
 std::uint64_t FirstTick(const StateTable& table, std::chrono::nanoseconds last, SteadyTime now) {
-  if (table.next_tick() == 0) return 0;  // it may still be allocating its memory
+  if (table.next_tick() == 0) return 0;  // the table may still be allocating its memory
   std::uint64_t before = 0;
   const bool is_found = table.FindRow(now - last, before) == RowResult::kDone;
   return is_found ? before + 1 : table.oldest_tick();
 }
 
-/// The newest value of one column, without a handle.
+/// Returns the newest value of one column, without a handle.
 message::MirroredColumn NewestOf(const StateTable& table, std::size_t column) {
   message::MirroredColumn newest;
   newest.capacity = static_cast<std::uint32_t>(table.columns()[column]->layout().bytes);
@@ -101,8 +102,9 @@ void TelemetryServer::ReadRows(const message::ReadRows& wanted, Responder& respo
   const StateTable& table = *source->table;
   const bool is_first = wanted.epoch == 0;
   if (!is_first && wanted.epoch != table.epoch()) {
-    return responder.Refuse({ErrorCode::kFailed, context_.name + "/" + wanted.component + "/" +
-                                                     wanted.table + " was replaced meanwhile"});
+    return responder.Refuse(
+        {ErrorCode::kFailed, context_.name + "/" + wanted.component + "/" + wanted.table +
+                                 " was replaced during the reading; read it again"});
   }
   const SteadyTime now = SteadyClock().Now();
   message::ReadRowsReply reply{.subscribed = Describe(*source),
@@ -351,7 +353,7 @@ bool TelemetryServer::Work(SteadyTime now, SteadyTime& next) {
   const RowAcknowledgements acknowledgements =
       is_time ? acknowledgements_.TakeAll() : RowAcknowledgements();
   bool more = false;
-  for (TableFeed& feed : feeds_) {  // one batch each, in turn
+  for (TableFeed& feed : feeds_) {  // one batch of each feed
     if (!acknowledgements.empty()) feed.OnRowsTaken(acknowledgements);
     if (is_time || feed.has_more()) more = feed.Gather() || more;
   }

@@ -19,8 +19,8 @@
 
 namespace tendon {
 
-/// Collects acknowledgements until the network thread sends rows the next time, so that each
-/// acknowledgement costs little. Thread-safe.
+/// Collects acknowledgements until the network thread sends rows the next time. In this way, a
+/// single acknowledgement costs little. Thread-safe.
 class AcknowledgementQueue {
  public:
   /// The maximum number of waiting acknowledgements of one viewer. It is twice the maximum number
@@ -29,7 +29,7 @@ class AcknowledgementQueue {
 
   /// Adds an acknowledgement. Closes the channel of a viewer that exceeds the limit.
   void Add(const std::shared_ptr<Channel>& channel, std::uint32_t handle);
-  /// Removes and returns all acknowledgements. Wait-free if there are none.
+  /// Removes and returns all acknowledgements. Wait-free if none waits.
   [[nodiscard]] RowAcknowledgements TakeAll();
 
  private:
@@ -47,19 +47,19 @@ class TelemetryServer final : public NetworkJob {
   explicit TelemetryServer(ProcessContext& context);
   ~TelemetryServer() override;
 
-  /// The limits of one viewer, so that it does not displace other viewers. A viewer is identified
-  /// by its channel. kMostSubscriptions limits the number of its subscriptions. For each table,
-  /// kMostReadings limits the number of cells read per row, as a multiple of the number of columns.
-  /// Subscriptions to the same columns and rows are read once. The number of mirrors, which need
-  /// the role of an operator, is not limited.
+  /// The limits of one viewer, which is identified by its channel. They prevent a viewer from
+  /// displacing other viewers. kMostSubscriptions limits the number of its subscriptions.
+  /// kMostReadings limits the number of cells read per row of each table, as a multiple of the
+  /// number of columns. Cells for several subscriptions to the same columns and rows are read once.
+  /// The number of mirrors is not limited, because mirrors need the role of an operator.
   ///
   /// There is no common limit for all viewers, because a few viewers could exhaust it.
   static constexpr std::size_t kMostSubscriptions = 2048;
   static constexpr std::size_t kMostReadings = 32;
 
-  /// Adds a subscription. Replies before the first row is sent. If the reply cannot be sent, there
-  /// is no subscription. Refusals: kNotFound with a suggestion; kInvalid for a period below zero,
-  /// or a column named twice; kFailed above the limits of a viewer.
+  /// Adds a subscription. Replies before the first row is sent. If the reply cannot be sent, does
+  /// not add the subscription. Refusals: kNotFound with a suggestion; kInvalid for a period below
+  /// zero, or a column named twice; kFailed above the limits of a viewer.
   void Subscribe(const std::shared_ptr<Channel>& channel, const message::Subscribe& wanted,
                  Responder& responder);
   /// Like Subscribe(), but the rows are published in a topic of the broker. Further refusals:
@@ -68,8 +68,8 @@ class TelemetryServer final : public NetworkJob {
   void JoinTopic(const std::shared_ptr<Channel>& channel, const message::Subscribe& wanted,
                  Responder& responder);
   /// Replies with rows that are already written, at most about 128 KiB. Refusals: kNotFound with a
-  /// suggestion; kInvalid for a time below zero, or a column named twice; kFailed if the table is
-  /// not the table of the first reply.
+  /// suggestion; kInvalid for a time below zero, or a column named twice; kFailed if the table was
+  /// replaced after the first reply.
   void ReadRows(const message::ReadRows& wanted, Responder& responder) const;
   /// Starts to send copies of the values that read commands return. Refusals: kNotFound;
   /// kIncompatible for a command that does not return the newest value of a column; kInvalid for a

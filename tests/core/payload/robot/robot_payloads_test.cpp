@@ -67,7 +67,7 @@ struct Pin {
 
 template <typename T>
 Pin PinOf() {
-  return {TypeNameOf<T>(), ToString(FingerprintOf<T>())};
+  return {SchemaOf<T>().TypeName(), ToString(FingerprintOf<T>())};
 }
 
 /// A change of one of these numbers breaks every process and recording in the field.

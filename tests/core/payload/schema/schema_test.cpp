@@ -45,11 +45,11 @@ TEST(Schema, HasAShortNameForTables) {
   EXPECT_EQ(SchemaOf<sample::Point>().TypeName(), "sample.Point");
   EXPECT_EQ((SchemaOf<std::vector<std::array<double, 3>>>().TypeName()), "float64[3][]");
   EXPECT_EQ(SchemaOf<std::vector<sample::Mode>>().TypeName(), "sample.Mode[]");
-  EXPECT_EQ(TypeNameOf<double>(), "float64");
-  EXPECT_EQ((TypeNameOf<std::array<double, 7>>()), "float64[7]");
-  EXPECT_EQ(TypeNameOf<std::vector<bool>>(), "bool[]");
-  EXPECT_EQ(TypeNameOf<std::string>(), "string");
-  EXPECT_EQ(TypeNameOf<None>(), "tendon.None");
+  EXPECT_EQ(SchemaOf<double>().TypeName(), "float64");
+  EXPECT_EQ((SchemaOf<std::array<double, 7>>().TypeName()), "float64[7]");
+  EXPECT_EQ(SchemaOf<std::vector<bool>>().TypeName(), "bool[]");
+  EXPECT_EQ(SchemaOf<std::string>().TypeName(), "string");
+  EXPECT_EQ(SchemaOf<None>().TypeName(), "tendon.None");
 }
 
 TEST(Schema, PrintsEveryRelevantPart) {
