@@ -1,12 +1,12 @@
-# The files that `cmake --install` installs, such that find_package(tendon COMPONENTS core network ice eigen) finds
-# them. Each part is a separate install component: core, network, ice, eigen, hdf5, programs, plugins, gui,
+# Lists the files that `cmake --install` installs. find_package(tendon COMPONENTS core network ice eigen) finds them.
+# Each part is a separate install component: core, network, ice, eigen, hdf5, programs, plugins, gui,
 # python. The target `installed` builds all of these parts and no tests.
 include(CMakePackageConfigHelpers)
 
 set(package lib/cmake/tendon)
 add_custom_target(installed)
 
-# tendon::NAME, its headers, and the file that describes it to find_package().
+# Installs tendon::NAME, its headers, and the file that describes it to find_package().
 function(install_library name)
   install(TARGETS tendon_${name} EXPORT tendon_${name}
     LIBRARY DESTINATION lib COMPONENT ${name} NAMELINK_COMPONENT ${name}

@@ -1,4 +1,4 @@
-# Included after project(): the compiler only reads each source, and all files that a build makes are empty.
+# Include this file after project(). The compiler then only checks each source, and all files of a build are empty.
 set(CMAKE_CXX_COMPILE_OBJECT
   "<CMAKE_CXX_COMPILER> <DEFINES> <INCLUDES> <FLAGS> -fsyntax-only <SOURCE>" "${CMAKE_COMMAND} -E touch <OBJECT>")
 foreach(rule LINK_EXECUTABLE CREATE_SHARED_LIBRARY CREATE_SHARED_MODULE CREATE_STATIC_LIBRARY)

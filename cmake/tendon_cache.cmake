@@ -1,4 +1,4 @@
-# TENDON_CACHE: the folder in which tools/setup keeps the libraries that it builds for this user, as in
+# Sets TENDON_CACHE to the folder in which tools/setup keeps the libraries that it builds for this user. The same as in
 # tools/common.sh.
 set(TENDON_CACHE "$ENV{XDG_CACHE_HOME}")
 if(NOT TENDON_CACHE)

@@ -13,8 +13,8 @@
 namespace console {
 namespace {
 
-/// Returns true if everything was written. Otherwise errno contains the cause, even that of an
-/// earlier write.
+/// Returns true if everything was written. Otherwise errno contains the cause, even if an earlier
+/// write has failed.
 bool IsWritten(std::ostream& out) {
   if (!out.good()) {
     out.clear();
@@ -44,8 +44,8 @@ int Finish(const tendon::Result<program::ExitCode>& result, const Streams& strea
   return *result;
 }
 
-/// For users at a prompt, returns a function that completes abbreviated paths and prints them. For
-/// scripts, returns null, because they must use full paths.
+/// Returns a function that completes abbreviated paths and prints the complete paths, for a user at
+/// a prompt. Returns null for a script, because a script must use full paths.
 CommandLine::Complement ComplementOf(const Streams& streams, ShellSession* session) {
   const bool is_typed =
       session != nullptr && streams.make_line_reader != nullptr && session->settings().scripts == 0;

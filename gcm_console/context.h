@@ -31,7 +31,7 @@ struct Streams {
 /// Returns the error for a verb that reads its input but is used in a window.
 [[nodiscard]] tendon::Error NoInput(const std::string& verb);
 
-/// What a verb uses while it runs: its output, and a client of the GCM.
+/// The output of a running verb, and its client of the GCM.
 class Context {
  public:
   /// Creates the context of a verb. If `session` is not null, the verb uses the link of the
@@ -55,8 +55,8 @@ class Context {
   [[nodiscard]] Layout layout() const;
 
   /// Sends a request through the client, and waits for the answer. `start(client, handler)` calls
-  /// one of the client's functions, which may take `times` times the time-out. The wait is 500 ms
-  /// longer than that of the client, because the client's own time-out error gives the best reason.
+  /// one of the client's functions, which may take `times` times the time-out. Waits 500 ms longer
+  /// than the client, because the client's own time-out error gives the best reason.
   template <typename T, typename Start>
   tendon::Result<T> Ask(Start start, int times = 1) {
     constexpr std::chrono::milliseconds kLonger(500);

@@ -131,8 +131,8 @@ void ShowAroundOnce(tendon::gui::MainWindow& window, tendon::gui::SavedSettings&
   kept.set(seen, "yes");
 }
 
-/// Ends the event loop when SIGINT or SIGTERM asks for it, so that a recording is completed. Has a
-/// thread, so that a second signal ends the program even if the event loop hangs.
+/// Ends the event loop when SIGINT or SIGTERM arrives, so that a recording is completed. Uses its
+/// own thread, so that a second signal ends the program even if the event loop hangs.
 class SignalWatch {
  public:
   SignalWatch() : thread_([this] { watch(); }) {}
@@ -151,7 +151,7 @@ class SignalWatch {
     if (is_ended_.Get()) return;
     QMetaObject::invokeMethod(
         qApp, [] { QCoreApplication::exit(program::kInterrupted); }, Qt::QueuedConnection);
-    // A second signal reaches only this thread, as long as it lives.
+    // Keeps the thread alive: a second signal can reach only this thread.
     while (!is_ended_.Get()) std::this_thread::sleep_for(kOften);
   }
 
@@ -159,8 +159,8 @@ class SignalWatch {
   std::thread thread_;
 };
 
-/// Returns the command that starts a GCM for this window. Empty for a read-only window, and under
-/// TLS, because a GCM needs a certificate of its own.
+/// Returns the command that starts a GCM for this window. Returns an empty list for a read-only
+/// window. Also returns an empty list under TLS, because a GCM needs its own certificate.
 QStringList GcmCommand(const Options& options) {
   if (options.read_only || !options.network.certificate.empty()) return {};
   QStringList command{QString::fromStdString((tendon::os::ProgramFolder() / "gcm").string())};
@@ -213,8 +213,7 @@ int Run(const Options& options) {
   if (!options.no_tour && options.file.empty()) ShowAroundOnce(window, values);
   if (!options.file.empty()) window.files().bringUp(QString::fromStdString(options.file));
   const int code = tendon::gui::GuardedApplication::exec();
-  // Cancels connection attempts, so that a process that hangs does not delay the end of the
-  // program.
+  // Cancels connection attempts. Otherwise a process that hangs would delay the end of the program.
   end.emplace();
   window.hide();
   session.recordings().complete();

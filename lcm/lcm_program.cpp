@@ -29,7 +29,7 @@ using tendon::InterfaceName;
 using tendon::Result;
 using namespace std::chrono_literals;
 
-/// The part of a system file about one process.
+/// The part of a system file that describes one process.
 struct ProcessPart {
   std::vector<tendon::SystemFile::Component> components;
   /// The connections that the process owns.
@@ -160,7 +160,8 @@ Result<StartResult> Join(const tendon::Process& process, const Options& options)
   return StartResult::kEnd;
 }
 
-/// Returns the provided interface to which the required one is connected now, if any.
+/// Returns the provided interface to which the required interface is connected now; empty if there
+/// is none.
 std::optional<InterfaceName> ProviderOf(const tendon::Process& process,
                                         const InterfaceName& required) {
   for (const auto& connection : process.connections()) {
@@ -263,9 +264,10 @@ Result<void> Serve(const Options& options) {
   auto middleware = program::MakeMiddleware(options.network);
   if (!middleware) return middleware.error();
   const auto loader = std::make_shared<tendon::ComponentLoader>();
-  auto components = MakeComponents(*part, *loader);  // before others can see this process
+  auto components = MakeComponents(*part, *loader);  // before other programs can see this process
   if (!components) return components.error();
-  // Less is logged until the process has joined. If it cannot join, the final error says why.
+  // Logs only warnings and errors until the process has joined. If the process cannot join, the
+  // final error gives the reason.
   tendon::SetLogLevel(tendon::LogLevel::kWarning);
   auto process = MakeProcess(options, *middleware, loader);
   if (!process) return process.error();

@@ -32,7 +32,9 @@ Result<std::string> BrokerSettings(const std::string& address, const NetworkOpti
 
 Result<std::string> BrokerSettings(const std::string& /*address*/,
                                    const NetworkOptions& /*options*/) {
-  return Error{ErrorCode::kInvalid, "this program was built without Ice, which the broker needs"};
+  return Error{
+      ErrorCode::kInvalid,
+      "this program was built without Ice, but the broker needs Ice: use a build with Ice"};
 }
 
 #endif

@@ -103,7 +103,7 @@ std::string TextOf(double number) {
 std::string SentenceOf(const CLI::ParseError& mistake, const CLI::App& app,
                        const std::string& command) {
   std::string sentence = Words(mistake);
-  // Only the first unexpected word matters, although CLI11 lists all of them in its own sentence.
+  // Reports only the first unexpected word. CLI11's own sentence would list all of them.
   if (const auto rest = app.remaining(true); !rest.empty()) sentence = Unexpected(rest[0], app);
   const bool asks = sentence.ends_with("?");
   return tendon::Printable(sentence) + (asks ? " " : "; ") + command + " --help tells more";
@@ -121,7 +121,7 @@ std::string TransformPositive(std::string& text) {
 std::string TransformCount(std::string& text) {
   const tendon::NumberLiteral word = tendon::ReadNumberLiteral(Kind::kUint64, text);
   if (word.flaw == Flaw::kNone && word.json != "0") {
-    text = word.json;  // CLI11 would read 010 as 8
+    text = word.json;  // CLI11 would read 010 as an octal number, 8
     return {};
   }
   return "expected a whole number above 0, got '" + text + "'" + Hint(word, "");

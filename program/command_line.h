@@ -11,8 +11,9 @@ namespace program {
 std::string SentenceOf(const CLI::ParseError& mistake, const CLI::App& app,
                        const std::string& command);
 
-/// The following functions are for CLI::Option::transform(). They read numbers like
-/// tendon::ReadNumberLiteral(), in the same way in every locale. If a number is invalid, they say
+/// The following functions are for CLI::Option::transform(). They read numbers with
+/// tendon::ReadNumberLiteral(), in the same way in every locale. If a number is invalid, the
+/// returned text says what to write instead.
 /// what to write instead.
 ///
 /// Accepts a number above zero.

@@ -15,7 +15,8 @@ class Option;
 
 namespace program {
 
-/// The middlewares in this build, the default first: "ice" if it was built with Ice, and "tcp".
+/// Returns the names of the middlewares in this build, the default first: "ice" if the program was
+/// built with Ice, and "tcp".
 std::vector<std::string> MiddlewareNames();
 
 /// The version of Ice in this build; empty without Ice.
@@ -47,16 +48,16 @@ CLI::Option* AddGcmOption(CLI::App& app, std::string& gcm, const std::string& mo
 /// well.
 tendon::Result<std::shared_ptr<tendon::Middleware>> MakeMiddleware(const NetworkOptions& options);
 
-/// Returns the address of the GCM: `option` if it is not empty, otherwise $TENDON_GCM, otherwise
-/// this machine. A host without a port gets the GCM's usual port.
+/// Returns the address of the GCM: `option`; if it is empty, $TENDON_GCM; if this is not set, the
+/// address on this machine. A host without a port gets the usual port of a GCM.
 std::string GcmAddress(const std::string& option);
 
-/// Returns kInvalid if the address is a single word and the options allow only this machine,
-/// because then the address is probably a mistake.
+/// Returns kInvalid if the address is a single word and the options allow only this machine: the
+/// address is then probably a mistake.
 tendon::Result<void> CheckGcmAddress(const std::string& address, const NetworkOptions& options);
 
-/// Returns kInvalid if the address given by `option` is the GCM's own address: "--listen and --gcm
-/// are both 127.0.0.1:10705, ...". Ignores invalid addresses.
+/// Returns kInvalid if `address`, the value of `option`, is also the address of the GCM: "--listen
+/// and --gcm are both 127.0.0.1:10705, ...". Ignores invalid addresses.
 tendon::Result<void> CheckOwnPort(const std::string& option, const std::string& address,
                                   const std::string& gcm);
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""check_report.py skipped|times FOLDER: prints facts from the logs of a preset's last check.
+"""check_report.py skipped|times FOLDER: prints a report from the logs of a preset's last check.
 
-skipped: each test that was skipped, with the reason that it gave. times: the slowest build steps and tests. FOLDER is
-build/PRESET; the logs are those of ninja (.ninja_log) and of tools/check (tests.xml, in JUnit's format).
+skipped: prints each skipped test with its reason. times: prints the slowest build steps and tests. FOLDER is
+build/PRESET. The logs are .ninja_log, which ninja writes, and tests.xml, which tools/check writes in JUnit's format.
 """
 
 import re
@@ -20,8 +20,8 @@ def reason(output):
     if told := re.findall(r"^\S+:\d+: Skipped\n(.+(?:\n.+)*?)\n(?:\n|\[)", output, re.MULTILINE):
         return "; ".join(dict.fromkeys(" ".join(text.split()) for text in told))
     lines = [line.strip() for line in output.splitlines() if line.strip()]
-    told = next((line for line in lines if line.lower().startswith("skipped")), lines[-1] if lines else "says not why")
-    return re.sub(r"^skipped:? *", "", told, flags=re.IGNORECASE) or "says not why"
+    told = next((line for line in lines if line.lower().startswith("skipped")), lines[-1] if lines else "")
+    return re.sub(r"^skipped:? *", "", told, flags=re.IGNORECASE) or "the test gave no reason"
 
 
 def skipped(folder):
@@ -31,8 +31,8 @@ def skipped(folder):
 
 
 def build_steps(folder):
-    """Seconds and name of each build step in its last run; a step that makes several files appears
-    once."""
+    """Yields the seconds and the name of each build step, as of its last run. A step that makes several
+    files appears once."""
     steps = {}
     for line in (folder / ".ninja_log").read_text().splitlines():
         fields = line.split("\t")
@@ -53,7 +53,7 @@ def tests(folder):
 def times(folder):
     for title, log, read in (("build steps", ".ninja_log", build_steps), ("tests", "tests.xml", tests)):
         if not (folder / log).exists():
-            yield f"{folder} has no {log}, so nothing is known of its {title}; tools/check writes it."
+            yield f"{folder} has no {log}, so the times of its {title} are unknown; run tools/check."
             continue
         found = sorted(read(folder), reverse=True)
         yield f"{folder}: the slowest of {len(found)} {title}, which took {sum(seconds for seconds, _ in found):.0f} s"

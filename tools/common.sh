@@ -1,24 +1,24 @@
-# Sourced by the scripts beside it: paths, short messages, root, building.
+# Sourced by the scripts in this folder: paths, messages, commands as root, and building.
 # shellcheck shell=bash
 
 TENDON_ROOT=$(cd -- "$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/.." && pwd)
-# The same as in cmake/tendon_cache.cmake.
+# The same folder as in cmake/tendon_cache.cmake.
 TENDON_CACHE=${XDG_CACHE_HOME:-${HOME:-/tmp}/.cache}/tendon
 # shellcheck disable=SC2034  # read by the scripts that source this file
 QWT_CACHE=$TENDON_CACHE/qwt-6.3.0
 # shellcheck disable=SC2034  # the same as in tests/core/recording/CMakeLists.txt
 ORACLE_CACHE=$TENDON_CACHE/recording-oracle
 
-# say SENTENCE...: each on a line of its own.
+# say SENTENCE...: prints each sentence on a separate line.
 say() { printf '%s\n' "$@"; }
 
-# fail SENTENCE [DETAIL...]: prints the error in one sentence, then the details, each on a line of its own, and exits.
+# fail SENTENCE [DETAIL...]: prints the error in one sentence, then each detail on a separate line, and exits.
 fail() {
   printf '%s\n' "$@" >&2
   exit 1
 }
 
-# help_if_asked WORD...: --help prints the comment at the head of the script and ends it.
+# help_if_asked WORD...: if a word is --help or -h, prints the comment at the head of the script and exits.
 help_if_asked() {
   [[ " $* " == *" --help "* || " $* " == *" -h "* ]] || return 0
   sed -n '2,/^[^#]/ s/^# \?//p' "$0"

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""compile_commands.py ROOT BUILD FOLDER FILE...: finds the commands that compile these files, each
-by itself.
+"""compile_commands.py ROOT BUILD FOLDER FILE...: finds the command that compiles each of these files
+separately.
 
 Writes to FOLDER: compile_commands.json, for clang-tidy; sources, the list of files to check; and
-line_filter, which excludes findings in other files. FILE is relative to ROOT. Exit code 3 if BUILD
-has no command for one of them.
+line_filter, which excludes findings in other files. FILE is relative to ROOT. The exit code is 3 if
+BUILD has no command for a file.
 """
 
 import json
@@ -18,8 +18,8 @@ JOINED = re.compile(r'^#include "(.+)"$', re.MULTILINE)
 
 
 def commands_of(build):
-    """The command of each source, by its path. Sources that CMake joins have the command of the
-    joined source."""
+    """The commands of all sources, by path. A source that CMake compiles together with others has the
+    command of the generated source that includes it."""
     commands = {}
     database = build / "compile_commands.json"
     for command in json.loads(database.read_text()) if database.exists() else []:
@@ -32,14 +32,14 @@ def commands_of(build):
 
 
 def alone(command, source):
-    """The command with its source replaced by this one."""
+    """The command, with another source."""
     words = shlex.split(command["command"])
     return {"directory": command["directory"], "file": source, "arguments": words[: words.index("-c") + 1] + [source]}
 
 
 def source_of(path, commands):
-    """The source to compile for a file: the file itself, the source beside a header, or CMake's
-    check that the header compiles by itself."""
+    """The source to compile for a file: the file itself, the .cpp file of a header, or the source that
+    CMake generates to check the header."""
     beside = str(path.with_suffix(".cpp"))
     if path.suffix != ".h" or beside in commands:
         return beside
@@ -62,7 +62,7 @@ def main():
               file=sys.stderr)
         sys.exit(UNKNOWN)
     if unread := [name for name, path in zip(names, paths) if not sources[path]]:
-        print("Not read, for no source has their names: " + ", ".join(unread))
+        print("Not checked, because no source has the name of the header: " + ", ".join(unread))
 
     wanted = sorted({source for source in sources.values() if source})
     Path(folder, "compile_commands.json").write_text(json.dumps([alone(commands[s], s) for s in wanted]))

@@ -7,7 +7,7 @@ has_display() {
   [[ -n ${WAYLAND_DISPLAY:-} ]] || { [[ -n ${DISPLAY:-} ]] && xdpyinfo >/dev/null 2>&1; }
 }
 
-# start_display WIDTH HEIGHT: starts a virtual display; the server takes the first free number and reports it.
+# start_display WIDTH HEIGHT: starts a virtual display. The X server chooses the first free number and reports it.
 start_display() {
   local answer=$RUN_FOLDER/display
   # shellcheck disable=SC2016  # expanded by sh

@@ -4,10 +4,10 @@ before the program ends, as with FreePort() of tests/support/program.h."""
 import random
 import socket
 
-# Below the ports that the kernel assigns to connecting sockets. Otherwise a client that keeps trying to reach an
-# ended GCM could be assigned the port of that GCM.
+# These ports are below the ports that the kernel assigns to connecting sockets. Otherwise a client that keeps trying to
+# reach an ended GCM could be assigned the port of that GCM.
 PORTS = range(20000, 32000)
-reserved = []  # names of sockets in no folder: nothing is left behind
+reserved = []  # abstract sockets, which leave no files behind
 
 
 def free_port():

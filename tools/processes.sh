@@ -5,7 +5,7 @@
 declare -A process_ids=()
 process_order=()
 
-# Call it before anything is started. Makes RUN_FOLDER for logs and files of the processes. When the script ends, for
+# Makes RUN_FOLDER for the logs and files of the processes. Call this function before start. When the script ends, for
 # whatever reason, the processes are stopped and the folder is removed.
 begin_run() {
   RUN_FOLDER=$(mktemp -d)

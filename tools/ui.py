@@ -2,24 +2,24 @@
 """Drives the window gcm-gui like a user: reads the description that the window writes, moves the
 mouse and presses keys.
 
-    ui.py FILE wait EXPRESSION [SECONDS]   until the expression over the description holds
-    ui.py FILE show EXPRESSION             prints its value
+    ui.py FILE wait EXPRESSION [SECONDS]   waits until the expression is true
+    ui.py FILE show EXPRESSION             prints the value of the expression
     ui.py FILE click|double|ctrl-click GROUP NAME
                                            GROUP: widgets, rows, nodes, ports or candidates
-    ui.py FILE drag GROUP NAME GROUP NAME  from the middle of one thing to that of another
+    ui.py FILE drag GROUP NAME GROUP NAME  drags from the middle of one thing to the middle of another
     ui.py FILE key KEY...                  such as ctrl+z
     ui.py FILE type TEXT
 
-FILE is what `gcm-gui --describe-ui FILE` writes. An expression is Python in which the description's parts (facts,
-ports, rows, widgets, nodes, candidates) are names. Exit code 1 and one sentence when something is not there or does
-not come true.
+`gcm-gui --describe-ui FILE` writes the description to FILE. An expression is Python; its variables are the parts of the
+description: facts, ports, rows, widgets, nodes and candidates. The exit code is 1, with a message, if a thing does not
+exist or an expression does not become true.
 """
 import json
 import subprocess
 import sys
 import time
 
-PATIENCE = 60.0  # s; bounds a run that fails, on a machine that does other things as well
+PATIENCE = 60.0  # s; long enough for a busy machine
 
 
 class Missing(Exception):

@@ -41,7 +41,7 @@ void ArmSupervisor::Run() {
   ProcessQueuedCommands();
   JointState joints;
   activity_ = get_joints_(joints) ? ActivityOf(joints) : Activity{};
-  // Without an answer the last pose of the flange remains.
+  // If the arm does not answer, `flange_` keeps its last pose.
   (void)get_link_pose_(LinkId::kFlange, flange_);
 }
 

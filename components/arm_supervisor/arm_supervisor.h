@@ -10,7 +10,7 @@
 namespace arm {
 
 /// Watches an arm at 50 Hz and never moves it. Reads the joints and, if the arm offers it, the pose
-/// of the flange; counts events. Records `Activity`, `Flange` and `Events`.
+/// of the flange. Counts the arm's events. Records `Activity`, `Flange` and `Events`.
 class ArmSupervisor : public tendon::PeriodicTask {
  public:
   explicit ArmSupervisor(std::string name);

@@ -6,7 +6,7 @@
 
 namespace arm {
 
-/// How much an arm moves.
+/// The amount of motion of an arm.
 struct Activity {
   double speed = 0.0;   ///< rad/s, of the fastest joint
   double energy = 0.0;  ///< J, estimated kinetic energy

@@ -16,9 +16,9 @@ struct CounterSample {
   NetworkCounters network;
 };
 
-/// Turns counters into rates: the difference over the last second, divided by the actual time
-/// between the samples. The window is a second because a clock tick lasts 10 ms: a window of 50 ms
-/// holds five ticks, so a load could only be 0, 20, 40 % and so on.
+/// Turns counters into rates. A rate is the difference over the last second, divided by the actual
+/// time between the two samples. A shorter window would be too coarse: a clock tick lasts 10 ms, so
+/// in a window of 50 ms a load could only be 0, 20, 40 % and so on.
 class CounterHistory {
  public:
   /// `sample` must be later than the one before.

@@ -8,7 +8,7 @@
 /// The measurements of a machine.
 namespace host {
 
-/// How busy the processor was in the last second.
+/// The load of the processor in the last second.
 struct Cpu {
   double total = 0.0;         ///< %, over all cores
   std::vector<double> cores;  ///< %, of each core

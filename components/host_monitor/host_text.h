@@ -47,7 +47,7 @@ struct NetworkCounters {
 
 /// Parses /proc/net/dev. Returns the sum over external interfaces, and the loopback traffic. Leaves
 /// out bridges, tunnels within the machine, and interfaces that consist of other interfaces, so
-/// that nothing is counted twice.
+/// that no traffic is counted twice.
 [[nodiscard]] NetworkCounters ParseNetwork(std::string_view text);
 
 /// Parses a file temp or temp*_input of /sys, which has thousandths of °C. Empty if the text is not

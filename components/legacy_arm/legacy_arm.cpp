@@ -43,7 +43,7 @@ void LegacyArm::MoveTo(const JointGoal& goal) {
     goal_[joint] = std::clamp(wanted, -kLimit, kLimit);
     if (goal_[joint] != wanted) limit_exceeded_({static_cast<std::int32_t>(joint), wanted});
     const double distance = std::abs(goal_[joint] - joints_.position[joint]);
-    // This form turns a duration of 0 or NaN into the highest speed.
+    // With this form of the condition, a duration of 0 or NaN gives the highest speed.
     speed_[joint] = goal.duration > distance / kFastest ? distance / goal.duration : kFastest;
   }
 }

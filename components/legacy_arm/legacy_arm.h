@@ -8,9 +8,9 @@
 
 namespace legacy {
 
-/// An arm with the same names as the others, but a different interface: it uses degrees and has no
-/// event for a reached goal, so no client of arm_interface can connect to its `Control`. It moves
-/// every joint at constant speed within ±120 deg, at 100 Hz.
+/// An arm whose interface has the usual names but other types: it uses degrees and has no event for
+/// a reached goal. So no client of arm_interface can connect to its `Control`. It moves every joint
+/// at constant speed within ±120 deg, at 100 Hz.
 class LegacyArm : public tendon::PeriodicTask {
  public:
   explicit LegacyArm(std::string name);

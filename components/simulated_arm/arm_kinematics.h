@@ -6,7 +6,7 @@ namespace arm {
 
 /// Computes the pose of `link` for the joints in `state`. Constant time, allocates nothing.
 ///
-/// The geometry is that of a Franka Emika Panda, by its Denavit-Hartenberg parameters in Craig's
+/// The robot is a Franka Emika Panda, described by its Denavit-Hartenberg parameters in Craig's
 /// convention: https://frankaemika.github.io/docs/control_parameters.html
 void LinkPose(const JointState& state, const LinkId& link, Pose& pose);
 

@@ -7,7 +7,7 @@
 namespace arm {
 namespace {
 
-constexpr double kArrived = 1e-3;    // rad, and rad/s; within this, the goal counts as reached
+constexpr double kArrived = 1e-3;    // rad, and rad/s; the goal is reached within these distances
 constexpr double kFurthest = 1e3;    // rad
 constexpr double kLongest = 3600.0;  // s
 constexpr double kGentle = 0.25;     // fraction of the acceleration limit for changes of velocity

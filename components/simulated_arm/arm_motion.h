@@ -52,7 +52,7 @@ class ArmMotion {
   double step_;
   std::array<Joint, kJoints> joints_;
   std::array<JointPath, kJoints> paths_;
-  double duration_ = 0.0;  // s, of the longest path
+  double duration_ = 0.0;  // s, duration of the longest path
   double elapsed_ = 0.0;   // s since the paths began
   bool has_goal_ = false;  // true while a goal is not yet reached
   bool is_cruising_ = false;

@@ -6,11 +6,11 @@
 namespace arm {
 namespace {
 
-constexpr double kEntered = 1e-3;  // rad from the end; if closer, the limit is reached
-constexpr double kLeft = 1e-2;     // rad from the end; if farther, the limit is left
+constexpr double kEntered = 1e-3;  // rad; at this distance from the end, the limit is reached
+constexpr double kLeft = 1e-2;     // rad; at this distance from the end, the limit is left
 
 /// Returns the highest safe velocity in the next step towards an end that is `distance` rad away.
-/// It is the v for which v * step + v^2 / (2 acceleration) = distance.
+/// This is the velocity v for which v * step + v^2 / (2 acceleration) = distance.
 double FastestTowards(double distance, double acceleration, double step) {
   return acceleration * (std::sqrt(step * step + 2.0 * distance / acceleration) - step);
 }

@@ -25,8 +25,8 @@ class Joint {
 
   [[nodiscard]] const JointPoint& point() const { return point_; }
   [[nodiscard]] const JointLimits& limits() const { return limits_; }
-  /// True if the last step reached an end of the range. It is true only once until the joint leaves
-  /// this end.
+  /// True if the last step reached an end of the range. Becomes true again only after the joint has
+  /// left this end.
   [[nodiscard]] bool has_entered_limit() const { return has_entered_limit_; }
 
  private:

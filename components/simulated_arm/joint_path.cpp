@@ -7,7 +7,7 @@ namespace arm {
 namespace {
 
 constexpr double kShortest = 0.1;     // s; minimum duration of a motion
-constexpr double kShortDecay = 0.05;  // s; minimum, because otherwise the jerk would have no bound
+constexpr double kShortDecay = 0.05;  // s; minimum: a shorter decay would need too much jerk
 constexpr double kLongDecay = 0.5;    // s; maximum, unless braking takes longer
 
 /// Returns the time in s in which the velocity of `start` can decay to 0 with three quarters of the

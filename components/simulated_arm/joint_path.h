@@ -19,11 +19,11 @@ struct JointPoint {
 
 /// A smooth path of one joint from its present motion to rest.
 ///
-/// It is the sum of two motions: the motion at the start decays (a cubic velocity), and a
-/// minimum-jerk motion (Flash and Hogan, 1985) covers the remaining distance. Position, velocity
-/// and acceleration are continuous from the start on. In short motions both parts take the same
-/// time and the sum is the quintic of these boundary values. In long motions, the first part ends
-/// early, so a moving joint does not overshoot because of a long duration.
+/// The path is the sum of two motions. In the first one, the motion at the start decays (a cubic
+/// velocity). The second one is a minimum-jerk motion (Flash and Hogan, 1985) over the remaining
+/// distance. Position, velocity and acceleration are continuous. In a short path, both parts take
+/// the same time; their sum is then the quintic polynomial with these boundary values. In a long
+/// path, the first part ends early, so that a moving joint does not overshoot.
 class JointPath {
  public:
   /// Makes the path of a joint that is at rest at `position`.

@@ -12,10 +12,11 @@ namespace {
 constexpr std::chrono::milliseconds kPeriod{20};
 constexpr double kStep = std::chrono::duration<double>(kPeriod).count();  // s
 
-// Ten goals are sent per second; each replaces the last one. An arm that repeats minimum-jerk
-// motions follows with a lag of 0.6 times their duration, so each goal is ahead by this time.
+// Ten goals are sent per second; each goal replaces the previous one. An arm that follows with
+// minimum-jerk motions lags behind by 0.6 times their duration. So each goal is sent ahead by this
+// time.
 constexpr int kCyclesPerGoal = 5;
-constexpr double kDuration = 0.4;                                          // s, of a goal
+constexpr double kDuration = 0.4;                                          // s, duration of a goal
 constexpr double kAhead = 0.6 * kDuration + kCyclesPerGoal * kStep / 2.0;  // s
 constexpr double kNear = 0.3;       // rad; the tour waits for an arm with a larger error
 constexpr double kApproach = 2.5;   // s until the arm has joined the tour
@@ -101,8 +102,8 @@ void Teleoperation::GoOn(const JointState& joints) {
 void Teleoperation::SendGoal() {
   const tendon::Status status = move_to_({.position = PostureAt(kAhead), .duration = kDuration});
   cycles_to_goal_ = kCyclesPerGoal;
-  // When a suspended arm resumes, start again from its posture. Any other refused goal is harmless,
-  // because the next one follows soon.
+  // When a suspended arm resumes, the tour starts again from the posture of the arm. Any other
+  // refused goal is harmless, because the next goal follows soon.
   if (status == tendon::Status::kNotActive) is_leading_ = false;
 }
 

@@ -11,10 +11,9 @@
 
 namespace arm {
 
-/// Leads any arm through a tour of postures, at 50 Hz. It needs the interface `Robot` and does
-/// nothing until this interface is connected; then it starts from the arm's present posture. It
-/// records `Target`, `Tracking` and `Limits` (how often the arm met a limit; the tour reverses each
-/// time).
+/// Leads any arm through a tour of postures, at 50 Hz. Does nothing until its interface `Robot` is
+/// connected; then it starts from the arm's present posture. Records `Target`, `Tracking` and
+/// `Limits`, the number of limits that the arm has met. The tour reverses at each limit.
 class Teleoperation : public tendon::PeriodicTask {
  public:
   using Configuration = TeleoperationConfiguration;
@@ -26,7 +25,7 @@ class Teleoperation : public tendon::PeriodicTask {
   void Startup() override { is_leading_ = false; }
   void Run() override;
   void Cleanup() override;
-  // The arm may have moved, or be a different one: start again from its present posture.
+  // The arm may have moved, or another arm may be connected. Starts again from the present posture.
   void OnConnected(tendon::RequiredInterface& /*robot*/) override { is_leading_ = false; }
   void OnDisconnected(tendon::RequiredInterface& /*robot*/) override { is_leading_ = false; }
   void OnResume() override { is_leading_ = false; }

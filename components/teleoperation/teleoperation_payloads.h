@@ -19,7 +19,7 @@ struct Target {
   JointVector position{};  ///< rad
 };
 
-/// How well the arm follows the target.
+/// The error with which the arm follows the target.
 struct Tracking {
   JointVector error{};  ///< rad; target minus actual
   double worst = 0.0;   ///< rad; the largest absolute error

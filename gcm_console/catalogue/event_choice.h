@@ -14,8 +14,8 @@ namespace console {
 std::vector<tendon::EventSubscription> MatchingEvents(const tendon::Catalogue& catalogue,
                                                       const std::vector<std::string>& patterns);
 
-/// Returns an error if a pattern matches no event. kNotFound suggests similar names. kInvalid means
-/// that the pattern matches something other than an event; the error names it.
+/// Returns an error if a pattern matches no event. kNotFound suggests similar names. kInvalid names
+/// the object that the pattern matches instead of an event.
 tendon::Result<void> CheckEventPatterns(const tendon::Catalogue& catalogue,
                                         const std::vector<std::string>& patterns);
 

@@ -36,7 +36,10 @@ bool IsExpression(const std::string& text) {
 }  // namespace
 
 tendon::Result<Expression> Expression::Parse(std::string_view text) {
-  if (text.empty()) return Error{ErrorCode::kInvalid, "an empty expression matches everything"};
+  if (text.empty()) {
+    return Error{ErrorCode::kInvalid,
+                 "an empty expression matches everything; expected an expression such as Get|Set"};
+  }
   if (text.size() > kLongest) {
     return Error{ErrorCode::kInvalid, "an expression may have at most " + std::to_string(kLongest) +
                                           " bytes, but the given expression has " +

@@ -57,7 +57,7 @@ Result<void> CheckColumn(const tendon::Path& path, const std::vector<std::string
                                          tendon::DidYouMean(path.member, columns)};
 }
 
-/// Splits a glob into the part that matches columns and the part within them: "**.Joints" and
+/// Splits a glob into a pattern for columns and the path of a part of a column: "**.Joints" and
 /// ".position[0]".
 std::pair<std::string, std::string> SplitField(const std::string& pattern) {
   const std::size_t slash = pattern.rfind('/');
@@ -103,8 +103,8 @@ tendon::InterfaceName TableOf(const TableChoice& choice) {
   return {choice.subscription.process, choice.subscription.component, choice.subscription.table};
 }
 
-/// Adds the path to its table, unless it was added before. If the user has also given the path
-/// without a glob, it is never left out.
+/// Adds the path to its table, unless it was added before. A path that the user has also typed
+/// without a glob is never left out later.
 void Add(const tendon::Path& path, bool is_found, ColumnChoice& choice) {
   auto& tables = choice.tables;
   const tendon::InterfaceName name = path.interface_name();

@@ -35,8 +35,8 @@ struct ColumnChoice {
 tendon::Result<ColumnChoice> MatchingColumns(const tendon::Catalogue& catalogue,
                                              const std::vector<std::string>& patterns);
 
-/// Returns the subscription for a path: the first column if it names a table, otherwise the column
-/// that it names.
+/// Returns the subscription for a path. If the path names a table, the subscription is for its
+/// first column; otherwise it is for the column that the path names.
 tendon::Result<tendon::TableSubscription> WholeTable(const tendon::Catalogue& catalogue,
                                                      const std::string& path);
 
@@ -56,9 +56,9 @@ struct StaleValues {
 };
 
 /// Returns how old the values of a component are; empty if the component runs. `path` names the
-/// component or an object in it. The age is that of the newest row in the table that the path
-/// names, otherwise in the component's first table. Waits at most half a second for this row, and
-/// not at all if the component was not started.
+/// component or an object in it. The age is the age of the newest row in the table that the path
+/// names. If the path names no table, the first table of the component is used. Waits at most half
+/// a second for this row, and not at all if the component was not started.
 [[nodiscard]] std::optional<StaleValues> StaleValuesOf(tendon::GcmClient& client,
                                                        const tendon::Path& path);
 

@@ -59,7 +59,7 @@ class FieldsByWords {
                                             "' is one word too many: " + FieldsText(schema_)};
     }
     if (!given_.insert(field->name).second) {
-      return Error{ErrorCode::kInvalid, field->name + " is given twice"};
+      return Error{ErrorCode::kInvalid, field->name + " is given twice: leave out one of the two"};
     }
     auto value =
         tendon::TypedValue(field->schema, field->name, name ? word.substr(name->size() + 1) : word);

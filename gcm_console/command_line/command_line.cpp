@@ -47,9 +47,9 @@ bool IsNegativeName(const std::string& word) {
   return name == "-inf" || name == "-infinity" || name == "-nan";
 }
 
-/// Protects a word from CLI11. If an option accepts several words, CLI11 would split a word in
-/// brackets; and it would read "-inf" as options of one letter. A blank at the beginning or at the
-/// end of the word prevents this; AsTyped() removes it.
+/// Protects a word from CLI11. CLI11 would split a word in brackets if an option accepts several
+/// words, and it would read "-inf" as options of one letter. A blank at the beginning or at the end
+/// of the word prevents this. AsTyped() removes the blank.
 std::string KeptWhole(const std::string& word) {
   const bool is_in_brackets = word.starts_with('[') && word.ends_with(']');
   if (is_in_brackets || word.ends_with(' ')) return word + ' ';
@@ -76,9 +76,9 @@ void TakeAsTyped(CLI::App& app) {
   }
 }
 
-/// Returns an error such as "no verb 'conect'; did you mean 'connect'? gcm --help lists them". It
-/// concerns the first word that is neither an option nor the value of an option. Empty if that word
-/// is a verb, or follows an unknown option.
+/// Returns an error such as "no verb 'conect'; did you mean 'connect'? gcm --help lists them". The
+/// error is about the first word that is neither an option nor the value of an option. Empty if
+/// this word is a verb, or follows an unknown option.
 std::string UnknownVerb(const std::vector<std::string>& words, const CLI::App& app) {
   const CLI::App* part = &app;
   std::string command = app.get_name();
@@ -109,7 +109,7 @@ std::string UnknownVerb(const std::vector<std::string>& words, const CLI::App& a
 std::string EmptyValue(const std::vector<std::string>& words, const CLI::App& app) {
   const CLI::App* part = &app;
   for (const std::string& word : words) {
-    if (word == "--") break;  // the words after it are no options
+    if (word == "--") break;  // all words after "--" are arguments
     if (word.starts_with("--") && word.ends_with('=')) {
       const std::string name = word.substr(0, word.size() - 1);
       const CLI::Option* option = OptionOf(part, name);

@@ -36,7 +36,7 @@ class CommandLine {
 
   /// Returns the help page of `gcm`, with a part for each verb.
   [[nodiscard]] Page page() const { return PageOf(app_); }
-  /// Returns the help page of the chosen verb or subcommand; without a verb, that of `gcm`.
+  /// Returns the help page of the chosen verb or subcommand; without a verb, the page of `gcm`.
   [[nodiscard]] Page chosen_page() const;
 
  private:

@@ -12,7 +12,8 @@ class App;
 namespace console {
 
 /// The description of one verb, or of `gcm` itself. Help, manual pages and completion are made from
-/// it. It is read from the command-line parser, so that it always agrees with the parser.
+/// this description. It is read from the command-line parser, so that it always agrees with the
+/// parser.
 struct Page {
   /// A positional argument.
   struct Argument {
@@ -45,8 +46,8 @@ struct Page {
   [[nodiscard]] std::string last_word() const;
 };
 
-/// Returns the page of a part of the command line. `command` is the name of the part that contains
-/// it, with a blank at the end; or empty.
+/// Returns the page of a part of the command line. `command` is the name of the parent part, with a
+/// blank at the end; empty if there is no parent.
 Page PageOf(const CLI::App& app, const std::string& command = "");
 
 /// Returns the usage line: "gcm connect INTERFACE PROVIDED [OPTIONS]".

@@ -55,7 +55,8 @@ tendon::Result<std::string> AllOf(std::istream& in) {
     in.read(part.data(), part.size());
     all.append(part.data(), static_cast<std::size_t>(in.gcount()));
   }
-  if (all.size() > kMost) return Error{ErrorCode::kInvalid, "the input is over 16 MiB"};
+  if (all.size() > kMost)
+    return Error{ErrorCode::kInvalid, "the input is over 16 MiB: give a smaller input"};
   if (IsBroken(in)) return Broken();
   return all;
 }

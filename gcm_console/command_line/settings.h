@@ -26,7 +26,7 @@ struct Settings {
   ColorChoice color = ColorChoice::kAuto;
   bool in_session = false;  ///< true for a line of a session; its paths may begin with / or ..
   std::string at = {};      ///< the path to which relative paths are relative; if empty, the top
-  int scripts = 0;          ///< how many scripts, each run by the one before, have led to this line
+  int scripts = 0;          ///< nesting depth of the scripts that run this line; 0 if none
 };
 
 }  // namespace console

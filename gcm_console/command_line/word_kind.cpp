@@ -20,7 +20,7 @@ CLI::Option* WithKind(CLI::Option* option, WordKind kind) {
 }
 
 WordKind KindOf(const CLI::Option& option) {
-  // A colon may follow, with the checks of the option.
+  // The type name may also contain a colon, followed by the checks of the option.
   const std::string all = option.get_type_name();
   const std::string name = all.substr(0, all.find(':'));
   for (std::size_t i = 0; i < kNames.size(); ++i) {

@@ -14,9 +14,9 @@ enum class WordKind {
   kText,
   kFile,
   kVerb,
-  kParameter,  ///< a parameter of the component that the word before names
-  kSetting,    ///< a value of the parameter that the word before names
-  kArgument,   ///< an argument of the command that the word before names, or one of its fields
+  kParameter,  ///< a parameter of the component in the previous word
+  kSetting,    ///< a value of the parameter in the previous word
+  kArgument,   ///< an argument of the command in the previous word, or one field of the argument
   kClass,
   kPlugIn,
   kProcess,    ///< this and all later kinds are paths of a system

@@ -78,8 +78,8 @@ class Collector {
   WordCompletion Take() { return std::move(found_); }
 
  private:
-  /// Adds words from the live system. Names with dots are completed one level at a time, as paths
-  /// are; and the name of a field is completed before its value.
+  /// Adds words from the live system. Names with dots are completed one level at a time, like
+  /// paths. The name of a field is completed before its value.
   void OfferLive(WordKind kind, std::vector<std::string> before) {
     if (!system_.words) return;
     if (!before.empty()) before[0] = ResolvedPath(at_, before[0]);

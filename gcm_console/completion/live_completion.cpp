@@ -20,8 +20,9 @@ using Clock = std::chrono::steady_clock;
 /// After this time, an answer is requested again.
 constexpr std::chrono::seconds kFresh(2);
 
-/// Returns the answer if it arrives before `deadline`. If an earlier answer is known, returns that
-/// one at once. `start` sends the request; it is called with a handler for the answer.
+/// Returns an earlier answer at once if there is one. Otherwise waits for the answer until
+/// `deadline`; returns null if none arrives. `start` sends the request; it is called with a handler
+/// for the answer.
 template <typename T, typename Start>
 const T* Ask(CachedAnswer<T>& cached, std::uint64_t instance, Clock::time_point deadline,
              Start start) {

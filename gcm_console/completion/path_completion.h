@@ -17,10 +17,11 @@ std::vector<std::string> PathsOf(const tendon::Catalogue& catalogue, WordKind ki
 /// "ro/a/C.S". If a name matches no object or several, returns the path unchanged.
 std::string WholePath(const tendon::Catalogue& catalogue, WordKind kind, const std::string& path);
 
-/// Returns the absolute path for `typed`. Usually `typed` is relative to `at`. It is absolute if it
-/// has several names (or one name with a trailing /), its first name matches nothing below `at`,
-/// and its first name matches a process. A single name is never absolute. Otherwise a verb would be
-/// applied to a whole process if the component that the user means is gone.
+/// Returns the absolute path for `typed`. Usually `typed` is relative to `at`. However, `typed` is
+/// absolute if all of these are true: it has several names (or one name with a trailing /), its
+/// first name matches nothing below `at`, and its first name matches a process. A single name is
+/// never absolute: if the component that the user means is gone, the verb would otherwise act on a
+/// whole process.
 std::string PathFrom(const tendon::Catalogue& catalogue, const std::string& at,
                      const std::string& typed);
 

@@ -93,8 +93,8 @@ void ConnectionFeed::AskSome() const {
     if (latest->can_be_told) there.push_back(required);
   }
   for (const auto& required : throttle_->Begin(there, SteadyClock().Now())) {
-    // End() is called when the last copy of the handler is destroyed, so it is called even if no
-    // answer arrives.
+    // The destructor of `query` calls End(). It runs when the last copy of the handler is
+    // destroyed, even if no answer arrives.
     const std::shared_ptr<void> query(
         nullptr, [throttle = throttle_, required](void* /*nothing*/) { throttle->End(required); });
     client_.GetCounts(required, [query, latest = latest_.at(required)](const auto& answer) {

@@ -46,8 +46,8 @@ class CurveFeed final : public tendon::RowSink {
   [[nodiscard]] std::optional<tendon::Error> mistake() const;
   /// Returns true if all paths are left out.
   [[nodiscard]] bool is_empty() const;
-  /// Returns the paths that are left out, each with the reason; then the reason of a present
-  /// interruption.
+  /// Returns the paths that are left out, each with the reason. If rows are interrupted now, also
+  /// returns the reason of the interruption.
   [[nodiscard]] std::vector<std::string> notes() const;
 
  private:

@@ -71,8 +71,8 @@ EventInbox::Content EventInbox::Take() {
   return content;
 }
 
-/// Stores an error; call it with the lock held. The number of errors is limited, in case the caller
-/// never takes them.
+/// Stores an error; call it with the lock held. The number of stored errors is limited, because the
+/// caller may never take them.
 void EventInbox::Complain(const tendon::Error& complaint) {
   constexpr std::size_t kMost = 100;
   if (content_.complaints.size() < kMost) content_.complaints.push_back(complaint);

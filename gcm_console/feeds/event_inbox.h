@@ -41,13 +41,14 @@ class EventInbox final : public tendon::GcmListener,
 
   struct Content {
     bool is_catalog_new = false;
-    std::vector<tendon::EventSubscription> begun;         ///< since the last Take()
+    std::vector<tendon::EventSubscription> begun;         ///< begun since the last Take()
     std::vector<tendon::MemberDescription> descriptions;  ///< descriptions of the events in `begun`
     std::deque<Events::Entry> events;
-    LostEvents lost;                        ///< events lost after the last of `events`
-    std::vector<tendon::Error> complaints;  ///< kUnreachable: of the GCM; others: of a process
-    bool is_gcm_back = false;               ///< true if the GCM was lost and has returned
-    bool has_more = false;                  ///< true if more events can be taken
+    LostEvents lost;  ///< events lost after the last of `events`
+    /// kUnreachable: errors of the GCM; other codes: errors of a process
+    std::vector<tendon::Error> complaints;
+    bool is_gcm_back = false;  ///< true if the GCM was lost and has returned
+    bool has_more = false;     ///< true if more events can be taken
   };
 
   /// Returns the sink that passes the events of one interface to this inbox.

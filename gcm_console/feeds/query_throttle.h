@@ -20,8 +20,8 @@ class QueryThrottle {
   static constexpr std::size_t kMostAtOnce = 64;
   static constexpr std::size_t kMostOfOne = 8;
 
-  /// Returns the connections in `there` for which a request is due; those that have waited longest
-  /// come first. The caller must call End() for each of them.
+  /// Returns the connections in `there` for which a request is due. Connections that have waited
+  /// longest come first. The caller must call End() for each returned connection.
   [[nodiscard]] std::vector<tendon::InterfaceName> Begin(
       const std::vector<tendon::InterfaceName>& there, tendon::SteadyTime now);
   /// Called when the answer has arrived, or when it cannot arrive any more.

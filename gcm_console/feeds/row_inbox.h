@@ -38,8 +38,8 @@ class RowInbox final : public tendon::RowSink {
     std::size_t column = 0;
     bool is_found = false;  ///< found by a glob; left out if the column does not have this part
   };
-  /// With RowDelivery::kNewest, stores only the newest row; rows that are replaced by it do not
-  /// count as lost.
+  /// With RowDelivery::kNewest, stores only the newest row. A row that is replaced by a newer row
+  /// does not count as lost.
   explicit RowInbox(std::vector<Wanted> wanted,
                     tendon::RowDelivery delivery = tendon::RowDelivery::kAll);
 
@@ -58,12 +58,12 @@ class RowInbox final : public tendon::RowSink {
   /// was taken, including the dropped ones. Call it only in the printing thread.
   tendon::LostRows Rest();
   /// Returns an error if a path that the user has typed without a glob does not exist in its
-  /// column. There are no rows then.
+  /// column. In this case, the inbox stores no rows.
   [[nodiscard]] std::optional<tendon::Error> mistake() const;
-  /// Returns true if all paths are left out. There are no rows then.
+  /// Returns true if all paths are left out. In this case, the inbox stores no rows.
   [[nodiscard]] bool is_empty() const;
-  /// Returns the new messages about paths that are left out and about interruptions. Each change is
-  /// reported once.
+  /// Returns the new messages about paths that are left out and about interruptions. Each message
+  /// is returned once.
   std::vector<std::string> TakeNotices();
   /// Returns the reason of the last interruption, even if rows arrive again.
   [[nodiscard]] std::optional<tendon::Error> interruption() const;

@@ -15,7 +15,7 @@ namespace console {
 
 /// The timing of a task in the last whole second.
 struct TaskFigures {
-  std::string path;  ///< of the component
+  std::string path;  ///< path of the component
   std::string state;
   std::string detail;         ///< "waiting for Robot"
   double rate = 0.0;          ///< cycles per second

@@ -21,7 +21,7 @@ ordered_json ListOf(const List& list) {
   return all;
 }
 
-/// Returns null if the component never has a thread of its own.
+/// Returns null if the component never has its own thread.
 ordered_json ThreadOf(const tendon::ComponentDescription& component) {
   if (component.thread.empty()) return nullptr;
   return tendon::JsonOrText(tendon::ToJson(component.thread.front()));

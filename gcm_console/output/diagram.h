@@ -67,7 +67,7 @@ struct Diagram {
 using Places = std::map<std::string, tendon::graph::Rect>;
 
 /// Lays out the system as in `shown`, stretched as far as necessary. If an object is missing in
-/// `shown`, the layout is that of DiagramOf(catalogue).
+/// `shown`, the layout is the same as in DiagramOf(catalogue).
 [[nodiscard]] Diagram DiagramOf(const tendon::Catalogue& catalogue, const Places& shown);
 
 /// Returns the approximate width of a text of this size in a common font. The result may be too

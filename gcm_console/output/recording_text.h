@@ -9,13 +9,14 @@
 
 namespace console {
 
-/// "17 B", "1.2 MB", "40.0 GB": powers of 1000, as disks are sold.
+/// Formats a size: "17 B", "1.2 MB", "40.0 GB". The units are powers of 1000, as for disks.
 [[nodiscard]] std::string SizeText(std::uint64_t bytes);
 
-/// The compression of that name: "zstd", "lz4" or "none".
+/// Returns the compression with this name: "zstd", "lz4" or "none".
 [[nodiscard]] tendon::mcap::Compression CompressionNamed(const std::string& name);
 
-/// A line for each problem of a file, and how many more there are.
+/// Returns one line for each listed problem of a file, and a line with the number of further
+/// problems.
 [[nodiscard]] std::vector<std::string> ProblemTexts(
     const std::vector<tendon::mcap::Problem>& problems, std::uint64_t count);
 

@@ -70,7 +70,7 @@ std::string Painted(const std::string& text, const char* paint, const Layout& la
   return layout.is_coloured ? paint + text + kUsual : text;
 }
 
-/// Prints a row in as many lines as necessary. All rows are wrapped before the same cells.
+/// Prints a row in as many lines as necessary. All rows are wrapped at the same columns.
 void PrintAligned(const Row& row, const std::vector<Column>& columns, const Layout& layout,
                   const std::function<std::string(const std::string&)>& paint, std::ostream& out) {
   std::size_t used = 0;

@@ -7,7 +7,7 @@
 
 namespace console {
 
-/// How a table is printed.
+/// The ways to print a table.
 struct Layout {
   int columns = 0;  ///< width of the terminal; 0 if there is none
   bool is_coloured = false;
@@ -30,8 +30,8 @@ class Table {
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// If the text is a word for a state, such as "active", "pending" or "lost", returns it with the
-/// colour of that state.
+/// Returns the text. If the text is a word for a state, such as "active", "pending" or "lost", adds
+/// the colour of the state.
 std::string Coloured(const std::string& text, bool is_coloured);
 
 /// Returns the text with its control characters escaped, so that a name from outside cannot control

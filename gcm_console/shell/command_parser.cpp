@@ -12,7 +12,7 @@ using tendon::Result;
 
 bool IsBlank(char letter) { return std::isspace(static_cast<unsigned char>(letter)) != 0; }
 
-/// Removes `gcm` before a verb, which is there if the line was copied from a terminal.
+/// Removes `gcm` before a verb. A line that was copied from a terminal begins with `gcm`.
 void PassOverName(Words& words) {
   while (words.size() > 1 && words.front() == "gcm") words.erase(words.begin());
 }

@@ -18,12 +18,12 @@ struct ShellCommand {
   bool operator==(const ShellCommand&) const = default;
 };
 
-/// Splits a line into commands, and these into words. Blanks separate words. A `gcm` before a verb
-/// is skipped. `;` ends a command; `&` ends a command that must run in the background; `#` at the
-/// beginning of a word begins a comment. Inside '...' every character is literal; elsewhere, `\`
-/// makes the next character literal. If a word, or the part of a word after `=`, begins with { or
-/// [, it is JSON: it ends with the closing bracket, and its quotes are kept. Returns kInvalid if a
-/// quote or a bracket is not closed.
+/// Splits a line into commands, and each command into words. Blanks separate words. A `gcm` before
+/// a verb is skipped. `;` ends a command; `&` ends a command that must run in the background; `#`
+/// at the beginning of a word begins a comment. Inside '...' every character is literal; elsewhere,
+/// `\` makes the next character literal. A word that begins with { or [ is JSON, and so is the part
+/// after `=` if it begins so: JSON ends with the closing bracket and keeps its quotes. Returns
+/// kInvalid if a quote or a bracket is not closed.
 tendon::Result<std::vector<ShellCommand>> ParseCommands(std::string_view line);
 
 /// Quotes a word so that ParseCommands() reads it as one word.

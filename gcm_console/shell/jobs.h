@@ -16,8 +16,8 @@
 
 namespace console {
 
-/// Collects the lines of several threads until they are printed. If lines do not fit, they are only
-/// counted. Thread-safe.
+/// Collects the lines of several threads until they are printed. If the buffer is full, further
+/// lines are only counted. Thread-safe.
 class JobLines {
  public:
   static constexpr std::size_t kMost = 1000;
@@ -59,8 +59,8 @@ class Jobs {
   /// Ends all jobs.
   ~Jobs();
 
-  /// Starts a job and prints its number. Returns kInvalid if the verb is not one that can run for a
-  /// long time. `columns` is the width of the terminal.
+  /// Starts a job and prints its number. Returns kInvalid if the verb cannot run in the background.
+  /// `columns` is the width of the terminal.
   tendon::Result<void> Begin(const Words& words, const Settings& settings, int columns);
   /// Ends the job with this number, and waits for its end. Returns kNotFound if there is no such
   /// job.
@@ -69,8 +69,8 @@ class Jobs {
   /// Prints the number and the words of each running job.
   void Print(std::ostream& out);
 
-  /// Returns the complete lines that the jobs have written since the last call. Empty if no job is
-  /// running and all lines were taken.
+  /// Returns the complete lines that the jobs have written since the last call. Returns no value if
+  /// no job is running and all lines were taken.
   std::optional<std::string> TakeLines();
 
  private:

@@ -44,8 +44,8 @@ std::string HistoryLine(const std::string& typed) {
   return line + '\n';
 }
 
-/// Uses the user's character set. If it is unknown or plain ASCII, uses UTF-8, because otherwise
-/// the user could not type other letters.
+/// Uses the user's character set. If the character set is unknown or plain ASCII, uses UTF-8.
+/// Otherwise the user could not type other letters.
 void ChooseLetters() {
   const char* chosen = std::setlocale(LC_CTYPE, "");
   const std::string_view name = chosen == nullptr ? "C" : chosen;

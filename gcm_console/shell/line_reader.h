@@ -14,8 +14,8 @@ namespace console {
 /// Returns the completions of an unfinished line.
 using AskCompletion = std::function<WordCompletion(const PartialCommand&)>;
 
-/// Returns the complete lines since the last call; they are printed above the prompt. Empty if
-/// there will be no more lines.
+/// Returns the complete lines since the last call; they are printed above the prompt. Returns no
+/// value if there will be no more lines.
 using AskLines = std::function<std::optional<std::string>()>;
 
 /// Reads the lines that a person types.

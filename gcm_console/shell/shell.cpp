@@ -37,7 +37,8 @@ Page WithOwnWords(Page page) {
   return page;
 }
 
-/// After a signal has ended a command, makes it possible for the next command to run and to print.
+/// Prepares the next command after a signal: holds termination signals again, and clears the errors
+/// of the streams.
 void GoOn(const Streams& streams) {
   tendon::os::HoldTerminationSignals();
   streams.out.clear();
@@ -50,7 +51,7 @@ Shell::Shell(Settings settings)
     : session_(std::move(settings)),
       page_(WithOwnWords(CommandLine({}).page())),
       live_completion_(kLongestPause) {
-  tendon::os::HoldTerminationSignals();  // also in the threads of the link
+  tendon::os::HoldTerminationSignals();  // must be called before the threads of the link start
   static_cast<void>(session_.Client());
 }
 
@@ -68,7 +69,7 @@ int Shell::Run(const std::string& line, const Streams& streams, AfterFailure aft
       return program::kInterrupted;
     }
     const int exit_code = RunCommand(command, streams);
-    GoOn(streams);  // because a command that gets a signal releases the held signals
+    GoOn(streams);  // a command that gets a signal releases the held signals
     const bool is_interrupted = exit_code == program::kInterrupted;
     if (failure == program::kOk || is_interrupted) failure = exit_code;
     if (exit_code != program::kOk && (is_interrupted || after == AfterFailure::kStop)) break;

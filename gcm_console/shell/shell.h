@@ -31,8 +31,9 @@ class Shell {
 
   /// Returns the prompt with the path to which relative paths are relative: "robot/arm> ".
   [[nodiscard]] std::string prompt() const;
-  /// Returns the completions of a line, from the catalogue as known now. Blocks only for words that
-  /// only a process knows, such as names of parameters: until the first answer, at most 100 ms.
+  /// Returns the completions of a line, from the catalogue as known now. Waits at most 100 ms, and
+  /// only for the first answer of a process: some words, such as names of parameters, are known
+  /// only to the process.
   [[nodiscard]] WordCompletion Complete(const PartialCommand& line);
   /// Returns the complete lines that background jobs have written since the last call; empty if
   /// there are no jobs.
@@ -40,7 +41,7 @@ class Shell {
 
  private:
   int RunCommand(const ShellCommand& command, const Streams& streams);
-  /// Runs a command of the shell itself. Returns no value if `words` is no such command.
+  /// Runs a command of the shell itself. Returns no value if `words` is not such a command.
   std::optional<tendon::Result<void>> RunOwnWord(const Words& words, const Streams& streams);
   tendon::Result<void> BeginInBackground(const Words& words, const Streams& streams);
   std::vector<std::string> LiveCompletionsOf(WordKind kind, const Words& before);

@@ -58,7 +58,8 @@ Result<void> CheckCall(Context& context, const std::string& text, const std::str
   const bool is_given = !argument.empty() && argument != "null";
   if (!TakesArgument(command->signature)) {
     if (!is_given) return {};
-    return tendon::Error{tendon::ErrorCode::kInvalid, text + " takes no argument"};
+    return tendon::Error{tendon::ErrorCode::kInvalid,
+                         text + " takes no argument: leave out the argument"};
   }
   const auto schema = AskSchema(context, path->process, command->signature.in);
   if (!schema) return schema.error();

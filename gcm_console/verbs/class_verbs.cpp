@@ -67,7 +67,7 @@ Result<std::string> ConfigurationOf(const ClassArguments& arguments) {
   auto text = tendon::ReadSystemText(arguments.file);
   if (!text) return text;
   if (text->size() > tendon::SystemFile::kMaxSize) {
-    return Error{ErrorCode::kInvalid, arguments.file + " is over 16 MB"};
+    return Error{ErrorCode::kInvalid, arguments.file + " is over 16 MB: give a smaller file"};
   }
   if (text->empty()) {
     return Error{ErrorCode::kInvalid, arguments.file + ": expected a JSON object, found nothing"};
@@ -76,7 +76,7 @@ Result<std::string> ConfigurationOf(const ClassArguments& arguments) {
 }
 
 /// Returns the file from which the process has loaded the library of `order`; empty if the process
-/// does not report it. If the order names no library, the library that contains the class is meant.
+/// does not report it. If the order names no library, uses the library that contains the class.
 std::optional<tendon::PluginDescription> AskForPlugin(Context& context,
                                                       const LifecycleOrder& order) {
   const auto known = AskClasses(context, order.process);
@@ -236,7 +236,7 @@ void PrintJson(const Context& context, const std::string& process, const Classes
 
 void Print(const Context& context, const ClassDescription& one) {
   context.out() << Plain(one.library) << '/' << Plain(one.name) << '\n';
-  std::string line;  // the schema has several lines, and its text cannot be trusted
+  std::string line;  // the text is escaped, because it cannot be trusted
   for (const char letter : one.configuration + "\n") {
     if (letter != '\n') {
       line += letter;

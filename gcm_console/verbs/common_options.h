@@ -7,7 +7,7 @@ namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
 class App;
 }
 
-/// Options that several verbs have. Each function adds one of them.
+/// Options that several verbs have. Each function adds one option.
 namespace console {
 
 /// Adds --dry-run.

@@ -44,8 +44,8 @@ class StaleComponents {
   explicit StaleComponents(Context& context, tendon::GcmClient& client)
       : context_(context), client_(client) {}
 
-  /// If the component of the path does not run, returns the age of its values and, the first time,
-  /// prints a message.
+  /// Returns the age of the values if the component of the path does not run. The first call for a
+  /// component also prints a message.
   const std::optional<StaleValues>& Of(const std::string& text) {
     const auto path = tendon::ParsePath(text);
     const std::string component = path ? path->process + "/" + path->component : text;
@@ -115,7 +115,8 @@ Result<std::vector<std::string>> MatchingReadables(const tendon::Catalogue& cata
                    glob + "'"};
 }
 
-/// Prints one line per value. If a value cannot be read, reports this and reads the others.
+/// Prints one line per value. If a value cannot be read, reports this and continues with the other
+/// values.
 Result<ExitCode> GetAll(Context& context, const std::string& glob) {
   const auto client = context.Client();
   if (!client) return client.error();
@@ -250,7 +251,9 @@ class WatchedTables {
       is_any_left |= !table.inbox->is_empty();
     }
     if (is_any_left) return std::nullopt;
-    return Error{tendon::ErrorCode::kNotFound, "no matching column has this part"};
+    return Error{
+        tendon::ErrorCode::kNotFound,
+        "no matching column has this part; to list the parts of a column: gcm show COLUMN"};
   }
   /// Returns the reason of an interruption, from the first table that has one.
   [[nodiscard]] std::optional<Error> interruption() const {
@@ -280,8 +283,9 @@ std::string LostText(const tendon::LostRows& lost) {
          " on the network, " + std::to_string(lost.viewer) + " in gcm";
 }
 
-/// Prints rows, on a terminal with titles. In the columns of other tables, a row has "-". Lost rows
-/// are reported: with --json as separate records, otherwise as messages, at most one per second.
+/// Prints rows, on a terminal with titles. A row shows "-" in the columns of other tables. Lost
+/// rows are reported: with --json as separate records, otherwise as messages, at most one per
+/// second.
 class RowWriter {
  public:
   RowWriter(Context& context, const WatchOptions& options, std::vector<std::string> paths)
@@ -366,9 +370,9 @@ class RowWriter {
   std::chrono::steady_clock::time_point last_report_;
 };
 
-/// Reports when a watched component stops running, and when it runs again, once each. If Look() had
-/// to wait for the age of a component's values, it returns and continues with the next component in
-/// the next call, so that signals are handled in time.
+/// Reports when a watched component stops running, and when it runs again. Each change is reported
+/// once. Look() may have to wait for the age of a component's values. After such a wait it returns,
+/// so that signals are handled in time; the next call continues with the next component.
 class StandstillNotices {
  public:
   StandstillNotices(Context& context, tendon::GcmClient& client,
@@ -404,10 +408,10 @@ class StandstillNotices {
     StaleReason reported = StaleReason::kNone;
   };
 
-  /// Checks one component. Returns true if this may have taken some time.
+  /// Checks one component. Returns true if the check may have waited for an answer.
   bool LookAt(const tendon::Catalogue& catalogue, Watched& watched) {
     const StaleReason why = StaleReasonOf(catalogue, watched.path.process, watched.path.component);
-    // If the process is lost, the end of its rows is reported instead.
+    // A lost process is not reported here, because the end of its rows is reported.
     if (why == watched.reported || why == StaleReason::kLost) return false;
     if (why == StaleReason::kNone) {
       context_.err() << "gcm: " << Plain(watched.name) << " runs again\n";
@@ -436,8 +440,8 @@ void Summarize(const RowWriter& writer, std::ostream& err) {
   err << '\n';
 }
 
-/// Prints the rows. Returns false if no more rows are requested. After a signal, a write that would
-/// block fails, and the rows after it count as lost.
+/// Prints the rows. Returns false if no more rows are wanted. After a signal, a write that would
+/// block fails. The remaining rows then count as lost.
 bool WriteRows(RowWriter& writer, const std::vector<WatchedTables::Row>& rows) {
   std::map<std::string, tendon::LostRows> missed;
   bool wants_more = true;
@@ -498,7 +502,7 @@ Result<ExitCode> Watch(Context& context, const WatchOptions& options) {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
     if (options.seconds > 0.0 && passed.count() >= options.seconds) wants_more = false;
   }
-  // If this is false, the reader has closed the output.
+  // The output is bad if the reader has closed it.
   if (context.out().good() || interrupted) {
     WriteRest(tables, writer, context);
     Summarize(writer, context.err());

@@ -229,8 +229,9 @@ class Doctor {
     return context_.Ask<tendon::message::ProgramVersion>(
         [&](tendon::GcmClient& asked, auto handler) { asked.GetVersion(process, handler); });
   }
-  /// Reports the version of a program. Another release than that of `gcm` is reported as a problem:
-  /// compatible releases work together, but the limits of the older one may explain a problem.
+  /// Reports the version of a program. A release that differs from the release of `gcm` is reported
+  /// as a problem. Compatible releases work together, but the limits of the older release may
+  /// explain a problem.
   void AddVersion(const std::string& what, const Result<tendon::message::ProgramVersion>& told,
                   const std::string& text, const std::string& fix) {
     const auto [version, is_own] = tendon::CompareVersion(told, own_);
@@ -246,8 +247,8 @@ class Doctor {
     if (health == nullptr) return "";
     return ", cpu " + tendon::CpuText(health) + ", memory " + tendon::MemoryText(health);
   }
-  /// Returns ", clock 0.0 ms off (+-0.1 ms)"; empty if the process has no table from which this is
-  /// known.
+  /// Returns ", clock 0.0 ms off (+-0.1 ms)"; empty if no table of the process shows the offset of
+  /// its clock.
   static std::string ClockText(tendon::GcmClient& client, const tendon::ProcessEntry& entry) {
     for (const auto& [name, component] : entry.components) {
       if (component.tables.empty() || component.tables[0].columns.empty()) continue;
@@ -268,13 +269,13 @@ class Doctor {
     return "";
   }
   /// Returns the plug-ins with the present state of their files. If the process does not answer,
-  /// returns those in the catalogue.
+  /// returns the plug-ins in the catalogue.
   std::vector<tendon::PluginDescription> AskForPlugins(const tendon::ProcessDescription& process) {
     const auto known = AskClasses(context_, process.name);
     return known ? known->loaded : process.plugins;
   }
-  /// Checks whether the process runs the code that is in the files of its plug-ins. If `answers` is
-  /// false, the plug-ins are those that the process has reported last.
+  /// Checks whether the files of the plug-ins contain the code that the process runs. If `answers`
+  /// is false, `plugins` are those that the process has reported last.
   void ExaminePlugins(const std::string& process,
                       const std::vector<tendon::PluginDescription>& plugins, bool answers) {
     for (const tendon::PluginDescription& plugin : plugins) {

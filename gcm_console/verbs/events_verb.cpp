@@ -35,8 +35,8 @@ struct EventsOptions {
   bool ends_with_link = false;
 };
 
-/// Prints events when they arrive, on a terminal with titles. If `count` is not 0, prints at most
-/// this many.
+/// Prints events when they arrive, on a terminal with titles. Prints at most `count` events; 0
+/// means no limit.
 class EventWriter {
  public:
   EventWriter(Context& context, tendon::GcmClient& client, std::uint64_t count)
@@ -68,7 +68,7 @@ class EventWriter {
   }
 
   /// Prints the events, and the losses between them, until the requested number is printed. After a
-  /// signal, returns false: the rest is not printed, and its losses are not counted.
+  /// signal, returns false: the remaining events are not printed, and their losses are not counted.
   bool Write(const EventInbox::Content& content) {
     for (const auto& [event, lost_before] : content.events) {
       if (is_full()) return true;

@@ -82,7 +82,7 @@ Result<std::chrono::microseconds> RoundTrip(Context& context, const std::string&
   const auto begin = std::chrono::steady_clock::now();
   const auto answer = context.Ask<tendon::message::ProgramVersion>(
       [&](tendon::GcmClient& client, auto handler) { client.GetVersion(process, handler); });
-  // An older process refuses the request, but this is an answer, too.
+  // An older process refuses the request. A refusal is an answer, too.
   const bool is_older = !answer && answer.error().code == ErrorCode::kDenied;
   if (!answer && !is_older) return answer.error();
   return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() -
@@ -154,7 +154,8 @@ ordered_json DiagnosisJson(const Diagnosis& diagnosis) {
           {"rolled_back", std::move(remnants)}};
 }
 
-/// A lost process must not have the exit code of a missing GCM, which is that of kUnreachable.
+/// Returns the exit code of a diagnosis. A lost process must not have the exit code of
+/// kUnreachable, which means that the GCM is missing.
 ExitCode DiagnosisExitCode(const Diagnosis& diagnosis) {
   if (!diagnosis.failure) return program::kOk;
   const ErrorCode code = diagnosis.failure->code;

@@ -56,7 +56,7 @@ std::string StatesOf(const tendon::ProcessEntry& entry) {
 /// For each connection that does not work, its reason and duration as its process reports them.
 using Waits = std::map<tendon::InterfaceName, std::string>;
 
-/// Requests the reasons from the processes. Sends only as many requests as are allowed at once, and
+/// Requests the reasons from the processes. Sends no more requests than are allowed at once, and
 /// waits only briefly for the answers.
 Waits AskForWaits(tendon::GcmClient& client, const Catalogue& catalogue) {
   constexpr std::chrono::milliseconds kSoon(500);
@@ -128,7 +128,7 @@ void AddComponent(const tendon::ProcessEntry& entry, const tendon::ComponentDesc
   add(WaitingReasons(waits));
   if (std::ranges::all_of(waits, &tendon::UnsatisfiedInterface::has_connection)) return;
   ++health.wrong;
-  health.verbs.insert("gcm doctor");  // because this verb names the interface
+  health.verbs.insert("gcm doctor");  // gcm doctor names the interface that is not connected
 }
 
 std::vector<StatusRow> StatusRows(const Catalogue& catalogue, const Waits& waits, Health& health) {

@@ -72,8 +72,8 @@ Result<HistoryEntry> AskForUndo(Context& context, std::uint64_t step) {
       tendon::GcmClient::kUndoTimeouts);
 }
 
-/// Undoes one step. If this is impossible, skips the step if the user allows it. If it cannot be
-/// skipped either, returns the error of the undo.
+/// Undoes one step. If the undo fails and the user allows it, skips the step. If the step cannot be
+/// skipped, returns the error of the undo.
 Result<HistoryEntry> UndoOne(Context& context, const UndoWords& words, UndoResult& undone) {
   auto step = AskForUndo(context, words.step);
   const bool may_pass = words.skip && undone.passed_over.empty();
@@ -109,7 +109,8 @@ void Print(Context& context, const UndoResult& undone, bool is_dry) {
   }
 }
 
-/// Returns true if the process may return with its state. The step must not be skipped then.
+/// Returns true if the process may return with its state. In this case, the step must not be
+/// skipped.
 bool MayComeBack(const tendon::Catalogue& catalogue, const HistoryEntry& step) {
   const auto* owner = catalogue.FindProcess(tendon::ProcessOf(step));
   return owner != nullptr && owner->process.state == tendon::ProcessState::kLost &&
@@ -121,8 +122,8 @@ Result<tendon::message::History> AskForHistory(Context& context) {
       [](tendon::GcmClient& client, auto handler) { client.GetHistory(handler); });
 }
 
-/// Checks whether the newest step can be undone or skipped. Older steps cannot be checked, because
-/// they depend on the result of this one.
+/// Checks whether the newest step can be undone or skipped. Older steps cannot be checked: they
+/// depend on the result of the newest step.
 Result<void> CheckNewest(const tendon::Catalogue& catalogue,
                          const tendon::message::History& history, const UndoWords& words,
                          UndoResult& undone) {

@@ -65,7 +65,7 @@ struct Targets {
   }
 };
 
-/// Sorts `paths` by the position of their names in `order`. Names that are not in `order` come
+/// Sorts `paths` by the position of their names in `order`. Names that are missing in `order` come
 /// last.
 template <typename Name, typename NameOf>
 void PutInOrder(const std::vector<Name>& order, NameOf name_of, std::vector<Path>& paths) {
@@ -85,7 +85,7 @@ void PutClientsFirst(const Catalogue& catalogue, std::vector<Path>& paths) {
       [](const Path& path) { return tendon::ComponentPath(path.process, path.component); }, paths);
 }
 
-/// Does the same for whole processes.
+/// Sorts client processes before the processes of their servers.
 void PutClientProcessesFirst(const Catalogue& catalogue, std::vector<Path>& paths) {
   PutInOrder(
       tendon::ProcessEndOrder(tendon::SystemOf(catalogue, "").file),
@@ -203,10 +203,13 @@ Result<void> CheckKill(const Catalogue& catalogue, const Ours& ours, const std::
   if (!entry) return entry.error();
   const bool is_ours =
       ours && std::ranges::count(ours->processes, process, &tendon::message::Child::process) > 0;
-  // This is possible in any state, because the process may hang or may wait for a restart.
+  // A process that this GCM has started can be ended in any state: it may hang or may wait for a
+  // restart.
   if (is_ours) return {};
   if (auto present = RequirePresent((*entry)->process); !present || !ours) return present;
-  return Error{ErrorCode::kFailed, "process '" + process + "' was not started by this GCM"};
+  return Error{ErrorCode::kFailed,
+               "process '" + process +
+                   "' was not started by this GCM: end the process where it was started"};
 }
 
 Result<void> Kill(Context& context, const std::string& process) {

@@ -139,8 +139,8 @@ void PrintNotices(const LogInbox::Content& content, Context& context) {
   if (content.is_gcm_back) context.PrintGcmReturn();
 }
 
-/// Called if no stored record matches. Prints this, or returns kNotFound if there is no such
-/// process.
+/// Called if no stored record matches. Prints a message about it. Returns kNotFound if there is no
+/// such process.
 Result<void> CheckFrom(const LogOptions& options, const std::set<std::string>& processes,
                        Context& context) {
   const std::string name = options.from.substr(0, options.from.find('/'));
@@ -156,7 +156,7 @@ Result<void> CheckFrom(const LogOptions& options, const std::set<std::string>& p
   return {};
 }
 
-/// The records that the GCM had stored when it was asked.
+/// The records that the GCM had stored at the time of the request.
 struct KeptRecords {
   std::deque<LogRecord> records;
   std::uint64_t lost = 0;  // records lost between the stored ones
@@ -176,8 +176,8 @@ Result<void> PrintKept(KeptRecords kept, const LogOptions& options, Context& con
                                             : Result<void>();
 }
 
-/// Prints the records and the losses between them. After a signal, returns false: the rest is not
-/// printed, and its losses are not counted.
+/// Prints the records and the losses between them. After a signal, returns false: the remaining
+/// records are not printed, and their losses are not counted.
 bool PrintNew(const LogInbox::Content& content, const LogOptions& options, Context& context) {
   for (const auto& [record, lost_before] : content.records) {
     PrintLost(lost_before, context);
@@ -224,7 +224,8 @@ Result<ExitCode> ShowLog(Context& context, const LogOptions& options) {
       continue;
     }
     if (!kept.records.empty() || kept.lost > 0) (void)PrintKept(std::move(kept), options, context);
-    return Error{ErrorCode::kTimeout, "the GCM has not sent its whole log in time"};
+    return Error{ErrorCode::kTimeout,
+                 "the GCM has not sent its whole log in time; to wait longer: --timeout"};
   }
 }
 

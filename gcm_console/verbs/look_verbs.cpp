@@ -45,8 +45,8 @@ void AddHealth(Context& context, const Catalogue& catalogue, std::vector<SystemI
   }
 }
 
-/// Returns the contents of a path; if `is_deep`, at all depths. For a glob, returns the matches; if
-/// `is_deep`, also everything that they contain.
+/// Returns the contents of a path or, for a glob, the matches. If `is_deep`, also returns
+/// everything inside these objects.
 Result<std::vector<SystemItem>> ListedItems(const Catalogue& catalogue,
                                             const ListOptions& options) {
   const bool is_deep = options.is_recursive || !options.types.empty();
@@ -61,7 +61,8 @@ Result<std::vector<SystemItem>> ListedItems(const Catalogue& catalogue,
   return items;
 }
 
-/// Prints objects by their full paths. If types were given, prints only these.
+/// Prints objects by their full paths. If the user has given types, prints only objects of these
+/// types.
 Result<ExitCode> ListItems(Context& context, const Catalogue& catalogue,
                            const ListOptions& options) {
   auto found = ListedItems(catalogue, options);

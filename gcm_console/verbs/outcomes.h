@@ -27,8 +27,8 @@ struct VerbForms {
 void PrintOutcomes(const Context& context, const VerbForms& forms,
                    const std::vector<Outcome>& outcomes);
 
-/// Returns the exit code of the first failure; kPartial if the change has succeeded for some
-/// objects.
+/// Returns the exit code of the first failure. Returns kPartial if some changes failed and others
+/// succeeded.
 [[nodiscard]] program::ExitCode ExitCodeOf(const std::vector<Outcome>& outcomes);
 
 /// For a dry run: checks whether the user may execute the verb. Returns kDenied with --read-only,

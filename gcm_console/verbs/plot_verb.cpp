@@ -61,7 +61,10 @@ class PlottedTables {
       is_any_left |= !table.feed->is_empty();
     }
     if (is_any_left) return std::nullopt;
-    return Error{tendon::ErrorCode::kNotFound, "no matching value is a number"};
+    return Error{
+        tendon::ErrorCode::kNotFound,
+        "no matching value is a number; to list the columns with their types: gcm ls -l -R --type "
+        "state"};
   }
   [[nodiscard]] std::vector<std::string> notes() const {
     std::vector<std::string> all;

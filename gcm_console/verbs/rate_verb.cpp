@@ -94,8 +94,8 @@ class RateMeter final : public tendon::RowSink {
   std::string complaint_;
 };
 
-/// Prints a table line by line. The widths of its columns are fixed at the start, because later
-/// lines are not known yet.
+/// Prints a table line by line. The column widths are fixed at the start: later lines are not known
+/// yet.
 class RateReport {
  public:
   explicit RateReport(Context& context) : context_(context) {}
@@ -173,7 +173,7 @@ Result<ExitCode> MeasureRate(Context& context, const RateOptions& options) {
     report.Print(meter->Take());
     context.out().flush();
   }
-  // There is no report yet if the user has interrupted within the first second.
+  // If the user interrupts within the first second, prints a report for this time.
   if (reports == 0) report.Print(meter->Take());
   (*client)->telemetry().Unsubscribe(id);
   return is_interrupted ? program::kInterrupted : program::kOk;

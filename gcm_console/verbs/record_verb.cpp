@@ -33,15 +33,15 @@ struct RecordOptions {
   std::string file;
   double delay = 0.0;            // s
   double seconds = 0.0;          // 0: no end
-  std::uint64_t split_size = 0;  // bytes, 0: no limit
+  std::uint64_t split_size = 0;  // bytes; 0: no limit
   double split_seconds = 0.0;    // 0: no limit
-  std::uint64_t keep = 0;        // files, 0: all
+  std::uint64_t keep = 0;        // number of files; 0: keep all
   std::string compression = "zstd";
-  std::string start_when;                                  // empty: at once
-  std::string stop_when;                                   // empty: no condition
+  std::string start_when;                                  // empty: start at once
+  std::string stop_when;                                   // empty: stop only for other reasons
   double before = 0.0;                                     // s
   double after = 0.0;                                      // s
-  std::uint64_t before_bytes = std::uint64_t{256} << 20U;  // for what came before the start
+  std::uint64_t before_bytes = std::uint64_t{256} << 20U;  // the memory for data before the start
   bool has_no_log = false;
   bool ends_with_link = false;
 };
@@ -66,7 +66,8 @@ tendon::recording::RecorderOptions RecorderOptionsOf(const Context& context,
   return all;
 }
 
-/// Adds the conditions. kInvalid if one cannot be read, or an option needs another one.
+/// Adds the conditions for start and stop. Returns kInvalid if a condition cannot be parsed, or if
+/// an option is given without an option that it needs.
 Result<tendon::recording::RecorderOptions> WithConditions(tendon::recording::RecorderOptions all,
                                                           const RecordOptions& options) {
   if (options.keep > 0 && options.split_size == 0 && options.split_seconds == 0.0) {
@@ -128,7 +129,7 @@ class RecordingReport {
                    << " lost" << std::flush;
     is_line_open_ = true;
   }
-  /// The condition to start was true.
+  /// Called when the condition to start has become true.
   void PrintStart(const RecorderStatus& status) {
     EndLine();
     context_.err() << "gcm: the condition is true: recording into " << Plain(status.file.string())
@@ -146,7 +147,7 @@ class RecordingReport {
   void PrintEnd(const RecorderStatus& status, Elapsed passed) {
     EndLine();
     if (context_.settings().json) PrintJson(status, passed, true);
-    if (status.failure) return;  // whose sentence says what is in the file
+    if (status.failure) return;  // the error message says what the file contains
     if (status.is_waiting) {
       context_.err() << "gcm: the condition was never true; there is no recording\n";
       return;
@@ -199,7 +200,7 @@ class RecordingReport {
   bool is_line_open_ = false;
 };
 
-/// Says which paths fit nothing yet: one may be misspelt.
+/// Prints the patterns that match nothing yet, because a pattern may be misspelt.
 void PrintUnmatched(Context& context, const tendon::Catalogue& catalogue,
                     const std::vector<std::string>& patterns) {
   for (const std::string& pattern : patterns) {
@@ -210,8 +211,8 @@ void PrintUnmatched(Context& context, const tendon::Catalogue& catalogue,
   }
 }
 
-/// Records until a signal, the condition to stop, the end of the time, an error, or the loss of the
-/// GCM if that ends it. The time begins with the recording.
+/// Records until one of these occurs: a signal, the condition to stop, the end of the time, an
+/// error, or (with --no-reconnect) the loss of the GCM. The time starts when the recording starts.
 Result<ExitCode> RecordUntilDone(RecordingReport& report, Recorder& recorder,
                                  tendon::recording::Inbox& inbox, const RecordOptions& options) {
   auto begin = std::chrono::steady_clock::now();
@@ -242,7 +243,10 @@ Result<ExitCode> RecordUntilDone(RecordingReport& report, Recorder& recorder,
   if (auto notices = recorder.TakeNotices(); !notices.empty()) report.PrintNotices(notices);
   report.PrintEnd(recorder.status(), is_waiting ? Elapsed(0) : passed());
   if (!recorded) return recorded.error();
-  if (is_link_lost) return Error{ErrorCode::kUnreachable, "the GCM was lost"};
+  if (is_link_lost)
+    return Error{ErrorCode::kUnreachable,
+                 "the GCM was lost, so the recording has ended; without "
+                 "--no-reconnect, gcm waits for the GCM"};
   return is_interrupted ? program::kInterrupted : program::kOk;
 }
 

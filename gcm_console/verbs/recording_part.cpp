@@ -68,7 +68,7 @@ Result<mcap::Query> PartQuery(const mcap::Reader& reader, const RecordingPart& o
   if (options.from > 0.0) query.from = After(begin, options.from);
   if (options.to > 0.0) query.to = After(begin, options.to) - 1;
   if (query.to < query.from) {
-    return Error{ErrorCode::kInvalid, "--to must be after --from"};
+    return Error{ErrorCode::kInvalid, "--to must be after --from: give a later time for --to"};
   }
   for (const std::string& pattern : options.paths) {
     const std::size_t before = query.channels.size();

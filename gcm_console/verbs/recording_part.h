@@ -9,35 +9,35 @@
 #include <utility>
 #include <vector>
 
-/// What the verbs that read recordings have in common.
+/// Options and functions of the verbs that read recordings.
 namespace console {
 
-/// A part of a recording.
+/// A part of a recording, as given on the command line.
 struct RecordingPart {
   std::string file;
   std::string output;
   double from = 0.0;  // s since the first message
-  double to = 0.0;    // likewise; 0: no end
+  double to = 0.0;    // s since the first message; 0: up to the end
   std::vector<std::string> paths;
 };
 
-/// The name of the file.
+/// Adds the argument for the file name.
 void AddRecordingFile(CLI::App& app, std::string& file);
-/// --from, --to and --paths.
+/// Adds --from, --to and --paths.
 void AddRecordingPart(CLI::App& app, RecordingPart& options);
 
-/// The path of a channel in the system, or its topic.
+/// Returns the path of the channel's object in the system; if it has none, the topic.
 std::string ChannelPath(const tendon::mcap::Channel& channel);
 
-/// The times of the first and the last message; empty if there is none.
+/// Returns the times of the first and the last message; empty if there are no messages.
 std::optional<std::pair<tendon::mcap::Timestamp, tendon::mcap::Timestamp>> RecordingTimes(
     const tendon::mcap::Reader& reader);
 
-/// The messages of the part. kNotFound if a path fits nothing.
+/// Returns the query for the messages of the part. Returns kNotFound if a path matches nothing.
 Result<tendon::mcap::Query> PartQuery(const tendon::mcap::Reader& reader,
                                       const RecordingPart& options);
 
-/// Prints what is wrong with a file. Returns the exit code that says so.
+/// Prints the problems of a file. Returns the exit code: kOk if there are no problems.
 ExitCode PrintProblems(Context& context, const std::vector<tendon::mcap::Problem>& problems,
                        std::uint64_t count);
 

@@ -34,7 +34,7 @@ constexpr double kSecond = 1e9;  // ns
 namespace mcap = tendon::mcap;
 namespace recording = tendon::recording;
 
-/// The rows that the recording says are missing, by the path of their table.
+/// Returns the number of lost rows that the recording reports, by the path of the table.
 std::map<std::string, std::uint64_t> LossesIn(mcap::Reader& reader) {
   std::map<std::string, std::uint64_t> losses;
   mcap::Query query;
@@ -82,7 +82,7 @@ std::vector<TopicFigures> TopicsOf(mcap::Reader& reader) {
   return all;
 }
 
-/// What a file says about itself.
+/// The facts that a file contains about itself.
 struct FileFigures {
   std::uint64_t bytes = 0;
   std::optional<std::pair<mcap::Timestamp, mcap::Timestamp>> times;
@@ -91,7 +91,7 @@ struct FileFigures {
   [[nodiscard]] double seconds() const {
     return times ? static_cast<double>(times->second - times->first) / kSecond : 0.0;
   }
-  /// Messages a second; 0 if it is unknown.
+  /// Returns the rate in messages per second; 0 if unknown.
   [[nodiscard]] double RateOf(const TopicFigures& topic) const {
     const double all = static_cast<double>(topic.messages.value_or(0));
     return seconds() > 0.0 && all > 1.0 ? all / seconds() : 0.0;
@@ -190,7 +190,7 @@ Result<ExitCode> RecoverFile(Context& context, const RecordingPart& options) {
   const auto report = mcap::Recover(from, to);
   if (!report) return report.error();
   const ExitCode code = ReportCopy(context, to.string(), *report);
-  // A damaged file is what the verb is for, but not one of which nothing is left.
+  // A damaged file is normal for this verb. The verb fails only if no message could be copied.
   return report->messages > 0 ? program::kOk : code;
 }
 
@@ -213,7 +213,7 @@ struct ExportOptions : RecordingPart {
   std::string hdf5;  // the file; or `output` is the folder for CSV
 };
 
-/// What an export has written.
+/// The results of an export.
 struct ExportFigures {
   std::vector<std::string> files;
   std::uint64_t rows = 0;

@@ -38,14 +38,14 @@ struct ReplayWords {
   std::string listen = "127.0.0.1:0";
 };
 
-/// How a replay has ended.
+/// The reason why a replay has ended.
 enum class ReplayEnd { kAtTheEnd, kInterrupted };
 
 std::string FileNameOf(const std::string& file) {
   return std::filesystem::path(file).filename().string();
 }
 
-/// kExists if a running process has one of the names.
+/// Returns kExists if a running process has one of the names.
 Result<void> CheckNames(const tendon::Catalogue& catalogue, const Replay& replay,
                         const ReplayWords& words) {
   for (const std::string& name : replay.processes()) {
@@ -79,7 +79,7 @@ Result<std::unique_ptr<tendon::Process>> MakeReplayProcess(const Context& contex
 void PrintReplayBegin(Context& context, const Replay& replay, const ReplayWords& words) {
   const std::string names = Joined(replay.processes(), ", ");
   const auto& contained = replay.contained();
-  // One write, because the replayed processes also log to this stream.
+  // Prints all in one write, because the replayed processes also log to this stream.
   context.err() << "gcm: replaying " + Plain(FileNameOf(words.part.file)) + " as " + Plain(names) +
                        ": " + tendon::Counted(contained.rows, "row", "rows") + ", " +
                        tendon::Counted(contained.events, "event", "events") + ", " +
@@ -135,7 +135,8 @@ ReplayEnd PlayToTheEnd(Replay& replay) {
     std::this_thread::sleep_until(std::min<tendon::SteadyTime>(*next, look));
     next = replay.Play(tendon::SteadyClock().Now());
   }
-  // Processes send rows every 20 ms, and events as fast as their receivers take them.
+  // The processes send rows every 20 ms, and events as fast as their receivers take them. Waits
+  // until everything is sent.
   constexpr auto kUntilAllIsSent = 500ms;
   return tendon::os::TerminationRequested(kUntilAllIsSent) ? ReplayEnd::kInterrupted
                                                            : ReplayEnd::kAtTheEnd;
@@ -151,7 +152,8 @@ Result<ExitCode> ReplayFile(Context& context, const ReplayWords& words) {
   auto query = PartQuery(**reader, words.part);
   if (!query) return query.error();
   const std::chrono::duration<double> delay(words.delay);
-  std::optional<tendon::os::TerminationUnblockScope> impatient;  // reading may take long
+  // Reading may take long, so a signal must be able to interrupt it.
+  std::optional<tendon::os::TerminationUnblockScope> impatient;
   if (context.session() == nullptr) impatient.emplace();
   auto replay =
       Replay::Open(*std::move(reader), *std::move(query),

@@ -69,8 +69,9 @@ Verb::Run PrepareServe(CLI::App& app) {
   return [broker](Context& context) { return Serve(context, *broker); };
 }
 
-/// The memory limit of the broker. If a message claims to have 2^31 facets, Ice tries to allocate
-/// 64 GiB. With the limit, this allocation fails, and Ice refuses the message and continues.
+/// The memory limit of the broker. A message may claim to have 2^31 facets; Ice would then try to
+/// allocate 64 GiB. With the limit, this allocation fails, and Ice refuses the message and
+/// continues.
 constexpr std::size_t kMostOfBroker = std::size_t{8} << 30U;
 
 /// Writes a file that only this user can read, because the names of the broker's objects are

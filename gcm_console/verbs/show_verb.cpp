@@ -131,7 +131,8 @@ Table Facts(Context& context, const Catalogue& catalogue, const PathTarget& targ
   return table;
 }
 
-/// Adds the timing of a running task in the last second. The table of the task provides it at once.
+/// Adds the timing of a running task in the last second. The task's state table contains these
+/// figures.
 void AddTask(tendon::GcmClient& client, const PathTarget& target, Table& table) {
   using namespace std::chrono_literals;
   constexpr double kMicro = 1e6;
@@ -181,7 +182,7 @@ void AddCounts(Context& context, const PathTarget& target, Table& table) {
   table.Add({"lost events", std::to_string(counts->lost_events)});
 }
 
-/// Prints the fields of a member's argument or result. Its process must answer for this.
+/// Prints the fields of a member's argument or result. Requests the type from the process.
 void PrintPayload(Context& context, const std::string& process, const std::string& title,
                   const tendon::Fingerprint& fingerprint) {
   const auto schema = AskSchema(context, process, fingerprint);
@@ -194,8 +195,8 @@ void PrintPayload(Context& context, const std::string& process, const std::strin
   context.Print(FieldsOf(*schema));
 }
 
-/// Prints the read commands that return the value that a command sets, as lines to copy. They are
-/// not called here, because `show` must only display.
+/// Prints the read commands that return the value that a command sets, as lines to copy. `show`
+/// does not call them, because it must only display.
 void PrintReads(Context& context, const PathTarget& target, const std::string& path,
                 const tendon::Schema& schema) {
   const std::string interface = path.substr(0, path.rfind('.') + 1);

@@ -106,8 +106,8 @@ Result<ExitCode> Import(Context& context, const ImportWords& words) {
                {.file = std::move(imported->file), .left_out = std::move(imported->left_out)});
 }
 
-/// Returns the present content of the file to update, if the file exists. A file of another kind is
-/// an error, because it would be overwritten.
+/// Returns the present content of the file to update, if the file exists. Returns an error for a
+/// file of another kind, because saving would destroy its content.
 Result<std::optional<SystemFile>> FormerOf(const std::string& file) {
   auto former = tendon::ReadSystemFile(file);
   if (former) return std::optional(*std::move(former));
@@ -229,7 +229,7 @@ Result<Plan> PlanOf(Context& context, const std::string& file) {
   tendon::KnownClasses known;
   for (const std::string& process : ProcessesToAsk(catalogue, *wanted)) {
     const auto classes = AskClasses(context, process);
-    // Without the classes, the process itself refuses the step.
+    // If the classes of the process are unknown, the process itself will refuse the step.
     if (classes) known[process] = *classes;
   }
   return MakeCheckedPlan(catalogue, *wanted, known);
@@ -285,8 +285,8 @@ std::uint64_t NewestStep(Context& context) {
   return steps.empty() ? 0 : steps.back().id;
 }
 
-/// Returns "; to undo these steps: gcm undo 8" if there are steps after `former` and all are by the
-/// same program.
+/// Returns "; to undo these steps: gcm undo 8" if there are steps after `former`. If other programs
+/// have made some of these steps, returns a hint to the history instead.
 std::string WayBack(Context& context, std::uint64_t former) {
   const auto steps = Steps(context);
   const auto first = std::ranges::find_if(steps, [&](const auto& one) { return one.id > former; });
@@ -302,7 +302,7 @@ void Summarise(Context& context, const PlanOutcome& outcome, const Plan& plan,
                std::uint64_t former) {
   PrintSentences(plan.obstacles, context.streams().err);
   PrintSentences(plan.notes, context.streams().err);
-  // A failed step may have been executed, too.
+  // A failed step may have changed the system, too.
   const bool is_changed = outcome.done + outcome.failed > 0;
   context.err() << "gcm: " << tendon::Counted(outcome.done, "step", "steps") << " done, "
                 << outcome.failed << " failed, " << outcome.left << " not executed, "

@@ -217,7 +217,8 @@ Result<ExitCode> PrintOnce(Context& context, tendon::GcmClient& client, const To
   return program::kOk;
 }
 
-/// What the user has set by keys. While `is_typing` is true, the user types the filter.
+/// The settings that the user changes with keys. While `is_typing` is true, the user types the
+/// filter.
 struct TopKeys {
   bool is_typing = false;
   bool wants_end = false;

@@ -100,8 +100,8 @@ std::string PathOf(const Match& match) {
                         : ToString(match.required);
 }
 
-/// Returns the question to ask before several interfaces are connected at once; empty if it is only
-/// one.
+/// Returns the question that the user must confirm before several interfaces are connected at once.
+/// Empty if there is only one interface.
 std::string QuestionOf(const std::vector<Match>& matches) {
   std::string question;
   std::size_t count = 0;

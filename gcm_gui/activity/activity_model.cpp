@@ -42,7 +42,8 @@ bool IsStep(const Action& action) {
   const bool wiring = action.verb == Action::Verb::kConnect ||
                       action.verb == Action::Verb::kDisconnect ||
                       action.verb == Action::Verb::kReplace;
-  // Only the GCM knows whether a restart was a step. It is not a step if the component was running.
+  // A restart can be undone only if the component was not running. Only the GCM knows whether it
+  // was, so a restart does not count as a step here.
   const bool lifecycle =
       action.verb == Action::Verb::kLifecycle && action.lifecycle_verb != LifecycleVerb::kRestart;
   return (wiring || lifecycle) && action.outcome == Action::Outcome::kDone && !action.undone;
@@ -227,7 +228,7 @@ void ActivityModel::finish(Id id, double seconds, const QString& refusal) {
 }
 
 void ActivityModel::changedUndo() {
-  // The newest step that is not undone has changed, and so has the step that was the newest before.
+  // Both the newest step that is not undone and the step before this one may have changed.
   int steps = 0;
   for (int row = 0; row < rowCount() && steps < 2; ++row) {
     if (!IsStep(action(row))) continue;

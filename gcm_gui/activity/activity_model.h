@@ -35,8 +35,8 @@ struct Action {
   LifecycleVerb lifecycle_verb = LifecycleVerb::kStart;  ///< for lifecycle
   std::string component;  ///< the path; for lifecycle, and for undo if known
   QString command;        ///< the path; for call
-  /// For call: JSON; log level: its name; apply: the name of the target system; record: the paths
-  /// as in a shell.
+  /// For call: JSON. For a log level: the name of the level. For apply: the name of the target
+  /// system. For record: the paths as in a shell.
   QString argument;
   QString file;  ///< for apply: the system file, empty if not saved; for record: its file
 
@@ -65,8 +65,8 @@ class ActivityModel : public QAbstractTableModel {
   [[nodiscard]] const Action& action(int row) const;
   /// Returns the shell command that does the same as the action; empty if there is none.
   [[nodiscard]] QString command(int row) const;
-  /// True for the action that the command Undo would undo: the newest action that is not yet
-  /// undone. False if a plan was executed after this action.
+  /// Returns true for the action that the command Undo would undo: the newest action that is not
+  /// yet undone. Returns false if a plan was executed after this action.
   [[nodiscard]] bool canUndo(int row) const;
 
   /// Adds a row for an action that has begun. For a repeated call, increments the count of the

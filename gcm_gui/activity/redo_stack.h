@@ -31,7 +31,7 @@ class RedoStack : public QObject {
 
   SystemActions& actions_;
   std::vector<Action> undone_;  // the action undone last is at the back
-  bool is_under_way_ = false;   // the next finished action is a redo of this object
+  bool is_under_way_ = false;   // a redo was requested; the next finished action is this redo
 };
 
 }  // namespace tendon::gui

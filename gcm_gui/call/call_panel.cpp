@@ -42,7 +42,8 @@ using Json = nlohmann::ordered_json;
 constexpr int kMostFormHeight = 232;
 constexpr int kJsonHeight = 120;
 constexpr qsizetype kLongestAnswer = 1500;
-// The maximum size in bytes; formatting a larger value would block the window too long.
+// The largest answer in bytes that is formatted. Formatting a larger one would block the window too
+// long.
 constexpr std::size_t kMostRead = 65536;
 constexpr std::chrono::seconds kSecondKey{2};
 enum ArgumentPage { kFormPage, kJsonPage };
@@ -140,7 +141,7 @@ void CallPanel::build() {
 
 QWidget* CallPanel::buildArgument() {
   form_area_ = new QScrollArea;
-  form_area_->setFocusPolicy(Qt::NoFocus);  // its contents take the focus
+  form_area_->setFocusPolicy(Qt::NoFocus);  // the widgets inside the area take the focus
   form_area_->setFrameShape(QFrame::NoFrame);
   form_area_->setWidgetResizable(true);
   form_area_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -325,8 +326,8 @@ void CallPanel::askForValue(const std::string& read, const std::vector<std::stri
   });
 }
 
-/// Fills the form with a value that was read. Uses only `fields` of it; if `fields` is empty, the
-/// whole value.
+/// Fills the form with `value`, the answer of the read command `read`. If `fields` is not empty,
+/// only these fields of the form are filled.
 void CallPanel::onValue(const std::string& read, const std::vector<std::string>& fields,
                         const Result<std::string>& value) {
   if (is_touched_ || as_json_->isChecked() || under_way_) return;
@@ -357,7 +358,7 @@ void CallPanel::showAsJson(bool as_json) {
              FromJson(*schema_, text)) {
     form_->setJson(text);
   } else {
-    // Stays with JSON, because the form would show other numbers than this text.
+    // Keeps the JSON view: the form cannot show an invalid text.
     const QSignalBlocker blocker(as_json_);
     as_json_->setChecked(true);
     return;
@@ -385,7 +386,8 @@ void CallPanel::check() {
     showStatus(problem, QStringLiteral("warning"));
 }
 
-/// For a form, returns only the names of the wrong fields, because each field shows its own error.
+/// While the form is shown, returns only the names of the wrong fields, because each field shows
+/// its own error.
 QString CallPanel::problemOf(const Error& error) const {
   const QStringList wrong = as_json_->isChecked() ? QStringList() : form_->wrongFields();
   if (wrong.isEmpty()) return ToQString(error.message);

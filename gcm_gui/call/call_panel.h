@@ -28,10 +28,10 @@ class ImageView;
 class RepeatRow;
 class ValueForm;
 
-/// Calls one command: shows a form or JSON for the argument, and the result of the call below it.
-/// Initially the form contains the last argument of this command or, before the first call, the
-/// values of the same fields that a matching read command returns. Hidden while no command is
-/// shown.
+/// Calls one command: shows a form or JSON for the argument, and the result of the call below the
+/// argument. At first, the form shows the last argument of this command. Before the first call, the
+/// form shows the values that a matching read command returns for the same fields. The panel is
+/// hidden while no command is shown.
 class CallPanel : public QWidget {
   Q_OBJECT
 

@@ -9,8 +9,8 @@
 
 namespace tendon::gui {
 
-/// A button that calls a command. It is clicked or, if the call can move something, held down for a
-/// while.
+/// A button that calls a command. The user clicks the button or, if the call can move something,
+/// holds the button down for a while.
 class HoldButton : public QPushButton {
   Q_OBJECT
 

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 enum Column { kNameColumn, kEntryColumn, kUnitColumn, kFormColumns };
 
-/// Returns `field`. If it has no unit or range, it gets those of `outer`.
+/// Returns `field`. If it has no unit or no range, it gets the unit or the range of `outer`.
 Schema::Field Within(const Schema::Field& outer, Schema::Field field) {
   if (field.unit.empty()) field.unit = outer.unit;
   if (!field.range) field.range = outer.range;

@@ -102,7 +102,7 @@ bool CommandPalette::press(int key) {
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride &&
       static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-    event->accept();  // so that the palette is closed, and not a command of the window called
+    event->accept();  // so that Escape closes the palette and triggers no shortcut of the window
     return true;
   }
   if (event->type() == QEvent::KeyPress && press(static_cast<QKeyEvent*>(event)->key())) {

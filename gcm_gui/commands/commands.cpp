@@ -12,7 +12,7 @@ Commands::Commands(QWidget& window)
     : QObject(&window), window_(window), bar_(new QMenuBar(&window)) {
   bar_->setObjectName(QStringLiteral("menus"));
   bar_->setNativeMenuBar(false);
-  // With another policy, the last menus would disappear first.
+  // With any other size policy, a narrow window would hide the last menus first.
   bar_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   menus_ = {bar_->addMenu(Words::tr("&System")), bar_->addMenu(Words::tr("&Plot")),
             bar_->addMenu(Words::tr("&Record")), bar_->addMenu(Words::tr("&Graph")),

@@ -31,8 +31,8 @@ bool IsScattered(const QString& folded, const QString& word) {
 
 enum class Likeness { kNone, kNearly, kWholly };
 
-/// Returns how well the words match. kNearly means that at least one word matches only by its
-/// letters.
+/// Returns how well the words match. kNearly means that for at least one word only its letters were
+/// found, in the same order.
 Likeness LikenessOf(const QString& folded, const QStringList& words) {
   if (HasAll(folded, words)) return Likeness::kWholly;
   const bool is_near = std::all_of(words.begin(), words.end(), [&](const QString& word) {

@@ -163,7 +163,8 @@ void WindowCommands::forbidChanges() {
     action->setEnabled(false);
     action->setToolTip(window_.parts().read_only);
     if (action->shortcut().isEmpty()) continue;
-    // With this action, the key of the disabled command shows the reason, too.
+    // A disabled command ignores its key. This second action has the same key and shows why the
+    // command is disabled.
     auto* refusal = new QAction(&window_);
     refusal->setShortcut(action->shortcut());
     connect(refusal, &QAction::triggered, this,

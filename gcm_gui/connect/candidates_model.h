@@ -11,9 +11,9 @@
 
 namespace tendon::gui {
 
-/// The candidates of the connect mode, best first. First come the ports that fit, then the ports
-/// that nearly fit, each with its reasons as child rows. The last row has the number of all other
-/// ports.
+/// The candidates of the connect mode, best first. The ports that fit come first, then the ports
+/// that nearly fit. A port that nearly fits has the reasons as child rows. The last row shows the
+/// number of all other ports.
 class CandidatesModel : public QAbstractItemModel {
   Q_OBJECT
 

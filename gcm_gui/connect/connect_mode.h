@@ -51,7 +51,7 @@ class ConnectMode : public QObject {
   [[nodiscard]] const PortName& chosen() const { return *chosen_; }
   /// The present peer of the chosen port, if the port is a required interface.
   [[nodiscard]] const std::optional<InterfaceName>& former() const { return former_; }
-  /// All candidates, best first. Those that do not fit come last.
+  /// All candidates, best first. Candidates that do not fit come last.
   [[nodiscard]] const std::vector<PortCandidate>& candidates() const { return candidates_; }
   /// Returns the best candidate that fits; null if there is none.
   [[nodiscard]] const PortCandidate* best() const;

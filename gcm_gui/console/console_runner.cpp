@@ -33,7 +33,7 @@ struct ConsoleRunner::SharedState {
   std::mutex mutex;
   std::condition_variable change;
   std::deque<Job> jobs;                      // guarded by mutex, as are all members below
-  os::Interruption* interruption = nullptr;  // of the thread; null after the thread has ended
+  os::Interruption* interruption = nullptr;  // interrupts the thread; null after it has ended
   bool is_interrupted = false;               // interrupted since the last job was added
   bool is_ending = false;
   bool is_done = false;  // the thread has ended
@@ -91,7 +91,7 @@ ConsoleRunner::~ConsoleRunner() {
 
 void ConsoleRunner::post(Job job) {
   const std::scoped_lock lock(desk_->mutex);
-  // An interruption so far was meant for the previous line.
+  // Ignores an interruption that was meant for the previous line.
   if (desk_->interruption != nullptr) desk_->interruption->Forget();
   desk_->is_interrupted = false;
   desk_->jobs.push_back(std::move(job));
@@ -110,7 +110,7 @@ void ConsoleRunner::work(const std::shared_ptr<SharedState>& desk) {
     if (desk->is_ending) break;
     Job job = std::exchange(desk->jobs.front(), nullptr);
     desk->jobs.pop_front();
-    // The user may have interrupted before this object existed.
+    // Repeats an interruption that the user requested before `interruption` existed.
     if (desk->is_interrupted) interruption.Request();
     lock.unlock();
     ExceptionGuard::run(kThread, [&] {

@@ -16,8 +16,8 @@ class Shell;
 }
 namespace tendon::gui {
 
-/// Runs command lines of `gcm shell`, one after another, in a thread and over a link of its own, so
-/// that the window never blocks. Opens the link when it is first needed.
+/// Runs command lines of `gcm shell`, one after another, in a separate thread and over a separate
+/// link, so that the window never blocks. Opens the link when it is first needed.
 class ConsoleRunner : public QObject {
   Q_OBJECT
 

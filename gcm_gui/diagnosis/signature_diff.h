@@ -31,7 +31,7 @@ struct SignatureRow {
 
 /// Compares two interfaces. The rows list first the needed members in their order, commands before
 /// events, then the members that are not needed. The rows contain pointers into both descriptions.
-/// The verdicts are those of Compare().
+/// The verdicts are the same as in Compare().
 [[nodiscard]] std::vector<SignatureRow> SignatureDiff(const RequiredDescription& required,
                                                       const ProvidedDescription& provided);
 

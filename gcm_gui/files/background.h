@@ -10,8 +10,8 @@
 namespace tendon::gui {
 
 /// Runs tasks one after another in its own thread. If a task throws, the ExceptionGuard reports it.
-/// A task must not use the object that requested it: the destructor does not wait longer than
-/// `patience` for a task, which then continues to run.
+/// The destructor waits at most `patience` for the running task; the task then continues to run.
+/// Therefore a task must not use the object that requested it.
 class Background {
  public:
   using Task = std::function<void()>;

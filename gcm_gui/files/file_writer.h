@@ -32,7 +32,7 @@ class FileWriter : public QObject {
   /// Returns the writer of the present QCoreApplication, which owns the writer.
   static FileWriter& instance();
   /// Returns a second writer for content that takes long to produce, such as a table or a picture.
-  /// So this content does not delay small files, nor the state that is saved when the program ends.
+  /// Small files, and the state that is saved when the program ends, do not wait for such content.
   static FileWriter& exports();
 
   /// `patience` is the maximum time that the destructor waits.
@@ -41,9 +41,9 @@ class FileWriter : public QObject {
   /// not written, and the failures whose handlers could not be called any more.
   ~FileWriter() override;
 
-  /// Requests to write a file. It replaces an earlier request for the same file if writing that one
-  /// has not begun. `done` is not called after `context` is destroyed. If `context` or `done` is
-  /// null, a failure is not reported.
+  /// Requests to write a file. If an earlier request for the same file has not begun, the new
+  /// request replaces it. `done` is not called after `context` is destroyed. If `context` or `done`
+  /// is null, a failure is not reported.
   void write(const QString& file, Fill fill, const QObject* context, Done done,
              Readers readers = Readers::kAll);
   void write(const QString& file, const QByteArray& content, const QObject* context, Done done,

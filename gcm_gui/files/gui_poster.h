@@ -23,8 +23,8 @@ class GuiPoster {
     }
   }
 
-  /// After this function has returned, nothing is posted any more. The receiver must call it before
-  /// the receiver is destroyed.
+  /// Stops the posting: after this function has returned, nothing is posted any more. The receiver
+  /// must call it before the receiver is destroyed.
   void detach() {
     const std::lock_guard lock(mutex_);
     receiver_ = nullptr;

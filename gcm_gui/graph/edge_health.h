@@ -38,7 +38,7 @@ class EdgeHealth : public QObject {
   /// Polls the next connections.
   void look();
   /// Polls this connection now and in each look(), and emits its known counts at once. With an
-  /// empty text, no connection is preferred.
+  /// empty text, look() prefers no connection.
   void point(const QString& required);
 
  Q_SIGNALS:

@@ -29,8 +29,8 @@ class GraphHover : public QObject {
 
  public Q_SLOTS:
   /// Called when the pointer is on this component, interface or connection (given by its required
-  /// interface); `path` is empty if it is on none. If nothing is highlighted yet, the item is
-  /// highlighted only after the pointer has rested for a moment.
+  /// interface); `path` is empty if the pointer is on none of these. If nothing is highlighted yet,
+  /// the item is highlighted only after the pointer has rested for a moment.
   void point(const QString& path);
   /// Highlights the item without that delay; used for keyboard navigation.
   void pointNow(const QString& path);

@@ -26,7 +26,8 @@ namespace {
 constexpr std::array kCardWidths{320.0, 260.0, 210.0};
 constexpr std::size_t kMostGliding = 60;  // components; a larger system is moved without animation
 constexpr qsizetype kReasonsAsked = 2;
-constexpr qsizetype kReasonsUnasked = 1;  // lines on a card that the user did not ask for
+// Lines on a card that appears without a request of the user.
+constexpr qsizetype kReasonsUnasked = 1;
 
 QStringList FirstOf(const QStringList& reasons, qsizetype count) {
   QStringList first = reasons.mid(0, count);
@@ -47,8 +48,8 @@ void ForgetBut(Items& items, const Keys& kept) {
   }
 }
 
-// The suffix of the key of a refused edge. It is needed because a working edge may have the same
-// name.
+// The suffix of the key of a refused edge. Without the suffix, a working edge could have the same
+// key.
 const QString kRefusedKey = QStringLiteral(" refused");
 
 QString CardTitle(const PortName& port) {
@@ -363,7 +364,7 @@ CardPlacement GraphScene::placeBeside(const QPointF& point) const {
   for (const auto& [path, item] : components_) avoid(item->sceneRect(), 20);
   for (const auto& [name, item] : processes_) avoid(item->sceneBoundingRect(), 2);
   for (const auto& [name, item] : ports_) {
-    // Keeps the ports visible that the user can pick.
+    // Only the ports that the user can pick must stay visible.
     if (item->role() == PortItem::Role::kPlain || item->role() == PortItem::Role::kUnfit) continue;
     avoid(QRectF(-20, -30, 50, 50).translated(item->scenePos()), 50);
   }

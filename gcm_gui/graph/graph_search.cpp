@@ -81,8 +81,6 @@ QToolButton* GraphSearch::addButton(const QString& text, const QString& name, co
   return button;
 }
 
-QString GraphSearch::countText() const { return count_->text(); }
-
 void GraphSearch::open() {
   show();
   raise();

@@ -24,8 +24,6 @@ class GraphSearch : public QFrame {
   /// The paths of the matches, sorted.
   [[nodiscard]] const QStringList& found() const { return found_; }
   [[nodiscard]] QLineEdit& field() const { return *field_; }
-  /// Returns the position among the matches: "2 of 14".
-  [[nodiscard]] QString countText() const;
   /// Ends the search; returns false if no search was open.
   bool leave();
 

@@ -192,7 +192,8 @@ void GraphView::mousePressEvent(QMouseEvent* event) {
 }
 
 void GraphView::mouseMoveEvent(QMouseEvent* event) {
-  // When a window appears under a resting pointer, it gets one move event, which does not count.
+  // When a window appears under a resting pointer, the view receives one move event. Ignores this
+  // event.
   if (pointer_ && *pointer_ != event->pos()) pointer_moved_.start();
   pointer_ = event->pos();
   if (!pressed_) {
@@ -336,7 +337,7 @@ void GraphView::hideEvent(QHideEvent* event) {
 
 void GraphView::scrollContentsBy(int dx, int dy) {
   QGraphicsView::scrollContentsBy(dx, dy);
-  // Without an update, the frame of the focus would be scrolled, too.
+  // Scrolling also moves the frame of the keyboard focus, so the whole view must be drawn again.
   if (HasKeyboardFocus(*this)) viewport()->update();
 }
 

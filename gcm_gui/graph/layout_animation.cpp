@@ -14,8 +14,8 @@ QRectF Between(const QRectF& from, const QRectF& to, double part) {
           value(from.height(), to.height())};
 }
 
-/// Returns the rectangles of `to`. Items that are also in `from` are on their way: they have
-/// covered the fraction `part` of it.
+/// Returns the rectangles of `to`. An item that is also in `from` is on its way: it has covered the
+/// fraction `part` of the distance.
 QHash<QString, QRectF> AllBetween(const QHash<QString, QRectF>& from, QHash<QString, QRectF> to,
                                   double part) {
   for (auto it = to.begin(); it != to.end(); ++it) {

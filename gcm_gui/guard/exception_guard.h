@@ -35,11 +35,14 @@ struct ViewFault {
 
 /// Catches the exceptions of views, so that no exception ends the program.
 ///
-/// GuardedApplication catches exceptions from event handlers. The following code must be called
-/// through run(): slots that share a signal of the system with other slots, so that all slots are
-/// called; code that draws with a painter of Qt, because Qt does not end the painter after an
-/// exception; and the main functions of threads. Faults are counted by view and message. changed()
-/// is emitted at once for a new fault, and at most once a second for repeated faults.
+/// GuardedApplication catches exceptions from event handlers. Call the following code through
+/// run():
+/// - slots that share a signal of the system with other slots, so that all slots are called;
+/// - code that draws with a painter of Qt, because Qt does not end the painter after an exception;
+/// - the main functions of threads.
+///
+/// Faults are counted by view and message. changed() is emitted at once for a new fault, and at
+/// most once a second for repeated faults.
 ///
 /// Use it in the GUI thread only, except recordException() and run(), which any thread may call.
 /// Call instance() once at the start of the program: otherwise run() would have to create the
@@ -50,8 +53,8 @@ class ExceptionGuard : public QObject {
  public:
   static ExceptionGuard& instance();
 
-  /// Sets the name under which exceptions of this object, and of its children without a name of
-  /// their own, are reported. If `name` is empty, the accessible name of the object is used. A
+  /// Sets the name under which exceptions of this object are reported. Children without a name of
+  /// their own use the same name. If `name` is empty, the accessible name of the object is used. A
   /// cover hides the whole widget, so do not name a splitter. A dialog needs no name.
   static void setName(QObject& view, const QString& name);
 
@@ -66,7 +69,7 @@ class ExceptionGuard : public QObject {
       return false;
     }
   }
-  /// The same for code that runs in a thread and belongs to no view.
+  /// Calls `part` as above, for code that runs in a thread and belongs to no view.
   template <typename Part>
   static bool run(const char* thread_name, Part&& part) noexcept {
     try {
@@ -88,7 +91,7 @@ class ExceptionGuard : public QObject {
   /// Removes the cover and redraws the view.
   void showAgain(QWidget& view);
   /// Reports the faults that were only counted because memory was exhausted. A timer of the window
-  /// calls this regularly, because starting a timer for it would also need memory.
+  /// calls this function regularly: starting a new timer for a report would need memory.
   void reportCountedFaults();
   /// Returns the faults of covered views, and all faults of the last ten minutes.
   [[nodiscard]] QList<ViewFault> faults() const;

@@ -24,7 +24,7 @@ struct TourStep {
 
 /// Guides the user through a window: shows one widget after another, dims everything else, and
 /// explains the widget on a card. The tour ends after the last step, with Escape, or when another
-/// widget gets the focus; then the former focus is restored. The widgets of the window are still
+/// widget gets the focus; then the previous focus is restored. The widgets of the window are still
 /// updated, but get no mouse events.
 class Tour : public QWidget {
   Q_OBJECT

@@ -15,8 +15,8 @@ class CycleFigures : public QObject {
   Q_OBJECT
 
  public:
-  /// All values are in s. They describe a whole second, because the single period after a late
-  /// cycle would be short.
+  /// All values are in s. The values describe a whole second: a single period would mislead,
+  /// because the period after a late cycle is short.
   struct LastSecond {
     double period = 0;   ///< mean
     double late = 0;     ///< the median lateness

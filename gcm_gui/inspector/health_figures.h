@@ -20,8 +20,8 @@ struct InterfaceHealth {
   bool operator==(const InterfaceHealth&) const = default;
 };
 
-/// The health of a process and of the connections of one of its components. Polled every second
-/// while they are shown. The figures disappear if no answer comes.
+/// The health of a process and of the connections of one of its components. Both are polled every
+/// second while they are shown. The figures disappear if no answer comes.
 class HealthFigures : public QObject {
   Q_OBJECT
 

@@ -258,7 +258,7 @@ void Inspector::addPeerLinks(QWidget& cell, const InterfaceRow& peer) {
     cell.layout()->addWidget(button);
     return button;
   };
-  if (peer.path != required) {  // the row shows the provider, so it can be replaced
+  if (peer.path != required) {  // the row shows the provider, so the user can replace the provider
     connect(add(Words::tr("Replace"), QStringLiteral("replace")), &QToolButton::clicked, this,
             [this, required] { Q_EMIT connectRequested(required); });
   }
@@ -272,8 +272,8 @@ void Inspector::showSelected() {
 }
 
 /// Shows the tab that contains the selected object: "interfaces" for a command, "values" for a
-/// number. If the present tab also contains the object, it stays. This is the case for "events"
-/// with an event, and for "interfaces" and "values" with a column.
+/// number. Does nothing if the present tab contains the object, too: "events" also contains events,
+/// and both "interfaces" and "values" contain columns.
 void Inspector::showTabOfSelected() {
   if (pages_->currentIndex() != kComponentPage) return;
   const auto path = ParsePath(selection_.current().toStdString());

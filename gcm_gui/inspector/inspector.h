@@ -27,8 +27,8 @@ class LifecycleRow;
 class TabPanel;
 class ValuesPage;
 
-/// The right column. It shows everything about a process or a component: the one that is selected,
-/// or the component that contains the selected object. Follows the selection and the catalogue.
+/// The right column. Shows everything about the selected process or component. If another object is
+/// selected, shows the component that contains the object. Follows the selection and the catalogue.
 class Inspector : public QWidget {
   Q_OBJECT
 

@@ -99,8 +99,8 @@ class RowBuilder {
     }
   }
 
-  /// Adds a row such as "teleoperation/Robot", with the process after the name and the path as tool
-  /// tip.
+  /// Adds a row such as "teleoperation/Robot". The process is shown after the name; the tool tip is
+  /// the path.
   void AddPeer(const QString& arrow, const InterfaceName& peer, const InterfaceName& required,
                StateMark mark) {
     const QString name = ToQString(peer.component + '/' + peer.interface);

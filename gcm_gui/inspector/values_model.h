@@ -17,8 +17,9 @@
 namespace tendon::gui {
 
 /// Every number in the state tables of one component, with its newest value, its unit and its
-/// recent trend. The first row of a column also shows the rate at which rows arrive or, if the
-/// values are old, why and how old. If a column has no answer, its own row says so.
+/// recent trend. The first row of a column also shows the rate at which rows arrive. If the values
+/// are old, it shows instead why and how old they are. If no answer has come for a column, the rows
+/// of this column say so.
 class ValuesModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -53,7 +54,7 @@ class ValuesModel : public QAbstractTableModel {
 
   /// Starts the time limit for the columns that have not answered yet.
   void await();
-  /// Stops that time limit until the next await().
+  /// Stops the time limit for these columns until the next await().
   void awaitNothing();
   /// If the row's column has not answered in time, restarts its time limit and returns the path of
   /// the column. Otherwise returns an empty text.

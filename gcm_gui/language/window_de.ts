@@ -822,8 +822,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>ein Bild von %1 Pixeln ist zu groß zum Zeichnen: höchstens %2</translation>
     </message>
     <message>
-        <source>a row of %1 pixels in %2 needs %3 bytes, but step is %4</source>
-        <translation>eine Zeile von %1 Pixeln in %2 braucht %3 Bytes, aber step ist %4</translation>
+        <source>a row of %1 pixels in %2 needs %3 bytes, but the field step is %4</source>
+        <translation>eine Zeile von %1 Pixeln in %2 braucht %3 Bytes, aber das Feld step ist %4</translation>
     </message>
     <message>
         <source>%1 rows of %2 bytes do not match the %3 bytes of data</source>
@@ -1270,11 +1270,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>%1 Elemente</translation>
     </message>
     <message>
-        <source>To %1: step %2 of %3</source>
+        <source>Target %1: step %2 of %3</source>
         <translation>Ziel %1: Schritt %2 von %3</translation>
     </message>
     <message>
-        <source>To %1: %2 done, %3 failed, %4 left</source>
+        <source>Target %1: %2 done, %3 failed, %4 left</source>
         <translation>Ziel %1: %2 erledigt, %3 gescheitert, %4 übrig</translation>
     </message>
     <message>
@@ -2214,12 +2214,12 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Anordnung zurücksetzen</translation>
     </message>
     <message>
-        <source> is not a number; select a column or a value of a state table to plot it</source>
-        <translation> ist keine Zahl; zum Plotten eine Spalte oder einen Wert einer Zustandstabelle auswählen</translation>
+        <source> cannot be plotted, because it is not a number; select a column or a value of a state table</source>
+        <translation> lässt sich nicht plotten, weil es keine Zahl ist; eine Spalte oder einen Wert einer Zustandstabelle auswählen</translation>
     </message>
     <message>
-        <source>The first %1 of %2 numbers are plotted; select those you need</source>
-        <translation>Die ersten %1 von %2 Zahlen sind geplottet; die benötigten auswählen</translation>
+        <source>The first %1 of %2 numbers are plotted; select fewer numbers</source>
+        <translation>Die ersten %1 von %2 Zahlen sind geplottet; weniger Zahlen auswählen</translation>
     </message>
     <message>
         <source>, and %1 more since the previous mark</source>
@@ -2506,8 +2506,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Adresse des GCM auf jenem Rechner, etwa robot1 oder robot1:10705</translation>
     </message>
     <message>
-        <source>Another window could not be started</source>
-        <translation>Ein anderes Fenster ließ sich nicht starten</translation>
+        <source>Another window could not be started; type in a terminal: gcm-gui --gcm %1</source>
+        <translation>Ein anderes Fenster ließ sich nicht starten; in einem Terminal eingeben: gcm-gui --gcm %1</translation>
     </message>
     <message>
         <source>Shows or hides processes that have been gone for half a minute</source>
@@ -2522,7 +2522,7 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>%1 gibt es schon: öffnen, oder vor dem Import entfernen</translation>
     </message>
     <message>
-        <source>%1 is shown in another window; this window hosts a GCM, so it stays open</source>
+        <source>%1 is shown in another window; this window stays open, because it hosts a GCM</source>
         <translation>%1 zeigt ein anderes Fenster; dieses betreibt einen GCM und bleibt offen</translation>
     </message>
     <message>
@@ -2574,11 +2574,11 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>übrig</translation>
     </message>
     <message>
-        <source>To %1: asking the processes for their classes…</source>
+        <source>Target %1: asking the processes for their classes…</source>
         <translation>Ziel %1: die Prozesse werden gefragt, was sie erzeugen können…</translation>
     </message>
     <message>
-        <source>To %1: %2; %3</source>
+        <source>Target %1: %2; %3</source>
         <translation>Ziel %1: %2; %3</translation>
     </message>
     <message>
@@ -2598,8 +2598,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Ein GCM wird gestartet; er läuft weiter, wenn dieses Fenster geschlossen wird</translation>
     </message>
     <message>
-        <source>%1 could not be started</source>
-        <translation>%1 konnte nicht gestartet werden</translation>
+        <source>%1 could not be started: check that it is installed</source>
+        <translation>%1 konnte nicht gestartet werden: prüfen, ob es installiert ist</translation>
     </message>
     <message>
         <source>Current values from %1</source>
@@ -2770,8 +2770,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>a curve has no path</source>
-        <translation>eine Kurve hat keinen Pfad</translation>
+        <source>a curve has no path: give each curve a text &quot;path&quot;</source>
+        <translation>eine Kurve hat keinen Pfad: jeder Kurve einen Text „path“ geben</translation>
     </message>
     <message>
         <source>scale and offset of %1 must be numbers</source>
@@ -2782,12 +2782,12 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>die Achse von %1 muss ein Text sein</translation>
     </message>
     <message>
-        <source>the plot has no curves</source>
-        <translation>der Plot hat keine Kurven</translation>
+        <source>the list &quot;curves&quot; is missing</source>
+        <translation>die Liste „curves“ fehlt</translation>
     </message>
     <message>
-        <source>the time range of the plot is not valid</source>
-        <translation>die Zeitspanne des Plots ist nicht möglich</translation>
+        <source>&quot;window&quot; must be above 0 and at most %1 s</source>
+        <translation>„window“ muss über 0 und höchstens %1 s sein</translation>
     </message>
     <message>
         <source>plot %1: </source>
@@ -2802,8 +2802,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Version %1 von Plot-Layouts wird nicht unterstützt; dieses Programm unterstützt Version %2</translation>
     </message>
     <message>
-        <source>the file contains no plot</source>
-        <translation>die Datei enthält keinen Plot</translation>
+        <source>the file contains no plot: choose another file</source>
+        <translation>die Datei enthält keinen Plot: eine andere Datei wählen</translation>
     </message>
     <message>
         <source>constructed</source>
@@ -2910,8 +2910,8 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>es gibt nichts rückgängig zu machen</translation>
     </message>
     <message>
-        <source>process &apos;%1&apos; is lost%2; it is unknown whether the command was executed or will still be executed</source>
-        <translation>Prozess „%1“ ist verloren%2; ob der Befehl ausgeführt wurde oder noch wird, ist nicht bekannt</translation>
+        <source>process &apos;%1&apos; is lost%2; it is unknown whether the command was executed or will still be executed: check the component before you repeat the call</source>
+        <translation>Prozess „%1“ ist verloren%2; ob der Befehl ausgeführt wurde oder noch wird, ist nicht bekannt: die Komponente prüfen, bevor der Aufruf wiederholt wird</translation>
     </message>
     <message>
         <source>this window cannot change anything: it was started with --read-only</source>

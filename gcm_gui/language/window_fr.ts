@@ -822,8 +822,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>une image de %1 pixels est trop grande pour être dessinée&#xa0;: au plus %2</translation>
     </message>
     <message>
-        <source>a row of %1 pixels in %2 needs %3 bytes, but step is %4</source>
-        <translation>une ligne de %1 pixels en %2 demande %3 octets, mais step vaut %4</translation>
+        <source>a row of %1 pixels in %2 needs %3 bytes, but the field step is %4</source>
+        <translation>une ligne de %1 pixels en %2 demande %3 octets, mais le champ step vaut %4</translation>
     </message>
     <message>
         <source>%1 rows of %2 bytes do not match the %3 bytes of data</source>
@@ -1270,12 +1270,12 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>%1 éléments</translation>
     </message>
     <message>
-        <source>To %1: step %2 of %3</source>
-        <translation>Vers %1&#xa0;: étape %2 sur %3</translation>
+        <source>Target %1: step %2 of %3</source>
+        <translation>Cible %1 : étape %2 sur %3</translation>
     </message>
     <message>
-        <source>To %1: %2 done, %3 failed, %4 left</source>
-        <translation>Vers %1&#xa0;: %2 faites, %3 échouées, %4 restantes</translation>
+        <source>Target %1: %2 done, %3 failed, %4 left</source>
+        <translation>Cible %1 : %2 faites, %3 échouées, %4 restantes</translation>
     </message>
     <message>
         <source>the previous state</source>
@@ -2214,12 +2214,12 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Réinitialiser la disposition</translation>
     </message>
     <message>
-        <source> is not a number; select a column or a value of a state table to plot it</source>
-        <translation> n&apos;est pas un nombre&#xa0;; sélectionner une colonne ou une valeur d&apos;une table d&apos;état pour la tracer</translation>
+        <source> cannot be plotted, because it is not a number; select a column or a value of a state table</source>
+        <translation> ne peut pas être tracé, car ce n&apos;est pas un nombre ; sélectionner une colonne ou une valeur d&apos;une table d&apos;état</translation>
     </message>
     <message>
-        <source>The first %1 of %2 numbers are plotted; select those you need</source>
-        <translation>Les %1 premiers nombres sur %2 sont tracés&#xa0;; sélectionner ceux qu&apos;il faut</translation>
+        <source>The first %1 of %2 numbers are plotted; select fewer numbers</source>
+        <translation>Les %1 premiers nombres sur %2 sont tracés ; sélectionner moins de nombres</translation>
     </message>
     <message>
         <source>, and %1 more since the previous mark</source>
@@ -2506,8 +2506,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Adresse du GCM de cette machine, comme robot1 ou robot1:10705</translation>
     </message>
     <message>
-        <source>Another window could not be started</source>
-        <translation>Une autre fenêtre n&apos;a pas pu être lancée</translation>
+        <source>Another window could not be started; type in a terminal: gcm-gui --gcm %1</source>
+        <translation>Une autre fenêtre n&apos;a pas pu être lancée ; taper dans un terminal : gcm-gui --gcm %1</translation>
     </message>
     <message>
         <source>Shows or hides processes that have been gone for half a minute</source>
@@ -2522,7 +2522,7 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>%1 existe déjà : ouvrez-le, ou supprimez-le avant l’importation</translation>
     </message>
     <message>
-        <source>%1 is shown in another window; this window hosts a GCM, so it stays open</source>
+        <source>%1 is shown in another window; this window stays open, because it hosts a GCM</source>
         <translation>%1 est montré dans une autre fenêtre ; celle-ci héberge un GCM et reste ouverte</translation>
     </message>
     <message>
@@ -2574,12 +2574,12 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>restant</translation>
     </message>
     <message>
-        <source>To %1: asking the processes for their classes…</source>
-        <translation>Vers %1 : on demande aux processus ce qu’ils peuvent créer…</translation>
+        <source>Target %1: asking the processes for their classes…</source>
+        <translation>Cible %1 : on demande aux processus ce qu’ils peuvent créer…</translation>
     </message>
     <message>
-        <source>To %1: %2; %3</source>
-        <translation>Vers %1 : %2 ; %3</translation>
+        <source>Target %1: %2; %3</source>
+        <translation>Cible %1 : %2 ; %3</translation>
     </message>
     <message>
         <source>this GCM is too old to report which processes it has started</source>
@@ -2598,8 +2598,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Un GCM est lancé ; il continue quand cette fenêtre est fermée</translation>
     </message>
     <message>
-        <source>%1 could not be started</source>
-        <translation>%1 n’a pas pu être lancé</translation>
+        <source>%1 could not be started: check that it is installed</source>
+        <translation>%1 n’a pas pu être lancé : vérifier qu’il est installé</translation>
     </message>
     <message>
         <source>Current values from %1</source>
@@ -2770,8 +2770,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Retirer</translation>
     </message>
     <message>
-        <source>a curve has no path</source>
-        <translation>une courbe n&apos;a pas de chemin</translation>
+        <source>a curve has no path: give each curve a text &quot;path&quot;</source>
+        <translation>une courbe n&apos;a pas de chemin : donner à chaque courbe un texte « path »</translation>
     </message>
     <message>
         <source>scale and offset of %1 must be numbers</source>
@@ -2782,12 +2782,12 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>l&apos;axe de %1 doit être un texte</translation>
     </message>
     <message>
-        <source>the plot has no curves</source>
-        <translation>le tracé n&apos;a pas de courbes</translation>
+        <source>the list &quot;curves&quot; is missing</source>
+        <translation>la liste « curves » manque</translation>
     </message>
     <message>
-        <source>the time range of the plot is not valid</source>
-        <translation>la durée du tracé n&apos;est pas possible</translation>
+        <source>&quot;window&quot; must be above 0 and at most %1 s</source>
+        <translation>« window » doit être supérieur à 0 et au plus %1 s</translation>
     </message>
     <message>
         <source>plot %1: </source>
@@ -2802,8 +2802,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>la version %1 des dispositions n’est pas prise en charge ; ce programme prend en charge la version %2</translation>
     </message>
     <message>
-        <source>the file contains no plot</source>
-        <translation>le fichier ne contient aucun tracé</translation>
+        <source>the file contains no plot: choose another file</source>
+        <translation>le fichier ne contient aucun tracé : choisir un autre fichier</translation>
     </message>
     <message>
         <source>constructed</source>
@@ -2910,8 +2910,8 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>il n&apos;y a rien à annuler</translation>
     </message>
     <message>
-        <source>process &apos;%1&apos; is lost%2; it is unknown whether the command was executed or will still be executed</source>
-        <translation>le processus « %1 » est perdu%2 ; on ignore si la commande a été ou sera exécutée</translation>
+        <source>process &apos;%1&apos; is lost%2; it is unknown whether the command was executed or will still be executed: check the component before you repeat the call</source>
+        <translation>le processus « %1 » est perdu%2 ; on ignore si la commande a été ou sera exécutée : vérifier le composant avant de répéter l’appel</translation>
     </message>
     <message>
         <source>this window cannot change anything: it was started with --read-only</source>

@@ -63,7 +63,8 @@ void CatalogueFilter::onDataChanged(const QModelIndex& first, const QModelIndex&
     // A signal with roles means that only values have changed, and no filter depends on values.
     if (roles.isEmpty()) recheck(*model_.item(first.siblingAtRow(row).siblingAtColumn(0)));
   }
-  // One signal for all rows is enough, as in the model, because the visible rows are adjacent.
+  // One signal for the whole range is enough, because the visible rows are adjacent. The model does
+  // the same.
   QModelIndex from;
   QModelIndex to;
   for (int row = first.row(); row <= last.row(); ++row) {

@@ -141,8 +141,8 @@ std::vector<QString> Segments(const std::string& path) {
   return segments;
 }
 
-/// Returns the last child if it has this segment, otherwise a new child. This is enough, because
-/// fields are in the order of the wire format.
+/// Returns the last child if it has this segment, otherwise a new child. Only the last child can
+/// have the segment, because the fields are in the order of the wire format.
 CatalogueItem& Group(CatalogueItem& parent, const QString& segment) {
   const QString path = parent.path + segment;
   if (!parent.children.empty() && parent.children.back()->path == path) {

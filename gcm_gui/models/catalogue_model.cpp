@@ -363,8 +363,8 @@ void CatalogueModel::emitValuesChanged(CatalogueItem& item) {
   }
 }
 
-/// Marks a new row. Rows that arrive soon after the first rows are not marked, because a GCM that
-/// was restarted sends everything again.
+/// Marks a new row. Rows that arrive soon after the first rows are not marked: a GCM that was
+/// restarted sends all rows again.
 void CatalogueModel::markFresh(const CatalogueItem& item) {
   if (begun_ == 0) begun_ = now_;
   if (outdated_ || now_ < begun_ + kFresh || item.kind >= ItemKind::kColumn) return;
@@ -396,7 +396,7 @@ void CatalogueModel::setOutdated(bool outdated) {
   if (outdated == outdated_) return;
   outdated_ = outdated;
   if (!outdated) begun_ = now_;
-  // For any range, Qt redraws all visible rows.
+  // Qt redraws all visible rows, whatever range the signal names.
   if (root_->children.empty()) return;
   Q_EMIT dataChanged(indexFor(*root_->children.front()), indexFor(*root_->children.back(), kLast));
 }

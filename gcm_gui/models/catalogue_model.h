@@ -63,7 +63,7 @@ class CatalogueModel : public QAbstractItemModel {
  public Q_SLOTS:
   void update(const tendon::Catalogue& catalogue, const tendon::gui::ChangedParts& touched);
   void showValues(const QString& column, const tendon::gui::ColumnValues& values);
-  /// Sets the columns that have a subscription. Only for these, missing rows count as an
+  /// Sets the columns that have a subscription. For other columns, missing rows do not count as an
   /// interruption.
   void setWatched(const QSet<QString>& columns) { arrivals_.setWatched(columns); }
   /// Sets the present time in ns since 1970, for texts such as "lost 12 s".

@@ -23,12 +23,12 @@ class ColumnArrivals {
   explicit ColumnArrivals(const Clock& clock = SteadyClock()) : clock_(clock) {}
 
   void onValues(const QString& column, const ColumnValues& values);
-  /// Sets the columns that certainly have a subscription. Only for these, missing rows count as an
-  /// interruption.
+  /// Sets the columns that certainly have a subscription. For other columns, missing rows do not
+  /// count as an interruption.
   void setWatched(const QSet<QString>& columns) { watched_ = columns; }
   void forget(const QString& column) { all_.remove(column); }
   /// Drops the columns that are not watched and have had no rows for kSilence. Returns the
-  /// remaining ones.
+  /// remaining columns.
   QStringList dropSilent();
 
   /// Returns the number of rows per second; empty if it is unknown or if no more rows arrive.

@@ -10,11 +10,11 @@ namespace tendon::gui {
 /// 2025-11-21 15:40:03".
 [[nodiscard]] QString PluginWords(const PluginDescription& plugin);
 
-/// Returns how the plug-in's file differs from the running code, and the remedy; empty if they are
-/// the same.
+/// Returns how the plug-in's file differs from the running code, and the remedy. Returns an empty
+/// text if they do not differ.
 [[nodiscard]] QString PluginChangeWords(const PluginDescription& plugin);
 
-/// Returns the same information as a sentence about the process.
+/// Returns the text of PluginChangeWords() as a sentence about the process.
 [[nodiscard]] QString OldPluginWords(const QString& process, const PluginDescription& plugin);
 
 }  // namespace tendon::gui

@@ -19,7 +19,8 @@ QString FourDigits(double value) {
   return QString::number(value, 'f', decimals);
 }
 
-/// The limits are chosen so that rounding never gives 1000 of the smaller unit.
+/// Formats a duration with its unit. The limits between the units are chosen so that rounding never
+/// gives 1000 of the smaller unit.
 Quantity DurationOf(double seconds) {
   const double size = std::abs(seconds);
   if (size < 999.5e-9) return {QString::number(seconds * 1e9, 'f', 0), QStringLiteral("ns")};

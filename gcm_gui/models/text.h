@@ -58,8 +58,8 @@ struct Quantity {
 /// clients"; empty for 0.
 [[nodiscard]] QString CountText(std::int64_t count, const QString& one, const QString& many);
 
-/// Returns the types of argument and result: "JointGoal", "LinkId → Pose"; empty if there are none.
-/// With whole names: "arm.LinkId → geometry_msgs.Pose".
+/// How a signature names the types of argument and result: short "LinkId → Pose", or whole
+/// "arm.LinkId → geometry_msgs.Pose".
 enum class TypeNames { kShort, kWhole };
 [[nodiscard]] QString TypesText(const MemberDescription& member, TypeNames names);
 

@@ -63,7 +63,8 @@ std::optional<double> NumberOr(const QJsonValue& json, double usual) {
 QString ReadCurve(const QJsonValue& json, CurveLayout& curve) {
   curve.key = {json["path"].toString(), json["unit"].toString()};
   curve.is_hidden = json["hidden"].toBool();
-  if (curve.key.path.isEmpty()) return Words::tr("a curve has no path");
+  if (curve.key.path.isEmpty())
+    return Words::tr("a curve has no path: give each curve a text \"path\"");
   const auto factor = NumberOr(json["scale"], 1);
   const auto offset = NumberOr(json["offset"], 0);
   if (!factor || !offset) {
@@ -79,10 +80,11 @@ QString ReadCurve(const QJsonValue& json, CurveLayout& curve) {
 
 /// Reads a plot. Returns the mistake in it, or an empty text.
 QString ReadPlot(const QJsonValue& json, PlotLayout& plot) {
-  if (!json.isObject() || !json["curves"].isArray()) return Words::tr("the plot has no curves");
+  if (!json.isObject() || !json["curves"].isArray())
+    return Words::tr("the list \"curves\" is missing");
   const double seconds = json["window"].toDouble();
   if (seconds <= 0 || seconds > TimeWindow::kLongest)
-    return Words::tr("the time range of the plot is not valid");
+    return Words::tr("\"window\" must be above 0 and at most %1 s").arg(TimeWindow::kLongest);
   plot.window = nanoseconds(static_cast<std::int64_t>(seconds * kNsPerSecond));
   plot.name = json["name"].toString();
   plot.is_below = json["below"].toBool();
@@ -123,7 +125,7 @@ std::optional<QString> ShowLayout(PlotPanel& panel, const QByteArray& layout) {
     const QString wrong = ReadPlot(json, plots.emplace_back());
     if (!wrong.isEmpty()) return Words::tr("plot %1: ").arg(plots.size()) + wrong;
   }
-  if (plots.empty()) return Words::tr("the file contains no plot");
+  if (plots.empty()) return Words::tr("the file contains no plot: choose another file");
   while (panel.plotCount() > 1) panel.closePlot(0);
   panel.closePlot(0);
   for (std::size_t i = 0; i < plots.size(); ++i) {

@@ -52,7 +52,8 @@ PlotView& PlotPage::insert(int place) {
   close->setIconSize({PlotAxes::kTop - kGrid, PlotAxes::kTop - kGrid});
   close->setFocusPolicy(Qt::TabFocus);
   SetRole(*close, "dim");
-  close->setStyleSheet("QToolButton { padding: 0; }");  // as small as the strip above the canvas
+  // No padding, so that the button fits into the strip above the canvas.
+  close->setStyleSheet("QToolButton { padding: 0; }");
   connect(close, &QToolButton::clicked, this, [this, view] { Q_EMIT closeRequested(view); });
   view->canvas()->installEventFilter(this);
   connect(view, &PlotView::sideRoomChanged, this, &PlotPage::align);

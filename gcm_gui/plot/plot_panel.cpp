@@ -121,10 +121,6 @@ void PlotPanel::add(PlotView& view, const CurveKey& key) {
   if (wanted) Q_EMIT subscriptionWanted(key.path);
 }
 
-void PlotPanel::removeSignal(const QString& path) {
-  for (PlotView* view : plots()) removeFrom(*view, path);
-}
-
 void PlotPanel::removeFrom(PlotView& view, const QString& given) {
   if (view.curve(given) == nullptr) return;
   const QString path = given;  // a copy, because `given` may refer to the path in the curve itself
@@ -135,7 +131,8 @@ void PlotPanel::removeFrom(PlotView& view, const QString& given) {
   if (!isPlotted(path)) Q_EMIT subscriptionReleased(path);
 }
 
-// Returns the names from another plot that has this signal, because names are announced only once.
+// Returns the names from another plot that has this signal. The source announces the names only
+// once.
 ValueNamesPointer PlotPanel::namesOf(const QString& path) const {
   for (const PlotView* view : plots()) {
     if (const Curve* curve = view->curve(path)) return curve->allNames();

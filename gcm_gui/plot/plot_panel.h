@@ -40,8 +40,6 @@ class PlotPanel : public QWidget {
 
   /// Adds the signal to the current plot. Does nothing if the plot already has it.
   void addSignal(const QString& path, const QString& unit);
-  /// Removes the signal from all plots.
-  void removeSignal(const QString& path);
   /// Appends samples to all curves of the path. Ignored if no plot has this path.
   void append(const QString& path, std::span<const Sample> samples);
   /// Sets the names of a signal's values in all present and future plots; null if the values are
@@ -49,8 +47,8 @@ class PlotPanel : public QWidget {
   void setNames(const QString& path, const ValueNamesPointer& names);
   /// Called when the source was restarted, so that its ticks start again.
   void beginEpoch(const QString& path);
-  /// Called when no samples arrive until the next append(). With an empty `reason`, the curve shows
-  /// for which source it waits.
+  /// Called when no samples will arrive until the next append(). With an empty `reason`, the curve
+  /// shows the name of the source for which it waits.
   void setStale(const QString& path, const QString& reason = {});
   [[nodiscard]] QStringList paths() const;
   /// Adds a mark to all plots.
@@ -83,9 +81,9 @@ class PlotPanel : public QWidget {
   void setCandidates(std::function<QList<CurveKey>(const QString& path)> candidates);
   /// Sets the function that returns where rows of a signal were lost.
   void setLosses(std::function<RowLosses(const QString& path)> losses);
-  /// Returns why a signal is old and since when; empty if it is not old. `newest_ns` is the time of
-  /// its newest sample. Called a few times per second; the result is passed to
-  /// Curve::setStandstill().
+  /// Returns why a signal is old and since when; empty if the signal is not old. `newest_ns` is the
+  /// time of its newest sample. This function is called a few times per second; the result is
+  /// passed to Curve::setStandstill().
   using Standstills =
       std::function<QString(const QString& path, std::optional<std::int64_t> newest_ns)>;
   void setStandstills(Standstills standstills);

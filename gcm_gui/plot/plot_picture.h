@@ -13,9 +13,9 @@ class PlotView;
 void CopyPicture(PlotView& view);
 
 /// Saves a picture of the plot, as it looks now. If the name of `file` ends in .svg, the picture is
-/// an SVG with scalable curves, otherwise an image at double resolution. Another thread encodes and
-/// writes it. Then `report` is called with a sentence for the user: the saved file, or why saving
-/// failed. `report` is not called if `context` no longer exists.
+/// an SVG with scalable curves. Otherwise it is an image at double resolution. Another thread
+/// encodes and writes the picture. Then `report` is called with a sentence for the user: the saved
+/// file, or why saving failed. `report` is not called if `context` no longer exists.
 void SavePicture(PlotView& view, const QString& file, const QObject* context,
                  const std::function<void(const QString& sentence)>& report);
 

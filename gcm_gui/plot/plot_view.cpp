@@ -164,7 +164,8 @@ void PlotView::setFit(Fit fit) {
 
 void PlotView::setScale(ValueScale scale) {
   curves_.setScale(scale);
-  time_axis_->leave(curves_);  // because the ranges in the history belong to the other scale
+  // Forgets the history of this plot, because its ranges belong to the other scale.
+  time_axis_->leave(curves_);
   time_axis_->join(curves_);
   changed();
   updateLegend();
@@ -205,7 +206,7 @@ void PlotView::setStatistics(bool shown) {
 }
 
 void PlotView::setMarks(const MarkTrack& marks) {
-  delete flags_;  // the destructor detaches it from the plot
+  delete flags_;  // the destructor of the flags detaches them from the plot
   flags_ = new MarkFlags(marks, window_);
   flags_->attach(this);
   changed();
@@ -264,8 +265,8 @@ void PlotView::noticeChange() {
 }
 
 void PlotView::updateLive() {
-  // The button is shown if something does not follow the data. The time is shared with other plots,
-  // so only the first one shows the button for it; value axes belong to one plot.
+  // The button is shown if the time or a value axis does not follow the data. The plots share the
+  // time, so for the time only the first plot shows the button. Each plot has its own value axes.
   live_pill_->setVisible(!curves_.empty() && (isLive() ? !isFitted() : isFirst()));
   // The text is "Fit" if the time is live but a value axis is not fitted.
   live_pill_->setText(isLive() ? Words::tr("Fit") : Words::tr("Live"));
@@ -282,7 +283,8 @@ void PlotView::updateLive() {
 
 std::int64_t PlotView::now() const { return time_axis_->clock().now(LocalNow()); }
 
-// Returns the width of the time axis in columns. It differs slightly from that of the canvas.
+// Returns the width of the time axis in columns. This width differs slightly from the width of the
+// canvas.
 double PlotView::columns() const {
   const QwtScaleMap map = canvasMap(QwtAxis::XBottom);
   return std::max(1.0, map.p2() - map.p1());

@@ -31,7 +31,7 @@ class MarkTrack;
 class PlotOverlay;
 
 /// One live plot. All its curves have the same time axis, which may be shared with other plots.
-/// Each unit has a Y axis of its own.
+/// Each unit has its own Y axis.
 ///
 /// Redraws itself at most at 60 Hz, and less often if drawing is slow (FrameGovernor). It redraws
 /// only while it is visible, and only if something has changed. The curves keep all samples,
@@ -40,7 +40,7 @@ class PlotView : public QwtPlot {
   Q_OBJECT
 
  public:
-  /// Creates a plot with a time axis of its own.
+  /// Creates a plot with its own time axis.
   explicit PlotView(QWidget* parent = nullptr);
   /// Creates a plot with a shared time axis. A change of the axis applies to all plots that share
   /// it.
@@ -71,14 +71,14 @@ class PlotView : public QwtPlot {
   void setPaused(bool paused);
   /// Makes the view live, and lets all axes follow the data.
   void goLive();
-  /// Does the same for all plots that share the time axis.
+  /// Makes all plots with this time axis live, and lets all their axes follow the data.
   void goLiveTogether();
   [[nodiscard]] bool isLive() const;
   /// Returns the present time of the sources, in ns of their steady clock; see LiveClock.
   [[nodiscard]] std::int64_t now() const;
 
   // `x` and `y` are in pixels of the canvas. Each of these functions ends the live view; goBack()
-  // undoes it.
+  // restores it.
   void zoomTime(double factor, double x);
   void zoomValues(double factor, double y);
   void panTime(double pixels);
@@ -87,7 +87,7 @@ class PlotView : public QwtPlot {
   /// Ends the present step of the history, so that the next gesture begins a new step; see
   /// SharedTimeAxis::Gesture.
   void endRun();
-  // For both functions see SharedTimeAxis.
+  // For goBack() and goForward() see SharedTimeAxis.
   void goBack();
   void goForward();
   [[nodiscard]] bool hasFormerView() const;
@@ -101,8 +101,7 @@ class PlotView : public QwtPlot {
   void showCursors(bool shown);
   [[nodiscard]] const Cursors& cursors() const { return cursors_; }
 
-  /// The width that the labels need, and the minimum width that was set. All plots of a page get
-  /// the same minimum. See PlotAxes.
+  /// Returns the width that the labels of this plot need.
   [[nodiscard]] SideRoom sideRoom() const { return axes_.wantedRoom(); }
   /// Sets the plots above this one on the page. If one of them shows curves, that plot has the
   /// button that makes all plots live.

@@ -24,7 +24,7 @@ class SharedTimeAxis {
   static constexpr std::size_t kMostSteps = 64;
 
   enum class Gesture {
-    kOnce,      ///< a step of its own
+    kOnce,      ///< always a separate step in the history
     kZoomTime,  ///< repeated gestures of this kind form one step, until another gesture or endRun()
     kZoomValues,
     kMove,
@@ -49,7 +49,7 @@ class SharedTimeAxis {
   /// Adds the present view to the history. Call it before `gesture` changes the view.
   void remember(Gesture gesture);
   void endRun() { last_gesture_ = Gesture::kOnce; }
-  // Both functions do nothing if the history has no further step.
+  // goBack() and goForward() do nothing if the history has no further step.
   void goBack() { go(former_, later_); }
   void goForward() { go(later_, former_); }
   [[nodiscard]] bool hasFormer() const { return !former_.empty(); }

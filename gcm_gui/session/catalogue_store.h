@@ -45,7 +45,7 @@ class CatalogueStore : public QObject {
   /// Replaces the catalogue by a snapshot. All parts of the old and of the new catalogue count as
   /// touched.
   void replace(Catalogue catalogue);
-  /// Applies the next changes. If a change is missing, ignores the changes after it, because a
+  /// Applies the next changes. If a change is missing, ignores the later changes, because a
   /// snapshot will follow.
   void apply(const std::vector<CatalogueChange>& changes);
   /// Returns true while some changes have not been announced to the views yet.

@@ -42,14 +42,14 @@ class ColumnFeed final : public RowSink {
   void OnSubscribed(const std::vector<Schema>& columns) override;
   void OnRows(const RowBatch& batch) override;
   void OnStale(const Error& reason) override;
-  /// Takes the row that existed before the subscription. It is needed because the source may never
-  /// write another row. Ignored if rows have already arrived.
+  /// Takes the row that was written before the subscription began. A source that writes no further
+  /// row has only this one. Ignored if rows have already arrived.
   void takeInitialRow(const RowBatch& batch);
-  /// Both functions also return false while a network thread is reading a batch.
+  /// hasRow() and lacksRow() also return false while a network thread is reading a batch.
   [[nodiscard]] bool hasRow();
   [[nodiscard]] bool lacksRow();
-  /// Returns true if the subscription was renewed since the last call. In this case the newest row
-  /// was dropped, because it could be very old.
+  /// Returns true if the subscription was renewed since the last call. The newest row was then
+  /// dropped, because it could be very old.
   [[nodiscard]] bool takeRenewed();
 
   /// Keeps every row of a number from now on. `field_path` is the part of the path after the

@@ -275,10 +275,12 @@ void GcmSession::failCallsToLostProcesses() {
     if (entry == nullptr || entry->process.state != ProcessState::kLost) continue;
     const std::string reason =
         entry->process.reason.empty() ? "" : " (" + entry->process.reason + ")";
-    const QString sentence = Words::tr(
-                                 "process '%1' is lost%2; it is unknown whether the command was "
-                                 "executed or will still be executed")
-                                 .arg(ToQString(call.process), ToQString(reason));
+    const QString sentence =
+        Words::tr(
+            "process '%1' is lost%2; it is unknown whether the command was "
+            "executed or will still be executed: check the component before you "
+            "repeat the call")
+            .arg(ToQString(call.process), ToQString(reason));
     lost.emplace_back(id, Error{ErrorCode::kTimeout, sentence.toStdString()});
   }
   for (const auto& [id, error] : lost) finishCall(id, error);

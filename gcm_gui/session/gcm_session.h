@@ -77,7 +77,8 @@ class GcmSession : public QObject,
   void onChanges(const std::vector<CatalogueChange>& changes);
   void onLinkLost(const Error& reason);
   void learnTypes();
-  /// Adds the action to the activity list. Any thread may pass the result to the returned function.
+  /// Adds the action to the activity list. The caller may pass the result to the returned function
+  /// in any thread.
   Finish begin(Action action);
   void undoStep(ActivityModel::Id id, std::chrono::steady_clock::time_point start,
                 std::uint64_t step);

@@ -30,7 +30,7 @@ class LinkState : public QObject {
 
   void setAddress(const QString& address, bool hosted);
   void setConnected();
-  /// Sets the state kLost; if the GCM was never found, the state kSearching.
+  /// Sets the state kLost. If the GCM was never found, sets the state kSearching.
   void setUnreachable(const QString& reason);
   /// Requests the whole state of the system again.
   void requestResync() { Q_EMIT resyncRequested(); }

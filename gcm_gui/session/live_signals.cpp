@@ -15,8 +15,8 @@ constexpr milliseconds kValuesPeriod{100};
 constexpr milliseconds kSweepPeriod{1000};
 constexpr int kIdleSweeps = 3;
 
-/// Receives the row that was written before the subscription. It is needed because a subscription
-/// to every row delivers only new rows.
+/// Receives the last row that was written before the subscription. A subscription to every row
+/// delivers only new rows.
 class InitialRowSink final : public RowSink {
  public:
   explicit InitialRowSink(std::shared_ptr<ColumnFeed> feed) : feed_(std::move(feed)) {}
@@ -107,7 +107,7 @@ void LiveSignals::watch(const QObject* owner, const QSet<QString>& columns) {
 }
 
 void LiveSignals::requestInitialRow(Column& column) {
-  // Its row may have been dropped, so it is requested again.
+  // The row of this column may have been dropped. Requests the row again.
   if (column.feed->takeRenewed()) endInitialRow(column);
   if (column.initial && column.feed->hasRow()) endInitialRow(column);
   if (column.initial || column.watchers.isEmpty() || !column.feed->lacksRow()) return;

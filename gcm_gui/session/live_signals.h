@@ -66,8 +66,8 @@ class LiveSignals : public SignalSource {
   /// Subscribes to a column, unless it is subscribed already. Returns null if `column` is not the
   /// path of a column.
   Column* open(const QString& column);
-  /// Requests the row that existed before the subscription if the column has watchers but no row
-  /// yet. After a lost link, requests it again, because there may be a newer row.
+  /// Requests the last row that was written before the subscription, if the column has watchers but
+  /// no row yet. After a lost link, requests this row again, because there may be a newer one.
   void requestInitialRow(Column& column);
   void endInitialRow(Column& column);
   void end(const Column& column);

@@ -70,8 +70,8 @@ void NetworkReports::follow() {
   }
   for (auto it = listeners_.begin(); it != listeners_.end();) {
     const auto wanted = fit.find(it->first);
-    // If an interface is absent now but was not removed, it may return. Then the client resumes the
-    // subscription by itself.
+    // An absent interface that was not removed may return. The client then resumes the subscription
+    // by itself.
     const bool is_gone =
         wanted == fit.end() && store_.catalogue().FindProvided(it->first) == nullptr;
     if ((is_gone && !patterns.empty()) ||

@@ -17,8 +17,8 @@ namespace tendon::gui {
 
 struct RawImage;
 
-/// The numbers in a column, in the order of the wire format. If the numbers change, a new list is
-/// made.
+/// The numbers in a column, in the order of the wire format. When the fields of the column change,
+/// a new list is made; an existing list never changes.
 using NumericFieldList = std::shared_ptr<const std::vector<NumericField>>;
 
 /// The newest row of one column, decoded.
@@ -42,8 +42,8 @@ class SignalSource : public QObject {
  public:
   using QObject::QObject;
 
-  /// Delivers every row of `signal`, such as "robot/arm/state.Joints.position[0]", until release()
-  /// has been called as often as subscribe(). The signal may come into existence later.
+  /// Delivers every row of `signal`, such as "robot/arm/state.Joints.position[0]". Ends when
+  /// release() has been called as often as subscribe(). The signal need not exist yet.
   virtual void subscribe(const QString& signal) = 0;
   virtual void release(const QString& signal) = 0;
 
@@ -65,8 +65,8 @@ class SignalSource : public QObject {
   void namesLearned(const QString& signal, const tendon::gui::ValueNamesPointer& names);
   /// Emitted when the source was restarted: its ticks start again with the following samples.
   void epochBegan(const QString& signal);
-  /// Emitted when no samples arrive for now. `reason` says why; it is empty if the process is
-  /// unreachable.
+  /// Emitted when no more samples arrive for now. `reason` says why. An empty reason means that the
+  /// process is unreachable.
   void wentStale(const QString& signal, const QString& reason);
 
   void valuesArrived(const QString& column, const tendon::gui::ColumnValues& values);

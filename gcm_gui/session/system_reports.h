@@ -57,8 +57,8 @@ class SystemReports : public QObject {
 
  Q_SIGNALS:
   void logArrived(const tendon::LogBatch& batch);
-  /// Emitted with events in the order of arrival. However, events of an unknown type are delayed
-  /// until the type is known.
+  /// Emitted with events in the order of arrival. An event of an unknown type is delayed until the
+  /// type is known.
   void eventsArrived(const std::vector<tendon::gui::EventRecord>& events);
   /// Emitted when `count` further events were lost because of missing memory or time.
   void eventsLost(const QString& path, std::uint64_t count);

@@ -20,8 +20,8 @@ class TypeRequests {
   static constexpr std::chrono::seconds kFirstPause{1};
   static constexpr std::chrono::seconds kLongestPause{30};
 
-  /// Adds a type that must be requested from `process`. A later call for the same type may name
-  /// another process.
+  /// Adds a type that must be requested from `process`. The last call for a type determines its
+  /// process.
   void want(Fingerprint type, const std::string& process);
   /// Returns the types that must be requested now, each with its process. The caller must report
   /// each answer by onAnswer().

@@ -175,9 +175,9 @@ QString DiffPanel::planText() const {
     case PlanController::Phase::kIdle:
       return {};
     case PlanController::Phase::kAsking:
-      return Words::tr("To %1: asking the processes for their classes…").arg(restore_.goal());
+      return Words::tr("Target %1: asking the processes for their classes…").arg(restore_.goal());
     case PlanController::Phase::kPreview:
-      return Words::tr("To %1: %2; %3")
+      return Words::tr("Target %1: %2; %3")
           .arg(restore_.goal(),
                plan.steps.empty() ? Words::tr("there is nothing to do")
                                   : CountText(static_cast<std::int64_t>(plan.steps.size()),
@@ -187,12 +187,12 @@ QString DiffPanel::planText() const {
                    : Words::tr("will not touch ") +
                          CountText(untouched, Words::tr("%1 item"), Words::tr("%1 items")));
     case PlanController::Phase::kRunning:
-      return Words::tr("To %1: step %2 of %3")
+      return Words::tr("Target %1: step %2 of %3")
           .arg(restore_.goal())
           .arg(restore_.outcomes().size() + 1)
           .arg(plan.steps.size());
     case PlanController::Phase::kDone:
-      return Words::tr("To %1: %2 done, %3 failed, %4 left")
+      return Words::tr("Target %1: %2 done, %3 failed, %4 left")
           .arg(restore_.goal())
           .arg(outcome.done)
           .arg(outcome.failed)

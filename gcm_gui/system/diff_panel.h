@@ -16,13 +16,14 @@ namespace tendon::gui {
 
 class RowView;
 
-/// Compares the running system with its file, line by line. Before and during their execution, it
-/// also shows the steps that lead from one to the other.
+/// Compares the running system with its file, line by line. Before and during the execution of a
+/// plan, it also shows the steps that make the system match the file.
 class DiffPanel : public QWidget {
   Q_OBJECT
 
  public:
-  /// `refusal` says why this window cannot change anything; it is empty if it can.
+  /// `refusal` says why this window cannot change anything; empty if the window can change the
+  /// system.
   DiffPanel(SystemDocument& document, PlanController& restore, const QString& refusal,
             QWidget* parent = nullptr);
 

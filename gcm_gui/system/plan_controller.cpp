@@ -9,8 +9,9 @@
 namespace tendon::gui {
 namespace {
 
-/// Returns the target of an undo. It does not contain the components that the plan creates in
-/// processes that it starts. It contains the start command of a process that the plan ends.
+/// Returns the state that an undo of `plan` restores. If the plan starts a process, the state
+/// contains this process without components. If the plan ends a process, the state contains the
+/// start command of this process.
 SystemFile Before(const Plan& plan, SystemFile running) {
   for (const PlanStep& step : plan.steps) {
     const bool is_there = running.FindProcess(step.process) != nullptr;
@@ -61,7 +62,7 @@ void PlanController::plan(const SystemFile& wanted, const QString& goal, Finish 
     reports_.askClasses(process, [self = QPointer(this), question, process,
                                   make](const Result<message::Classes>& classes) {
       if (self == nullptr || self->question_ != question) return;
-      // Without the classes, the process itself refuses the step.
+      // If the classes of the process are unknown, the process itself will refuse the step.
       if (classes) question->known[process] = *classes;
       if (--question->open == 0) make(question->known);
     });

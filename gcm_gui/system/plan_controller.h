@@ -37,14 +37,14 @@ class PlanController : public QObject {
   [[nodiscard]] const PlanOutcome& outcome() const { return outcome_; }
   [[nodiscard]] bool canUndo() const { return before_.has_value() && phase_ == Phase::kDone; }
 
-  /// Makes a plan without executing it. Ignored while a plan is executed. A plan for the same goal
-  /// that is shown already stays visible until the new plan is ready.
+  /// Makes a plan without executing it. Ignored while a plan is executed. If a plan for the same
+  /// goal is shown already, this plan stays visible until the new plan is ready.
   void preview(const SystemFile& wanted, const QString& goal);
   void execute(AfterError after_error);
   /// Stops the execution after the present step.
   void stop() { runner_.stop(); }
-  /// Makes a plan for the state of the system before execute(). The plan also stops the processes
-  /// that were started since then.
+  /// Makes a plan that restores the system to its state before execute(). The plan also stops the
+  /// processes that were started since then.
   void undo();
   /// Ends the preview of an undo and shows the executed plan again. Answers that have not arrived
   /// yet are ignored.
@@ -69,7 +69,8 @@ class PlanController : public QObject {
   };
   using Finish = std::function<Plan(Plan)>;
 
-  /// Makes the plan as soon as all processes have answered. `finish` can then still change it.
+  /// Makes the plan as soon as all processes have answered. Then calls `finish`, which may change
+  /// the plan.
   void plan(const SystemFile& wanted, const QString& goal, Finish finish);
   void show(Plan plan, const QString& goal);
   void recordStartedProcess();
@@ -79,14 +80,15 @@ class PlanController : public QObject {
   SystemReports& reports_;
   Phase phase_ = Phase::kIdle;
   QString goal_;
-  SystemFile wanted_;  // of the newest plan
+  SystemFile wanted_;  // the target of the newest plan
   Plan plan_;
-  std::shared_ptr<ClassQuery> question_;  // for the newest plan; null if no answer is missing
+  // The query for the newest plan; null if no answer is missing.
+  std::shared_ptr<ClassQuery> question_;
   std::vector<StepOutcome> outcomes_;
   PlanOutcome outcome_;
   std::optional<SystemFile> before_;
   std::optional<ExecutedPlan> to_undo_;      // the executed plan, while its undo is previewed
-  std::vector<PlanStep> started_processes_;  // processes started by that plan, with instances
+  std::vector<PlanStep> started_processes_;  // processes started by `to_undo_`, with instances
 };
 
 }  // namespace tendon::gui

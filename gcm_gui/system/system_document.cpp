@@ -18,7 +18,8 @@
 namespace tendon::gui {
 namespace {
 
-constexpr std::chrono::milliseconds kSoon{200};  // so that several changes are handled together
+// Several changes within this time are handled together.
+constexpr std::chrono::milliseconds kSoon{200};
 
 using Layout = std::map<std::string, SystemFile::Position>;
 
@@ -32,8 +33,8 @@ Layout LayoutFor(const SystemFile& file, Layout layout) {
   return layout;
 }
 
-/// Keeps the components and connections of the file that do not exist yet, if their process exists
-/// now.
+/// Keeps those components and connections of the file that do not exist yet, but whose process
+/// exists now.
 void KeepMissing(const SystemFile& former, RunningSystem& running) {
   const SystemIndex now(running.file);
   std::vector<SystemFile::Connection> connections;

@@ -22,8 +22,8 @@
 namespace tendon::gui {
 
 /// The system file of a window, and its differences from the running system. One thread reads and
-/// writes files, another one compares; all other work is done in the GUI thread. Before a file is
-/// written, the GCM is asked which processes it has started.
+/// writes files, another thread compares; all other work is done in the GUI thread. Before a file
+/// is written, the GCM is asked which processes it has started.
 class SystemDocument : public QObject {
   Q_OBJECT
 
@@ -55,8 +55,8 @@ class SystemDocument : public QObject {
   void importFrom(const QString& path, const QString& process);
   /// Reads a system file without making it the file of this window.
   void read(const QString& path, std::function<void(const Result<SystemFile>&)> done);
-  /// Saves the running system. Other contents of the file are kept and, in an imported file, also
-  /// the parts that do not run yet.
+  /// Saves the running system. All other contents of the file are kept. In an imported file, the
+  /// parts that do not run yet are kept, too.
   void save(const QString& path);
   /// Changes one item of the file to its running state. `what` names the item as in
   /// SystemDifference.
@@ -84,8 +84,8 @@ class SystemDocument : public QObject {
     message::Children children;
     QString note;
   };
-  /// Returns no value if the answer is any other error. Then nothing is written, and notice() is
-  /// emitted.
+  /// Returns the processes in `answer`. If the answer is an error other than an old GCM, emits
+  /// notice() and returns no value; the caller then writes nothing.
   std::optional<StartedProcesses> startedBy(const Result<message::Children>& answer);
   void write(const QString& path, const StartedProcesses& started);
   void writePart(const std::string& what, const StartedProcesses& started);

@@ -7,12 +7,12 @@
 
 namespace tendon::gui {
 
-/// Returns `base` with one item replaced by the item of `from`. If `from` does not have the item,
-/// it is removed. `what` names the item as in SystemDifference: "component robot/arm".
+/// Returns `base` with one item replaced by the same item of `from`. If `from` does not have the
+/// item, removes the item. `what` names the item as in SystemDifference: "component robot/arm".
 [[nodiscard]] SystemFile WithPartOf(SystemFile base, const SystemFile& from,
                                     const std::string& what);
 
-/// Returns the running system, including the connections of which the other interface does not
+/// Returns the running system. A connection is included even if one of its interfaces does not
 /// exist now.
 [[nodiscard]] SystemFile WholeSystem(const Catalogue& catalogue);
 

@@ -13,8 +13,8 @@
 namespace tendon::gui {
 namespace {
 
-// Returns the parsed drawing of this name and colour. All drawings are cached, because there are
-// only a few.
+// Returns the parsed drawing of this name and colour. There are only a few drawings, so all of them
+// are cached.
 QSvgRenderer& Drawing(const QString& name, const QColor& color) {
   static QHash<std::pair<QString, QRgb>, std::shared_ptr<QSvgRenderer>> drawings;
   auto& drawing = drawings[{name, color.rgb()}];

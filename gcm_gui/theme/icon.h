@@ -14,7 +14,7 @@ namespace tendon::gui {
 /// every scale and follows changes of the theme. A disabled icon has the colour kStale.
 [[nodiscard]] QIcon ThemeIcon(const QString& name, Token token = Token::kDim);
 
-/// Paints the same icon; used by delegates and scenes.
+/// Paints the icon of ThemeIcon(); used by delegates and scenes.
 void PaintIcon(QPainter& painter, const QRectF& rect, const QString& name, Token token);
 
 }  // namespace tendon::gui

@@ -19,7 +19,7 @@ constexpr auto kKey = "color-scheme";
 constexpr uint kPreferDark = 1;
 constexpr uint kPreferLight = 2;
 
-// Removes the variants around an answer; an older portal puts it into two of them.
+// Removes the variants around an answer. An older portal puts the answer into two variants.
 QVariant Unwrapped(QVariant value) {
   while (value.canConvert<QDBusVariant>()) value = value.value<QDBusVariant>().variant();
   return value;
@@ -33,7 +33,8 @@ Appearance OfPalette() {
 }  // namespace
 
 SystemAppearance::SystemAppearance(QObject* parent) : QObject(parent), appearance_(OfPalette()) {
-  // If the address of the bus is not set, Qt would start a bus, and this may take long.
+  // Does not ask if the address of the bus is not set: Qt would then start a bus, which may take
+  // long.
   if (!qEnvironmentVariableIsEmpty("DBUS_SESSION_BUS_ADDRESS")) askPortal();
 }
 

@@ -123,8 +123,8 @@ void TendonStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* op
     case PE_IndicatorBranch:
       return DrawBranchArrow(*option, *painter);
     case PE_FrameFocusRect:
-      // Item views draw the frame around whole rows themselves, and a user of the mouse needs no
-      // frame.
+      // Draws no frame in item views, because they draw the frame around whole rows themselves.
+      // Draws no frame either if the user works with the mouse.
       if (option->state.testFlag(State_KeyboardFocusChange) &&
           qobject_cast<const QAbstractItemView*>(widget) == nullptr) {
         DrawFocus(*option, *painter);

@@ -30,7 +30,7 @@ struct ColumnDefaults {
   int width;
   bool is_shown;
 };
-// There is no entry for the first column.
+// The array has no entry for the first column.
 constexpr std::array<ColumnDefaults, Model::kColumnCount - 1> kColumnDefaults{
     {{QT_TRANSLATE_NOOP("Words", "Column: state and value"), 96, true},
      {QT_TRANSLATE_NOOP("Words", "Column: rate"), 76, false},

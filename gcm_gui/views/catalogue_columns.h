@@ -49,7 +49,7 @@ class CatalogueColumns : public QObject {
   [[nodiscard]] bool isTable() const;
 
   RowView& tree_;
-  // These have no entry for the first column.
+  // The lists have no entry for the first column.
   QList<QAction*> actions_;
   QList<int> widths_;
   bool fitting_ = false;

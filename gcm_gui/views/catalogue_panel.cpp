@@ -86,7 +86,8 @@ CataloguePanel::CataloguePanel(CatalogueFilter& filter, Selection& selection, Si
 }
 
 void CataloguePanel::showCount() {
-  // Without a filter, counts items. A filter also finds numbers below columns, which are no items.
+  // Without a filter, counts items. With a filter, counts rows: a filter also finds numbers below
+  // columns, and these are no items.
   const int count = filter_.matchCount();
   const QString items =
       count == 0 ? QString() : CountText(count, Words::tr("%1 item"), Words::tr("%1 items"));
@@ -151,7 +152,7 @@ void CataloguePanel::focusFilter() {
 bool CataloguePanel::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride &&
       static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-    event->accept();  // so that the field is cleared, and not a command of the window called
+    event->accept();  // so that Escape clears the field and triggers no shortcut of the window
     return true;
   }
   if (event->type() == QEvent::KeyPress) {

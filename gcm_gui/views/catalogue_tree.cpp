@@ -49,8 +49,8 @@ void CatalogueTree::connectModel() {
   connect(model(), &QAbstractItemModel::dataChanged, this,
           [this](const QModelIndex&, const QModelIndex&, const QList<int>& roles) {
             viewport()->update();
-            // Without roles, more than values may have changed: rows may have returned with a lost
-            // process.
+            // A signal without roles means that not only values have changed: rows may have
+            // returned with a lost process.
             if (roles.isEmpty()) settle_.start();
           });
   connect(&filter_, &CatalogueFilter::filterApplied, this, &CatalogueTree::applyFilter);
@@ -103,7 +103,7 @@ void CatalogueTree::applyFilter() {
   settle_.start();
 }
 
-/// Opens no menu on an empty part, because no selected item is under the pointer there.
+/// Opens no menu on an empty part of the view, because no selected item is under the pointer there.
 void CatalogueTree::contextMenuEvent(QContextMenuEvent* event) {
   const bool is_by_key = event->reason() == QContextMenuEvent::Keyboard;
   if (!is_by_key && !indexAt(event->pos()).isValid()) return;

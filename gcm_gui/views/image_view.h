@@ -13,9 +13,9 @@ class QLabel;
 
 namespace tendon::gui {
 
-/// Shows a picture as large as possible, with a caption; if there is no picture, shows the reason.
-/// Pictures are prepared in another thread. The newest picture is prepared first, and older ones
-/// are skipped.
+/// Shows a picture as large as possible, with a caption. If there is no picture, shows the reason.
+/// Pictures are prepared in another thread. If several pictures wait, only the newest one is
+/// prepared.
 class ImageView : public QWidget {
   Q_OBJECT
 

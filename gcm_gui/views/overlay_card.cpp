@@ -107,7 +107,8 @@ bool OverlayCard::eventFilter(QObject* watched, QEvent* event) {
 bool OverlayCard::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride &&
       IsOwnKey(static_cast<QKeyEvent*>(event)->key())) {
-    event->accept();  // so that the card handles the key, and not a command of the window
+    // The card handles the key, so no shortcut of the window may be triggered.
+    event->accept();
     return true;
   }
   return QFrame::event(event);

@@ -11,7 +11,7 @@ namespace tendon::gui {
 class HeaderRow;
 
 /// A card over the lower part of a widget, as high as its contents. It is not modal: the user can
-/// still use the rest of the window. Escape closes the card and restores the former focus.
+/// still use the rest of the window. Escape closes the card and restores the previous focus.
 class OverlayCard : public QFrame {
   Q_OBJECT
 
@@ -37,7 +37,7 @@ class OverlayCard : public QFrame {
   void open();
   /// Called when the user presses Enter and the focused widget does not use Enter itself.
   virtual void enter() {}
-  /// Changes the height of the card to that of its contents.
+  /// Changes the height of the card to the height of its contents.
   void fit();
 
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -236,7 +236,7 @@ Result<QImage> Draw(const RawImage& picture) {
   const std::uint64_t row = picture.width * known->bytes;
   const std::uint64_t step = picture.step == 0 ? row : picture.step;
   if (step < row) {
-    return Wrong(Words::tr("a row of %1 pixels in %2 needs %3 bytes, but step is %4")
+    return Wrong(Words::tr("a row of %1 pixels in %2 needs %3 bytes, but the field step is %4")
                      .arg(picture.width)
                      .arg(picture.encoding)
                      .arg(row)

@@ -31,7 +31,8 @@ inline constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 25U;
 
 /// Returns true if values of this type are pictures.
 [[nodiscard]] bool DescribesImage(const Schema& schema);
-/// Returns the picture in a value of such a type; empty if the bytes are not a value of this type.
+/// Returns the picture in a value of a type that DescribesImage(); empty if the bytes are not a
+/// value of this type.
 [[nodiscard]] std::optional<RawImage> RawImageOf(const Schema& schema,
                                                  std::span<const std::byte> body);
 

@@ -32,8 +32,8 @@ class RowDelegate : public QStyledItemDelegate {
  private:
   /// In a row that also shows its value, returns the width in pixels that is reserved for the name.
   [[nodiscard]] int roomForName(const QRect& rect, const QModelIndex& index) const;
-  // Both functions return the remaining part of `rect`. paintValue() reserves at least `name`
-  // pixels for the name.
+  // paintValue() and paintName() return the part of `rect` that is still free. paintValue()
+  // reserves at least `name` pixels for the name.
   QRect paintValue(QPainter& painter, QRect rect, const QModelIndex& index, int name) const;
   QRect paintName(QPainter& painter, QRect rect, const QModelIndex& index) const;
   /// Paints the trend at a fixed position, so that all trends are aligned. Paints nothing if this

@@ -30,8 +30,8 @@ RowView::RowView(QWidget* parent) : QTreeView(parent), delegate_(new RowDelegate
   header()->setStretchLastSection(false);
   header()->setMinimumSectionSize(kRowHeight);
   connect(&Theme::instance(), &Theme::changed, viewport(), qOverload<>(&QWidget::update));
-  // If the current row is not visible, the frame is drawn around all rows. This frame must not
-  // scroll, so everything is painted again.
+  // If the current row is not visible, the focus frame is drawn around all rows. Scrolling must not
+  // move this frame, so the whole view is painted again.
   connect(verticalScrollBar(), &QScrollBar::valueChanged, viewport(),
           qOverload<>(&QWidget::update));
 }
@@ -87,7 +87,7 @@ void RowView::paintEvent(QPaintEvent* event) {
 
 void RowView::currentChanged(const QModelIndex& current, const QModelIndex& previous) {
   QTreeView::currentChanged(current, previous);
-  viewport()->update();  // because the frame of the focus is as wide as the view
+  viewport()->update();  // because the focus frame is as wide as the view
 }
 
 RowView* MakeRowList(QAbstractItemModel& model, const QString& name, const QString& title,

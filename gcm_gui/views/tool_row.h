@@ -13,7 +13,7 @@ namespace tendon::gui {
 [[nodiscard]] QWidget* MakeToolRow(std::initializer_list<QWidget*> left,
                                    std::initializer_list<QWidget*> right);
 
-/// Makes a label for a remark in dim text, for such a row.
+/// Makes a label for a remark in dim text, for a row of tools.
 [[nodiscard]] QLabel* MakeNote(const QString& name);
 
 }  // namespace tendon::gui

@@ -7,7 +7,7 @@
 
 namespace tendon::gui {
 
-/// A command that a program has sent to a component, as logged by the process of the component.
+/// A command that a program has sent to a component. The process of the component has logged it.
 struct SentCommand {
   QString path;  ///< "robot/arm/Control.MoveTo"
   QString who;   ///< name, role and address of that program

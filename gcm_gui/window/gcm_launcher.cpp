@@ -14,9 +14,9 @@ void GcmLauncher::start() {
   const QStringList words = command_.mid(1) + QStringList{QStringLiteral("--gcm"), link_.address(),
                                                           QStringLiteral("serve")};
   const bool is_started = QProcess::startDetached(program, words);
-  Q_EMIT notice(is_started
-                    ? Words::tr("Starting a GCM; it keeps running when this window is closed")
-                    : Words::tr("%1 could not be started").arg(program));
+  Q_EMIT notice(
+      is_started ? Words::tr("Starting a GCM; it keeps running when this window is closed")
+                 : Words::tr("%1 could not be started: check that it is installed").arg(program));
 }
 
 }  // namespace tendon::gui

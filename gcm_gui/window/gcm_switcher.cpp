@@ -17,7 +17,7 @@ QStringList ArgumentsFor(const QStringList& mine, const QString& address) {
                                   QStringLiteral("--insecure")};
   QStringList arguments;
   for (qsizetype i = 0; i < mine.size() && mine[i] != QStringLiteral("--"); ++i) {
-    if (!mine[i].startsWith(QStringLiteral("--"))) continue;  // the system file
+    if (!mine[i].startsWith(QStringLiteral("--"))) continue;  // skips the system file
     const bool is_kept = !own.contains(mine[i].section('=', 0, 0));
     if (is_kept) arguments.append(mine[i]);
     if (mine[i].contains('=') || without_value.contains(mine[i])) continue;
@@ -49,14 +49,16 @@ void GcmSwitcher::goTo(const QString& address) {
   if (wanted.isEmpty()) return;
   const QStringList mine = QCoreApplication::arguments().mid(1);
   if (!launch_(ArgumentsFor(mine, wanted))) {
-    return Q_EMIT notice(Words::tr("Another window could not be started"));
+    return Q_EMIT notice(
+        Words::tr("Another window could not be started; type in a terminal: gcm-gui --gcm %1")
+            .arg(wanted));
   }
   if (!link_.isHosted()) {
     window_.close();
     return;
   }
   Q_EMIT notice(
-      Words::tr("%1 is shown in another window; this window hosts a GCM, so it stays open")
+      Words::tr("%1 is shown in another window; this window stays open, because it hosts a GCM")
           .arg(wanted));
 }
 

@@ -133,7 +133,8 @@ void MainWindow::connectExceptionGuard() {
             .arg(fault.view, fault.what)
             .arg(fault.count)
             .toStdString());
-    // The fault is listed in Problems, and the notice of the user's action may be more useful.
+    // An uncovered fault is only listed in Problems: the present notice about the user's action may
+    // be more useful.
     if (!fault.is_covered) return;
     notice_->showNotice(Words::tr("%1 had an error: see Problems").arg(fault.view));
   });
@@ -478,7 +479,7 @@ void MainWindow::tick() {
   set_now(*scene_);
   set_now(*top_bar_);
   set_now(*lost_);
-  // Updates the faults, because old ones disappear after a while.
+  // Updates the list of faults, because old faults disappear after a while.
   ExceptionGuard::run(&problems_, ViewWork::kHandling,
                       [this] { problems_.showFaults(ExceptionGuard::instance().faults()); });
   ExceptionGuard::instance().reportCountedFaults();

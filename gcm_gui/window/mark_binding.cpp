@@ -94,8 +94,8 @@ void MarkBinding::markEvent(const EventRecord& event) {
                   .text = text});
 }
 
-// Marks the commands of other programs. They are found in the audit log of the processes that
-// received them. Records from before the first subscription to the log are ignored.
+// Marks the commands of other programs. The process that receives a command reports it in its audit
+// log. Records from before the first subscription to the log are ignored.
 void MarkBinding::markLog(const LogBatch& batch) {
   const bool is_new = std::exchange(log_is_current_, log_is_current_ || batch.is_current);
   if (!is_new) return;
@@ -126,8 +126,8 @@ bool MarkBinding::isRead(const QString& path) const {
   return kind == CommandKind::kRead || kind == CommandKind::kQualifiedRead;
 }
 
-// A call of this window is marked when its answer arrives. It is in the activity list before it is
-// sent, so it can be found there.
+// A call of this window is marked when its answer arrives. The call is in the activity list before
+// it is sent, so this function finds it there.
 bool MarkBinding::isOwnCall(const QString& path) const {
   const int newest = std::min(activity_.rowCount(), kOwnCalls);
   for (int row = 0; row < newest; ++row) {
@@ -140,7 +140,7 @@ bool MarkBinding::isOwnCall(const QString& path) const {
   return false;
 }
 
-// Changes of connections and components are not marked here but in compare(), from the catalogue,
+// Does not mark changes of connections and components. compare() marks these from the catalogue,
 // whoever made them.
 void MarkBinding::markAction(const Action& action) {
   const bool is_call = action.verb == Action::Verb::kCall;
@@ -160,7 +160,8 @@ void MarkBinding::markAction(const Action& action) {
 void MarkBinding::compare(const Catalogue& catalogue, const ChangedParts& touched) {
   for (const ChangedPart& part : touched) {
     compareProcess(catalogue, part.process);
-    // Connections come before the components, because a component that is not known yet is new.
+    // Compares the connections first: connections of an unknown component are not marked, and
+    // compareComponent() makes the component known.
     compareConnections(catalogue, part);
     const ProcessEntry* entry = catalogue.FindProcess(part.process);
     if (entry != nullptr) {

@@ -23,8 +23,8 @@ class PlotPanel;
 /// processes lost and returned. The cause of a change does not matter. The first known state is not
 /// marked.
 ///
-/// Also marks the events of components that are plotted. It does not subscribe to the events of
-/// other components, and to no events while marks are hidden. GUI thread.
+/// Also marks the events of the plotted components. Does not subscribe to the events of other
+/// components. Subscribes to no events while marks are hidden. GUI thread.
 class MarkBinding : public QObject {
   Q_OBJECT
 
@@ -32,8 +32,8 @@ class MarkBinding : public QObject {
   /// The maximum number of components whose events are subscribed at once, in the order of
   /// plotting.
   static constexpr qsizetype kMostListenedTo = 32;
-  /// An event that follows a marked event of the same path within this time gets no mark of its
-  /// own. It is counted in the next mark.
+  /// The minimum time between two marked events of the same path. An event that comes earlier is
+  /// only counted in the next mark.
   static constexpr std::int64_t kEventPauseNs = 50'000'000;
 
   /// All arguments must outlive this object.

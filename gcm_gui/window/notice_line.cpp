@@ -41,7 +41,7 @@ void NoticeLine::showNotice(const QString& text) {
 }
 
 void NoticeLine::onActionFinished(const Action& finished) {
-  if (finished.verb == Action::Verb::kRecord) return;  // has a line of its own
+  if (finished.verb == Action::Verb::kRecord) return;  // the recording has its own line
   if (finished.outcome == Action::Outcome::kRefused) return showNotice(finished.refusal);
   const QString time = DurationText(finished.seconds);
   switch (finished.verb) {
@@ -68,7 +68,7 @@ void NoticeLine::onActionFinished(const Action& finished) {
           Words::tr("%1 logs %2 and above").arg(ToQString(finished.process), finished.argument));
     case Action::Verb::kApply:
     case Action::Verb::kRecord:
-      return;  // shown on its own page
+      return;  // the plan has its own page
   }
 }
 

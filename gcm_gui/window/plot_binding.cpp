@@ -28,8 +28,8 @@ PlotBinding::PlotBinding(PlotPanel& panel, SignalSource& source, const Catalogue
 
 void PlotBinding::showStale(const QString& path, const QString& reason) {
   const CatalogueItem* process = model_.item(model_.indexOf(path.section('/', 0, 0)));
-  // If the process is lost, no reason is given: the loss is reported elsewhere, and the legend says
-  // for which rows the curve waits.
+  // If the process is lost, gives no reason. The loss is reported elsewhere, and the legend shows
+  // the rows for which the curve waits.
   const bool gone = process == nullptr || process->gone;
   panel_.setStale(path, gone ? QString() : reason);
 }
@@ -64,13 +64,13 @@ void PlotBinding::plot(const QString& path) {
   const CatalogueItem* item = model_.item(model_.indexOf(path));
   if (item == nullptr) return;
   if (item->kind < ItemKind::kColumn || keys.isEmpty()) {
-    Q_EMIT notice(path + Words::tr(" is not a number; select a column or a value of a state "
-                                   "table to plot it"));
+    Q_EMIT notice(path + Words::tr(" cannot be plotted, because it is not a number; select a "
+                                   "column or a value of a state table"));
     return;
   }
   for (const CurveKey& key : keys.mid(0, kMostAtOnce)) panel_.addSignal(key.path, key.unit);
   if (keys.size() > kMostAtOnce) {
-    Q_EMIT notice(Words::tr("The first %1 of %2 numbers are plotted; select those you need")
+    Q_EMIT notice(Words::tr("The first %1 of %2 numbers are plotted; select fewer numbers")
                       .arg(kMostAtOnce)
                       .arg(keys.size()));
   }

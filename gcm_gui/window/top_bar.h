@@ -25,12 +25,12 @@ class TopBar : public QFrame {
   [[nodiscard]] QString linkText() const;
   /// Adds the menus to the right of the logo. Takes ownership.
   void addMenus(QWidget* menus);
-  /// To the left of the button for pausing; takes ownership.
+  /// Adds the button to the left of the pause button. Takes ownership.
   void addRecordButton(RecordButton* button);
   /// The rightmost button, the last one in the tab order of the bar.
   [[nodiscard]] QPushButton& lastButton() const { return *theme_; }
 
-  /// With icons only.
+  /// Returns the size that the bar needs when it shows only icons.
   [[nodiscard]] QSize minimumSizeHint() const override;
 
  public Q_SLOTS:

@@ -8,7 +8,7 @@ namespace tendon::gui {
 bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
   if (depth_ > 0 && event->type() == QEvent::Paint) return paint(receiver, event);
   if (depth_ > 0) return GuardedApplication::notify(receiver, event);
-  // The classes are read before the event is handled, because both objects may be destroyed by it.
+  // Reads the class names before the event is handled, because the event may destroy both objects.
   const char* receiver_class = receiver->metaObject()->className();
   const QObject* owner = receiver->parent();
   const char* owner_class = owner == nullptr ? "" : owner->metaObject()->className();
@@ -44,7 +44,7 @@ bool WatchedApplication::paint(QObject* receiver, QEvent* event) {
   const std::int64_t before = os::ThreadWaits();
   const std::int64_t waits_so_far = painting_waits_;
   const bool handled = GuardedApplication::notify(receiver, event);
-  // This includes the waits of nested paint events.
+  // The difference includes the waits of nested paint events.
   painting_waits_ = waits_so_far + os::ThreadWaits() - before;
   return handled;
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""architecture.py ROOT: checks that the source tree keeps the architecture it shows.
+"""architecture.py ROOT: checks that the source tree follows the rules of its architecture.
 
 A rule is a function that takes a file and yields its violations as (line number, sentence); rules of folders take the
 folder and its files, rules of the tree all files. They read text, not C++: includes, macros, sizes.
@@ -15,7 +15,7 @@ from pathlib import Path, PurePosixPath
 
 MAX_FUNCTION_LINES = 60
 
-# Folders of core/tendon from the bottom up. A folder may include those of the rows below its own.
+# Folders of core/tendon, the lowest row first. A folder may include folders of lower rows.
 CORE_ROWS = (("base",), ("lockfree", "payload"), ("state",), ("interface",), ("task",), ("manager",))
 NETWORK_ROWS = (("security",), ("middleware",), ("proxy",), ("process",), ("gcm",), ("recording",))
 ROWS = (*CORE_ROWS, *NETWORK_ROWS, ("ice",))
@@ -60,7 +60,7 @@ FUNCTION_NAME = re.compile(r"(?:^|[\s&*>])(?!operator$)(\w*[a-z]\w*)$")
 LISTS_SOURCES = re.compile(r"^\s*(?:add_library|add_executable|target_sources|tendon_test|tendon_component)"
                            r"\(\s*([\w-]+)([^()]*)\)", re.M)
 FILE_SET = re.compile(r"FILE_SET (\w+) (?:TYPE HEADERS )?BASE_DIRS \S+\s+FILES\s+((?:[\w/]+\.h\s*)+)")
-# The page with a table of all folders, below headings that name what the folders are in: ### The window: `gcm_gui`.
+# The page with tables of all folders. A heading such as "### The window: `gcm_gui`" names the parent of the folders.
 FOLDER_PAGE = "docs/architecture.md"
 DESCRIBED = ("core/tendon", "gcm_gui", "gcm_console")
 NAMES_PARENT = re.compile(r"### .*`([\w/]+)`$")
@@ -70,7 +70,7 @@ NAMES_FOLDER = re.compile(r"\| `([\w/]+)` \|")
 TEST_PAGE = "tests/README.md"
 MIRRORED = (*DESCRIBED, "lcm", "program")
 
-# The folders whose tests have plain names, and a name that begins like a riddle.
+# The folders in which test names must not begin like a question.
 PLAIN_TESTS = ("tests",)
 RIDDLE = re.compile(r"^(?:TEST|TEST_F|TEST_P|TYPED_TEST)"
                     r"\(\s*\w+,\s*((?:What|Who|Whoever|Whom|Whose|Which|That)[A-Z]\w*)", re.M)
@@ -80,15 +80,15 @@ LEFT_OVER = re.compile(r"\b(TO[D]O|FIX[M]E|HAC[K]|XX[X])\b")
 CODE = {".h", ".cpp"}
 SCRIPTS = {".py", ".cmake", ".sh"}
 TEXT = CODE | SCRIPTS | {".ice", ".md"}
-MAX_COLUMNS = 120  # of scripts; clang-format sees to the code
+MAX_COLUMNS = 120  # of scripts; clang-format limits the columns of C++ code
 SKIPPED = {"build", "resources", "__pycache__"}
 
 
 @dataclass(frozen=True)
 class Include:
     line: int
-    name: str  # as written
-    target: str  # a path from the root where it is a file of ours, else the name
+    name: str  # the name as written in the #include
+    target: str  # the path from the root for a file of this tree, otherwise the name
 
     def is_of(self, part):
         return self.target.startswith(part + "/")
@@ -97,7 +97,7 @@ class Include:
 class SourceFile:
     def __init__(self, root, path):
         self.root = root
-        self.path = path  # from the root, with slashes
+        self.path = path  # relative to the root
         self.name = PurePosixPath(path).name
         self.suffix = PurePosixPath(path).suffix
         self.part = path.split("/")[0]
@@ -122,7 +122,7 @@ class SourceFile:
     def core_folder(self):
         """`state` for core/tendon/state/column.h, None outside of core/tendon."""
         if self.path == ALL_OF_CORE:
-            return "manager"  # the highest one that it includes
+            return "manager"  # the highest layer that it includes
         return self.path.split("/")[2] if self.is_under("core/tendon") else None
 
     @cached_property
@@ -253,10 +253,10 @@ def scripts_are_narrow(file):
 
 
 def functions_are_short(file):
-    """Relies on clang-format: a body ends at the first brace in the column where its signature begins."""
+    """Functions have at most 60 lines. Relies on clang-format, which puts the closing brace below the signature."""
     if not file.is_code:
         return
-    head, end = 1, None  # where the current statement begins; what ends the current function
+    head, end = 1, None  # the first line of the statement; the line that ends the function
     for number, line in enumerate(file.lines, 1):
         if end is not None:
             if line.startswith(end):
@@ -271,8 +271,8 @@ def functions_are_short(file):
 
 
 def types_have_names_of_their_own(files):
-    """Two types of one name in one program are undefined behaviour that no linker reports. Relies on clang-format:
-    what is in a namespace begins in the first column."""
+    """Two types of the same name in one program are undefined behaviour, which no linker reports. Relies on
+    clang-format, which begins definitions of a namespace in the first column."""
     seen = {}
     for file in files:
         if not file.is_code:
@@ -284,8 +284,8 @@ def types_have_names_of_their_own(files):
 
 
 def joined_sources_share_no_names(files):
-    """Sources of core are compiled several at a time, so what is private to one is seen by the next. Two aliases for
-    the same are one."""
+    """Several sources of core are compiled together, so a source sees the private names of others. Equal aliases are
+    allowed."""
     seen = {}
     for file in files:
         if file.core_folder is None or file.suffix != ".cpp":
@@ -298,16 +298,16 @@ def joined_sources_share_no_names(files):
 
 
 def helpers_hide_no_declared_functions(files):
-    """Sources of a target are compiled several at a time, so what is private to one is seen by the next. There it is
-    taken instead of a function that a header declares in the same namespace or in one around it, and no compiler
-    says so."""
+    """Several sources of a target are compiled together, so a source sees the private functions of others. It would
+    call such a function instead of one that a header declares in the same namespace or in an enclosing one, without
+    a warning."""
     by_path = {file.path: file for file in files if file.is_code}
     declared = {path: list(functions_of(file.lines)) for path, file in by_path.items() if file.suffix == ".h"}
     reported = set()
     for sources in sources_of_targets(files).values():
         if len(sources) < 2:
             continue
-        functions = {}  # by name
+        functions = {}  # namespaces and places, by name
         for path in reachable(sources, by_path):
             for number, namespaces, name in declared.get(path, ()):
                 functions.setdefault(name, []).append((namespaces, f"{path}:{number}"))
@@ -321,8 +321,8 @@ def helpers_hide_no_declared_functions(files):
 
 
 def folders_of_a_layer_have_no_cycle(files):
-    """The folders below a layer have an order, too. The files in the layer's own folder may include all of them, and
-    all of them those files."""
+    """The folders below a layer must not include each other in a cycle. Files directly in the folder of the layer are
+    exempt."""
     includes = [(file, include, folder_of_layer(file.path), folder_of_layer(include.target))
                 for file in files for include in file.includes]
     includes = [(file, include, above, below) for file, include, above, below in includes
@@ -337,13 +337,13 @@ def folders_of_a_layer_have_no_cycle(files):
 
 
 def folder_of_layer(path):
-    """`gcm/lifecycle` for core/tendon/gcm/lifecycle/a.h, None for a file that is in no folder below a layer."""
+    """`gcm/lifecycle` for core/tendon/gcm/lifecycle/a.h. None for a file that is not in a folder below a layer."""
     parts = path.split("/")
     return "/".join(parts[2:4]) if parts[:2] == ["core", "tendon"] and len(parts) > 4 else None
 
 
 def all_below(folder, below_of):
-    """The folders that a folder includes, itself or through others."""
+    """The folders that a folder includes, directly or through other folders."""
     seen, waiting = set(), [folder]
     while waiting:
         found = below_of.get(waiting.pop(), set()) - seen
@@ -353,7 +353,7 @@ def all_below(folder, below_of):
 
 
 def installed_headers_include_no_internal_ones(files):
-    """A header in the file set HEADERS is installed; a user's compiler must find whatever it includes."""
+    """A header in the file set HEADERS is installed. Each header of Tendon that it includes must be installed, too."""
     installed = {path for file_set, path in file_sets_of_core(files) if file_set == "HEADERS"}
     for file in files:
         if file.path not in installed:
@@ -382,7 +382,7 @@ def file_sets_of_core(files):
 
 
 def folders_are_built(files):
-    """A folder that the one above forgets is a library that is missing, or a test that never runs."""
+    """A parent folder must add each folder with a CMakeLists.txt, or a library is missing or a test never runs."""
     lists = {str(PurePosixPath(file.path).parent): "\n".join(file.lines) for file in files
              if file.name == "CMakeLists.txt"}
     for folder, text in lists.items():
@@ -395,7 +395,7 @@ def folders_are_built(files):
 
 
 def folders_are_described(files):
-    """Each folder of the code has a line in the page, and each line has a folder."""
+    """Each folder with code has a line in FOLDER_PAGE, and each line has a folder."""
     page = next((file for file in files if file.path == FOLDER_PAGE), None)
     if page is None:
         return
@@ -414,7 +414,7 @@ def folders_are_described(files):
             seen.add(folder)
     for folder in sorted(folders - seen):
         if any(folder.startswith(above + "/") for above in DESCRIBED):
-            yield f"{page.path}:1: {folder} has no line; say what belongs there"
+            yield f"{page.path}:1: {folder} has no line; add a line that says what belongs there"
 
 
 def readme_names_the_layers(files):
@@ -434,7 +434,7 @@ def readme_names_the_layers(files):
 
 
 def tests_mirror_the_code(files):
-    """The tests of core/tendon/state are in tests/core/state. The page names the folders without a counterpart."""
+    """Tests of core/tendon/state are in tests/core/state. TEST_PAGE names the folders without a counterpart."""
     page = next((file for file in files if file.path == TEST_PAGE), None)
     if page is None:
         return
@@ -453,11 +453,11 @@ def tests_mirror_the_code(files):
             continue
         above = {folder, *map(str, PurePosixPath(folder).parents)}
         if twin not in known and not above & named.keys():
-            yield f"{page.path}:1: {folder} has no counterpart, {twin}; move it, or say here why"
+            yield f"{page.path}:1: {folder} has no counterpart, {twin}; move it, or name it here with the reason"
 
 
 def sources_of_targets(files):
-    """The .cpp files that the CMakeLists.txt name, by the target."""
+    """The .cpp files of each target in all CMakeLists.txt."""
     known = {file.path for file in files if file.suffix == ".cpp"}
     targets = {}
     for file in files:
@@ -472,7 +472,7 @@ def sources_of_targets(files):
 
 
 def reachable(sources, by_path):
-    """The sources and all files that they include."""
+    """The sources, and all files that they include directly or through others."""
     seen, waiting = set(), list(sources)
     while waiting:
         path = waiting.pop()
@@ -483,14 +483,14 @@ def reachable(sources, by_path):
 
 
 def functions_of(lines):
-    """The functions of namespaces: line number, the named namespaces around, name."""
+    """Yields the functions of named namespaces: line number, enclosing namespaces, name."""
     for number, namespaces, line in in_namespaces(lines):
         if all(namespaces) and (name := function_name(line)):
             yield number, names_in(namespaces), name
 
 
 def helpers_of(lines):
-    """The functions, constants, types and aliases of unnamed namespaces, in the same form."""
+    """Yields the functions, constants, types and aliases of unnamed namespaces, in the form of functions_of()."""
     for number, namespaces, line in in_namespaces(lines):
         if not namespaces[-1]:
             match = PRIVATE_NAME.match(line)
@@ -500,12 +500,12 @@ def helpers_of(lines):
 
 
 def names_in(namespaces):
-    """("a::b", "") is a, b."""
+    """Splits ("a::b", "") into ("a", "b")."""
     return tuple(name for one in namespaces for name in one.split("::") if name)
 
 
 def function_name(line):
-    """The name of the function whose declaration begins in this line; None if none does."""
+    """The name of the function whose declaration begins in this line; None if there is none."""
     if NO_NAMED_FUNCTION.match(line) or "(" not in line:
         return None
     line = line.replace("decltype(auto)", "auto")
@@ -517,7 +517,8 @@ def function_name(line):
 
 
 def private_names_of(lines):
-    """Constants, types and aliases of unnamed namespaces: line number, namespace around, name, and an alias' text."""
+    """Yields constants, types and aliases of unnamed namespaces: line number, enclosing namespace, name, and a text.
+    Only equal aliases have equal texts."""
     for number, namespaces, line in in_namespaces(lines):
         if not namespaces[-1] and (match := PRIVATE_NAME.match(line)):
             name = next(group for group in match.groups() if group)
@@ -525,14 +526,14 @@ def private_names_of(lines):
 
 
 def types_of(lines):
-    """The types of named namespaces, with the lines that define them."""
+    """Yields the types of named namespaces: line number, name."""
     for number, namespaces, line in in_namespaces(lines):
         if all(namespaces) and (match := DEFINES_TYPE.match(line)):
             yield number, "::".join((*namespaces, match[1]))
 
 
 def in_namespaces(lines):
-    """Each line within a namespace: its number, the namespaces around it from the outside, its text."""
+    """Yields each line in a namespace: number, enclosing namespaces (the outermost first), text."""
     namespaces = []
     for number, line in enumerate(lines, 1):
         if match := OPENS_NAMESPACE.match(line):
@@ -555,7 +556,7 @@ TREE_RULES = (types_have_names_of_their_own, joined_sources_share_no_names, help
 
 
 def folders_of(root):
-    """Yields each folder of the tree with its files; build trees, hidden folders and resources are left out."""
+    """Yields each folder of the tree with its files, except for build trees, hidden folders and resources."""
     for current, folders, files in os.walk(root):
         folders[:] = sorted(f for f in folders if f not in SKIPPED and (f[0] != "." or f == ".ci"))
         yield Path(current).relative_to(root).as_posix(), sorted(files)

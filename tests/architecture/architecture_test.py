@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Shows, on small trees made for it, what each rule of architecture.py catches and what it lets pass."""
+"""Tests each rule of architecture.py with small trees that break the rule, and with trees that follow it."""
 
 import tempfile
 import unittest
@@ -7,7 +7,7 @@ from pathlib import Path
 
 import architecture
 
-# A word that must not occur in this file either.
+# The word is put together here because the rule also checks this file.
 LEFT_OVER = "TO" + "DO"
 
 
@@ -28,7 +28,7 @@ def builds(*names):
 
 
 def function(lines, indent=""):
-    """A function of that many lines, its signature being two of them."""
+    """A function of this number of lines, with a signature of two lines."""
     text = ["Result<int> Run(int first,", "                int last) {", *["  Step();"] * (lines - 3), "}"]
     return "".join(f"{indent}{line}\n" for line in text)
 
@@ -42,7 +42,7 @@ def describes(*folders):
     return f"### The window: `gcm_gui`\n| folder | it holds |\n|---|---|\n{rows}"
 
 
-# For each rule: trees that break it, each with the place and a part of the sentence, and trees that keep it.
+# For each rule, the trees that break it. Each tree comes with the place and a part of the message.
 BROKEN = {
     "ice_stays_in_its_folder": [
         ({"lcm/main.cpp": include("string", "Ice/Ice.h")}, "lcm/main.cpp:3", "core/tendon/ice alone"),
@@ -260,7 +260,7 @@ KEPT = {
          "core/tendon/gcm/c.cpp": in_namespace("namespace {\nclass A {\n};\n}  // namespace")},
     ],
     "helpers_hide_no_declared_functions": [
-        # In another target, in a separate namespace, in a class, and in a header that no source here includes.
+        # Functions of another target, of a separate namespace, of a class, and of a header that no source includes.
         {"lcm/CMakeLists.txt": builds("a.cpp", "b.cpp") + "add_library(other c.cpp d.cpp)  # b.cpp\n",
          "lcm/a.cpp": include("lcm/a.h"), "lcm/c.cpp": include("lcm/words.h"), "lcm/d.cpp": "",
          "lcm/a.h": in_namespace("namespace os {\nvoid Quoted(int word);\n}  // namespace os",

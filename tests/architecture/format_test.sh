@@ -1,4 +1,4 @@
 #!/usr/bin/env bash
-# format_test.sh ROOT: every header and source file is as clang-format leaves it. Exit code 77, which skips the test,
-# where that program is missing or formats differently.
+# format_test.sh ROOT: checks that clang-format would change no header and no source file. The exit code is 77, which
+# skips the test, if clang-format is missing or has another version.
 exec "$1/tools/format" --all --check

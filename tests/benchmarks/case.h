@@ -19,17 +19,18 @@ struct Effort {
   }
 };
 
-/// The result of one repetition: our time and the floor's, measured directly after each other for
-/// some milliseconds each. Smaller is better; only a throughput without a floor is itself `ours`.
+/// The result of one repetition: the time of Tendon (`ours`) and the time of the floor. Both are
+/// measured one directly after the other, for some milliseconds each. Smaller is better. For a
+/// throughput without a floor, `ours` is the throughput.
 struct Pair {
   double ours = 0;
-  std::optional<double> floor;  ///< nothing where the goal is a number of its own
-  bool is_disturbed = false;    ///< other programs took processor time away from it
+  std::optional<double> floor;  ///< empty if the goal is an absolute number
+  bool is_disturbed = false;    ///< other programs used the processor during the measurement
 };
 
 enum class Ratio {
   kOfTimes,        ///< ours / floor; at most the gate
-  kOfThroughputs,  ///< the other way round; at least the gate
+  kOfThroughputs,  ///< floor / ours; at least the gate
 };
 
 /// One line of the report.
@@ -38,9 +39,10 @@ struct Case {
   std::string what;
   std::string unit = "ns";
   Ratio ratio = Ratio::kOfTimes;
-  std::optional<double> gate;                       ///< without one it is only reported
-  std::optional<double> stretch;                    ///< where we go next
-  std::function<std::optional<Pair>()> repetition;  ///< nothing where this machine cannot tell
+  std::optional<double> gate;     ///< if empty, the case is only reported
+  std::optional<double> stretch;  ///< the goal for later
+  /// returns no value if this machine cannot measure the case
+  std::function<std::optional<Pair>()> repetition;
   bool runs_once = false;
 };
 
@@ -51,10 +53,11 @@ struct Outcome {
   std::optional<double> floor;
   double ratio = 0;
   int pairs = 0;
-  int disturbed = 0;  ///< of them; left out of the medians if there are enough others
+  /// Number of disturbed pairs; the medians ignore them if there are enough other pairs.
+  int disturbed = 0;
 };
 
-// The cases, by what they are about.
+// The cases, by subject.
 std::vector<Case> QueueCases(const Effort& effort);
 std::vector<Case> WaitingCases(const Effort& effort);
 std::vector<Case> TableCases(const Effort& effort);
@@ -62,7 +65,7 @@ std::vector<Case> PeriodCases(const Effort& effort);
 std::vector<Case> RecordingCases(const Effort& effort);
 /// The cases between two processes; none in a build without Ice.
 std::vector<Case> NetworkCases(const Effort& effort);
-/// The cases of the window; none in a build without it.
+/// The cases of the window; none in a build without the window.
 std::vector<Case> PlotCases(const Effort& effort);
 std::vector<Case> WindowCases(const Effort& effort);
 

@@ -12,7 +12,8 @@
 #include <cstring>
 #include <thread>
 
-/// The simplest code that does the same job without our guarantees; our code is compared with it.
+/// The simplest code that does the same job without the guarantees of Tendon. The benchmarks
+/// compare Tendon with it.
 namespace tendon::benchmark {
 
 using Message = std::array<double, 8>;  // 64 bytes
@@ -25,8 +26,8 @@ struct BoostRing {
   bool Pop(Message& message) { return ring.pop(message); }
 };
 
-/// One value behind a sequence number, copied as a whole. Fast, but a data race by the rules of
-/// C++.
+/// A value and a sequence number; the value is copied as a whole. Fast, but a data race by the
+/// rules of C++.
 template <typename T>
 class Seqlock {
  public:

@@ -28,7 +28,7 @@ std::vector<Case> AllCases(const Effort& effort) {
   return all;
 }
 
-/// Those named, in the order of the table.
+/// Returns the cases with these ids, in the order of the table.
 std::vector<Case> Choose(std::vector<Case> cases, const std::vector<std::string>& ids) {
   std::string known;
   for (const Case& one : cases) known += (known.empty() ? "" : ", ") + one.id;
@@ -43,7 +43,7 @@ std::vector<Case> Choose(std::vector<Case> cases, const std::vector<std::string>
   return cases;
 }
 
-/// False when the file cannot be written, which is tried before anything is measured.
+/// Returns false if the file cannot be written. The file is opened before anything is measured.
 bool Report(const std::vector<Case>& cases, const Options& options) {
   std::ofstream file;
   if (options.json) file.open(*options.json);
@@ -78,7 +78,7 @@ int Main(int argc, char** argv) {
     app.parse(argc, argv);
     if (options.effort.is_tiny) options.effort.repetitions = 1;
     KeepMemory();
-    // Processes come and go here by the hundred, each with its lines.
+    // Hundreds of processes start and end here. Without this, each of them would log several lines.
     SetLogLevel(LogLevel::kWarning);
     const auto cases = Choose(AllCases(options.effort), options.only);
     if (Report(cases, options)) return 0;

@@ -16,7 +16,7 @@ struct Run {
   bool is_disturbed = false;
 };
 
-/// In seconds.
+/// Returns the processor time in seconds.
 double ProcessorTime(const Subject& subject) {
   const double here = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
   return subject.elsewhere ? here + subject.elsewhere() : here;
@@ -75,7 +75,7 @@ std::function<std::optional<Pair>()> SideBySide(Subject ours, Subject floor) {
   return [ours = std::move(ours), floor = std::move(floor), ours_is_first = false,
           is_warm = false]() mutable {
     const Seat seat(Processor::kFirst);
-    if (!std::exchange(is_warm, true)) {  // caches and pages
+    if (!std::exchange(is_warm, true)) {  // warms up caches and pages
       ours.run();
       floor.run();
     }
@@ -92,7 +92,8 @@ std::function<std::optional<Pair>()> SideBySide(Subject ours, Subject floor) {
 
 std::optional<Outcome> Measure(const Case& one, const Effort& effort) {
   constexpr std::chrono::seconds kPatience(10);
-  constexpr std::chrono::milliseconds kPause(2);  // others' turn, and the kernel's limit kept
+  // Lets other programs run, and keeps below the kernel's limit for real-time threads.
+  constexpr std::chrono::milliseconds kPause(2);
   const int wanted = one.runs_once ? 1 : effort.repetitions;
   const auto start = Clock::now();
   std::vector<Pair> pairs;

@@ -33,26 +33,26 @@ void Insist(Attempt attempt) {
   }
 }
 
-/// For a subject that waits most of the time, so that disturbances cannot be distinguished from its
-/// own waits.
+/// The value of `processors` for a subject that waits most of the time. For such a subject,
+/// disturbances cannot be distinguished from its own waits.
 inline constexpr double kSleeps = 0;
 
 /// A function that runs one short repetition and returns what an operation took, in nanoseconds.
 struct Subject {
   std::function<double()> run;
-  /// Processors it keeps busy when nothing disturbs it.
+  /// The number of processors that the subject keeps busy if nothing disturbs it.
   double processors = 1;
-  /// The total processor time in seconds that was used for it outside this program; empty if there
-  /// is none.
+  /// Returns the total processor time in seconds that other programs have used for the subject;
+  /// null if there are none.
   std::function<double()> elsewhere = nullptr;
 };
 
-/// Runs both, one after the other, and alternates which one is first; in a Seat on the first
-/// processor.
+/// Runs both subjects one after the other, and alternates which one is first. Runs in a Seat on the
+/// first processor.
 std::function<std::optional<Pair>()> SideBySide(Subject ours, Subject floor);
 
-/// Repeats the case until there are enough undisturbed pairs, and counts only these. After ten
-/// seconds it stops and counts all pairs. Empty if this machine cannot measure it.
+/// Repeats the case until there are enough undisturbed pairs, and counts only these pairs. After
+/// ten seconds it stops and counts all pairs. Empty if this machine cannot measure the case.
 std::optional<Outcome> Measure(const Case& one, const Effort& effort);
 
 /// The quantile: the value that this share of the values (0.5 for half) does not exceed.

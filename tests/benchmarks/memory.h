@@ -5,8 +5,9 @@
 namespace tendon::benchmark {
 
 /// Keeps freed memory in this program. Otherwise the allocator may return the top of a heap to the
-/// kernel, which clears it again page by page; whether it does depends on the earlier measurements.
-/// That alone would halve or double the time of a large answer, for our code and for the floor.
+/// kernel, which later clears it page by page. Whether this happens depends on the earlier
+/// measurements. It would halve or double the time of a large answer, for Tendon and for the
+/// code that it is compared with.
 inline void KeepMemory() {
   constexpr int kForLargeAnswers = 64 << 20;
   constexpr int kMost = 512 << 20;

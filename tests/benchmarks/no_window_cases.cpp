@@ -2,7 +2,7 @@
 
 namespace tendon::benchmark {
 
-/// The window is not built in.
+/// For a build without the window.
 std::vector<Case> PlotCases(const Effort& /*effort*/) { return {}; }
 std::vector<Case> WindowCases(const Effort& /*effort*/) { return {}; }
 

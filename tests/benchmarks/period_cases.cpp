@@ -30,12 +30,12 @@ class Ticker final : public PeriodicTask {
   void Run() override {}
 };
 
-/// A task of 1 kHz that does nothing, and what its state table says about its cycles.
+/// A 1 kHz task that does nothing, and its state table with the timing of the cycles.
 class RunningTicker {
  public:
   RunningTicker() : ticker_(manager_.Add<Ticker>("ticker")) { (void)manager_.StartAll(); }
 
-  /// Calls `visit(stamp, statistics)` for every cycle since the last time.
+  /// Calls `visit(stamp, statistics)` for every cycle since the last call.
   template <typename Visitor>
   void VisitCycles(Visitor visit) {
     const StateTable& table = *ticker_.tables().front();
@@ -51,7 +51,7 @@ class RunningTicker {
   std::uint64_t next_ = 0;
 };
 
-/// How late a bare loop on the grid wakes, in nanoseconds.
+/// Measures how late a simple periodic loop wakes, in nanoseconds.
 std::vector<double> RunBareLoop(std::chrono::nanoseconds window) {
   std::vector<double> late;
   std::jthread loop([&] {
@@ -63,7 +63,7 @@ std::vector<double> RunBareLoop(std::chrono::nanoseconds window) {
       return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
     };
     const auto end = now() + window;
-    // Half a period away from whole ones, so as to keep out of the way of the task.
+    // Wakes half a period after the task, so that the loop does not disturb the task.
     for (auto due = now() / kPeriod * kPeriod + kPeriod * 3 / 2; due < end; due += kPeriod) {
       const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(due);
       const timespec time{.tv_sec = seconds.count(), .tv_nsec = (due - seconds).count()};
@@ -75,10 +75,10 @@ std::vector<double> RunBareLoop(std::chrono::nanoseconds window) {
   return late;
 }
 
-/// Both in the same window, which both have in common: what disturbs one disturbs the other.
+/// Measures both in the same window, so that disturbances affect both.
 Pair CompareLateness(RunningTicker& ticker, std::chrono::nanoseconds window, double share) {
   std::vector<double> ours;
-  ticker.VisitCycles([](const auto&, const auto&) {});  // those before the window
+  ticker.VisitCycles([](const auto&, const auto&) {});  // drops the cycles before the window
   const std::vector<double> bare = RunBareLoop(window);
   ticker.VisitCycles([&](const RowStamp& /*stamp*/, const CycleStatistics& cycle) {
     ours.push_back(cycle.lateness * 1e9);
@@ -101,7 +101,7 @@ double SlopeOf(const std::vector<double>& x, const std::vector<double>& y) {
   return xy / xx;
 }
 
-/// The part by which the cycles are too long or too short, those that were skipped counted.
+/// Returns the relative error of the period, including skipped cycles.
 Pair MeasurePeriodError(std::chrono::milliseconds duration) {
   constexpr auto kLook = 100ms;  // the table holds a second
   RunningTicker ticker;
@@ -124,7 +124,8 @@ Pair MeasurePeriodError(std::chrono::milliseconds duration) {
 std::vector<Case> PeriodCases(const Effort& effort) {
   const auto window = effort.is_tiny ? 20ms : 250ms;
   const auto duration = effort.is_tiny ? 200ms : 20'000ms;
-  const auto ticker = std::make_shared<std::optional<RunningTicker>>();  // one at a time
+  // Only one ticker exists at a time.
+  const auto ticker = std::make_shared<std::optional<RunningTicker>>();
   const auto lateness = [=](double share) {
     return [=] {
       if (!*ticker) ticker->emplace();

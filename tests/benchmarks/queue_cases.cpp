@@ -35,19 +35,20 @@ struct OurRing {
   }
 };
 
-/// A message that lies ready lets a ring show what it can carry: the producer is ahead. One that is
-/// made just before it is sent, as those of a cycle are, holds the producer up: the consumer waits.
+/// kReady: the message exists before it is sent. The producer is then ahead of the consumer, and
+/// the ring is the bottleneck. kNew: the message is made just before it is sent, as in a cycle. The
+/// consumer then waits for the producer.
 enum class Messages { kReady, kNew };
 
-/// What the producer writes for every message: in cache lines of its own, else the consumer has to
-/// fetch what happens to lie beside it on the stack.
+/// Data that the producer writes for every message, in its own cache lines. Otherwise the consumer
+/// would also fetch data that happens to be beside it on the stack.
 template <typename T>
 struct alignas(kSeparation) Apart {
   T value{};
 };
 
-/// What a message takes between two threads that never sleep: `produce(i)` in this one. The
-/// consumer has a copy of `consume`, for the same reason.
+/// Returns the time per message between two threads that never sleep. `produce(i)` runs in this
+/// thread. The consumer has its own copy of `consume`, so that the two threads share no cache line.
 template <typename Produce, typename Consume>
 double BetweenTwoThreads(std::uint64_t messages, Produce produce, Consume consume) {
   std::atomic<bool> is_ready = false;
@@ -118,7 +119,7 @@ double PushAndPop(std::uint64_t messages) {
   });
 }
 
-/// Allocations and system calls of a caller while the server is awake.
+/// Counts the allocations and system calls of a caller while the server is awake.
 std::optional<Pair> CountWhatACommandCosts(std::uint64_t commands) {
   Wiring wiring;
   std::jthread server([&](const std::stop_token& stop) {
@@ -132,7 +133,7 @@ std::optional<Pair> CountWhatACommandCosts(std::uint64_t commands) {
     const AllocationGuard guard;
     from_now_on();
     for (std::uint64_t i = 0; i < commands; ++i) {
-      while (!wiring.take(argument)) {  // no way to give way: that is a system call
+      while (!wiring.take(argument)) {  // does not yield, because yielding is a system call
       }
     }
     allocations = guard.allocations();

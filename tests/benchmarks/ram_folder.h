@@ -8,8 +8,8 @@
 
 namespace tendon::benchmark {
 
-/// A folder in memory, so that no disk is measured; in the folder for temporary files if there is
-/// no RAM disk. Removed by the destructor.
+/// A folder in memory, so that no disk is measured. If there is no RAM disk, the folder is among
+/// the temporary files. The destructor removes the folder.
 class RamFolder {
  public:
   RamFolder() {

@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kMega = 1e6;
 
-/// Throws if there is nothing to measure.
+/// Throws if the operation has failed, because there is then nothing to measure.
 void RequireDone(const Result<void>& done) {
   if (!done) throw std::runtime_error(done.error().message);
 }
@@ -32,14 +32,14 @@ T Required(Result<T> result) {
   return *std::move(result);
 }
 
-/// The rows of an arm: seven positions and seven velocities that change as those of a robot do.
+/// The rows of an arm: seven positions and seven velocities that change as in a real robot.
 class ArmRows {
  public:
   explicit ArmRows(std::size_t count) : count_(count), bytes_(count * kSize) {
     for (std::size_t row = 0; row < count; ++row) {
       std::array<double, 14> values{};
       for (std::size_t i = 0; i < values.size(); ++i) {
-        // With the resolution of a float, as an encoder has about.
+        // A float has about the resolution of an encoder.
         values[i] = static_cast<float>(
             std::sin(1e-3 * static_cast<double>(row) * static_cast<double>(i + 1)));
       }
@@ -66,8 +66,8 @@ class ArmRows {
   mcap::Buffer bytes_;
 };
 
-/// A file of this size with chunks of 1 MiB, of which only the begin and the end are on the disk:
-/// all that Open() reads.
+/// Makes a sparse file of this size with chunks of 1 MiB. Only the beginning and the end of the
+/// file are on the disk; Open() reads nothing else.
 std::filesystem::path MakeLargeFile(const RamFolder& folder, std::uint64_t size) {
   constexpr std::uint64_t kChunk = std::uint64_t{1} << 20U;
   constexpr mcap::ChannelId kChannels = 100;
@@ -116,14 +116,14 @@ std::filesystem::path MakeLargeFile(const RamFolder& folder, std::uint64_t size)
   return path;
 }
 
-/// What is recorded, again and again.
+/// The rows that are recorded repeatedly.
 class Material {
  public:
   explicit Material(std::size_t count) : rows_(count) {
     rows_.ForEach([this](const mcap::Message& message) { Append(records_, message); });
   }
 
-  /// Nanoseconds for each byte of the rows.
+  /// Records all rows. Returns the nanoseconds per byte of the rows.
   double Record(mcap::Compression compression) {
     const std::filesystem::path path = folder_.path() / "run.mcap";
     std::error_code ignored;
@@ -136,7 +136,8 @@ class Material {
     });
     return took / static_cast<double>(rows_.bytes());
   }
-  /// The same for the records that Record() puts into chunks, compressed in one call.
+  /// Compresses, in one call, the records that Record() would put into chunks. Returns the
+  /// nanoseconds per byte of the rows.
   double CompressInOneCall() {
     const double took = NanosecondsEach(1, [&](std::uint64_t) {
       mcap::Compression used = mcap::Compression::kNone;
@@ -153,7 +154,7 @@ class Material {
   mcap::Compressor zstd_{mcap::Compression::kZstd, 1};
 };
 
-/// A figure of this process in /proc/self/status, in bytes.
+/// Returns a value from /proc/self/status in bytes.
 double MemoryFigure(const std::string& name) {
   constexpr double kKibibyte = 1024;
   std::ifstream status("/proc/self/status");
@@ -164,14 +165,14 @@ double MemoryFigure(const std::string& name) {
   return 0;
 }
 
-/// Milliseconds, and the most megabytes that it takes meanwhile.
+/// The time to open a file, and the peak memory in megabytes during this time.
 struct OpenCost {
   double milliseconds = 0;
   double megabytes = 0;
 };
 
 OpenCost MeasureOpen(const std::filesystem::path& path) {
-  malloc_trim(0);                               // free memory that this program keeps
+  malloc_trim(0);                               // returns the freed memory that this program keeps
   std::ofstream("/proc/self/clear_refs") << 5;  // the peak begins anew
   const double before = MemoryFigure("VmRSS");
   OpenCost cost;

@@ -16,7 +16,7 @@ std::string Text(std::optional<double> number) {
   return text.str();
 }
 
-/// Nothing where there is no goal.
+/// Returns true if the case reaches the goal; no value if there is no goal.
 std::optional<bool> Reaches(const Case& one, const std::optional<Outcome>& outcome,
                             std::optional<double> goal) {
   if (!goal || !outcome) return std::nullopt;

@@ -9,11 +9,11 @@
 namespace tendon::benchmark {
 
 void PrintHeading(std::ostream& out);
-/// A line of the table. Without an outcome if this machine cannot measure it.
+/// Prints a line of the table. `outcome` is empty if this machine cannot measure the case.
 void PrintLine(std::ostream& out, const Case& one, const std::optional<Outcome>& outcome);
 
-/// id, what, unit, ours, floor, ratio, gate, stretch, holds, reaches_stretch, pairs, disturbed;
-/// null where there is none.
+/// Returns the keys id, what, unit, ours, floor, ratio, gate, stretch, holds, reaches_stretch,
+/// pairs, disturbed. An unknown value is null.
 nlohmann::json ToJson(const Case& one, const std::optional<Outcome>& outcome);
 
 }  // namespace tendon::benchmark

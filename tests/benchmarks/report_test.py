@@ -1,4 +1,4 @@
-"""Runs every case of the report as shortly as can be, and reads what it writes. Judges no time."""
+"""Runs every case of the report for as short a time as possible, and checks the output. Does not judge the times."""
 
 import json
 import pathlib
@@ -26,7 +26,7 @@ def entries(*arguments):
         path = pathlib.Path(folder) / "report.json"
         finished = run("--json", str(path), *arguments)
         assert finished.returncode == 0, finished.stderr
-        # The output is only the table, apart from errors. Ice is linked as in the programs.
+        # The cases log nothing to stderr, and use the functions of Ice that tendon_ice replaces.
         assert " joined the GCM " not in finished.stderr, finished.stderr
         assert "does not check the sizes" not in finished.stderr, finished.stderr
         return finished.stdout, json.loads(path.read_text())
@@ -91,7 +91,7 @@ class Report(unittest.TestCase):
 
 if __name__ == "__main__":
     PROGRAM = sys.argv.pop(1)
-    sys.argv = [word for word in sys.argv if word]  # what a preset lacks comes as an empty one
+    sys.argv = [word for word in sys.argv if word]  # a part that is not built is an empty word
     for kind, ids in (("with-network", NETWORK_IDS), ("with-window", WINDOW_IDS)):
         if kind in sys.argv:
             sys.argv.remove(kind)

@@ -12,7 +12,8 @@ Seat::Seat(Processor processor) {
   cpu_set_t one;
   CPU_ZERO(&one);
   CPU_SET(static_cast<unsigned>(static_cast<int>(processor) % os::ProcessorCount()), &one);
-  pthread_setaffinity_np(self, sizeof(one), &one);  // both do without where they are refused
+  // If the kernel refuses this, the measurement continues without it.
+  pthread_setaffinity_np(self, sizeof(one), &one);
   sched_param real_time{};
   real_time.sched_priority = kSeatPriority;
   pthread_setschedparam(self, SCHED_FIFO, &real_time);

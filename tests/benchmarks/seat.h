@@ -4,12 +4,12 @@
 
 namespace tendon::benchmark {
 
-/// The processors of a measurement: the thread that measures has the first.
+/// The processors of a measurement. The measuring thread runs on the first one.
 enum class Processor { kFirst, kSecond };
 
-/// While this object exists, the calling thread stays on one processor. If the kernel allows it to
-/// be a real-time thread, other programs do not interrupt it there. Threads that it starts
-/// meanwhile inherit both.
+/// While this object exists, the calling thread stays on one processor. If the kernel allows it,
+/// the thread is also a real-time thread, so other programs do not interrupt it. Threads that it
+/// starts meanwhile inherit both properties.
 class Seat {
  public:
   explicit Seat(Processor processor);
@@ -18,7 +18,7 @@ class Seat {
   Seat& operator=(const Seat&) = delete;
 
  private:
-  cpu_set_t processors_{};  // as they were before, like the rest
+  cpu_set_t processors_{};  // this and the following members are the previous values
   int policy_ = SCHED_OTHER;
   sched_param parameters_{};
 };

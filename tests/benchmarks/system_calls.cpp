@@ -14,13 +14,13 @@ namespace tendon::benchmark {
 namespace {
 
 #if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
-constexpr bool kMakesCallsOfItsOwn = true;  // the sanitizer, in every thread
+constexpr bool kMakesCallsOfItsOwn = true;  // the sanitizer makes system calls in every thread
 #else
 constexpr bool kMakesCallsOfItsOwn = false;
 #endif
 
-/// From now on the kernel asks whoever holds the descriptor returned about every call of this
-/// thread. Negative where it refuses.
+/// From now on, the kernel reports every system call of this thread to the holder of the returned
+/// descriptor. Returns a negative value if the kernel refuses.
 int SubmitToSupervision() {
   if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return -1;
   sock_filter ask = {BPF_RET | BPF_K, 0, 0, SECCOMP_RET_USER_NOTIF};
@@ -29,13 +29,15 @@ int SubmitToSupervision() {
       syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_NEW_LISTENER, &program));
 }
 
-/// Lets every call pass until the thread has ended; returns how many there were while `is_counted`.
+/// Lets every call continue until the thread has ended. Returns the number of calls while
+/// `is_counted` was true.
 std::uint64_t Supervise(int listener, const std::atomic<bool>& is_counted) {
   std::uint64_t calls = 0;
   pollfd state = {listener, POLLIN, 0};
   while (poll(&state, 1, -1) >= 0 && (state.revents & POLLIN) != 0) {
     seccomp_notif request = {};
-    if (ioctl(listener, SECCOMP_IOCTL_NOTIF_RECV, &request) != 0) continue;  // gone meanwhile
+    // The thread has ended meanwhile.
+    if (ioctl(listener, SECCOMP_IOCTL_NOTIF_RECV, &request) != 0) continue;
     if (is_counted) ++calls;
     seccomp_notif_resp pass = {};
     pass.id = request.id;
@@ -57,7 +59,7 @@ std::optional<std::uint64_t> CountSystemCalls(
   std::jthread worker([&] {
     listener = SubmitToSupervision();
     work([&] { is_counted = true; });
-    syscall(SYS_getppid);  // one that must be seen
+    syscall(SYS_getppid);  // a call that must be counted
     is_counted = false;
   });
   while (listener == kNotYet) std::this_thread::yield();

@@ -6,9 +6,9 @@
 
 namespace tendon::benchmark {
 
-/// Runs `work(from_now_on)` in a thread of its own and counts the system calls which that thread
-/// makes after it has called `from_now_on()`. The calls are executed, but slowly, because the
-/// kernel notifies this program of each one. Empty if the kernel does not allow it.
+/// Runs `work(from_now_on)` in its own thread. Counts the system calls that this thread makes after
+/// it has called `from_now_on()`. The calls are executed, but slowly, because the kernel reports
+/// each call to this program. Empty if the kernel does not allow this.
 std::optional<std::uint64_t> CountSystemCalls(
     const std::function<void(const std::function<void()>& from_now_on)>& work);
 

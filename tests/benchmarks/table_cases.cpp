@@ -12,8 +12,8 @@ namespace {
 
 using Block = std::array<double, 128>;  // 1 kB
 
-// What is copied lies on the heap: the stack begins elsewhere in each process, and some of its
-// places make every read slower.
+// The copied data is on the heap. The stack begins at another address in each process, and some
+// addresses make every read slower.
 
 double ReadNewestRow(std::uint64_t reads) {
   const auto table = std::make_unique<Table<Message>>();
@@ -59,9 +59,9 @@ double StoreInto(std::uint64_t stores) {
   });
 }
 
-/// What a read takes while a writer writes 1 kB without a pause. The reader comes in a cycle of its
-/// own: one that comes again at once takes a mutex before the writer does, and finds what it has
-/// read before in its cache.
+/// Returns the time of a read while a writer writes 1 kB without a pause. The reader reads once per
+/// cycle of its own. A reader that reads again at once would take the mutex before the writer does,
+/// and would find the old data in its cache.
 template <typename Write, typename Read>
 double ReadBesideWriter(std::uint64_t reads, Write write, Read read) {
   std::atomic<bool> is_ready = false;
@@ -100,7 +100,7 @@ double ReadTableBesideWriter(std::uint64_t reads) {
 }
 
 double ReadMutexBesideWriter(std::uint64_t reads) {
-  struct alignas(kSeparation) Guarded {  // away from what else lies on the reader's stack
+  struct alignas(kSeparation) Guarded {  // away from other data on the reader's stack
     std::mutex mutex;
     Block block{};
   } shared;
@@ -120,7 +120,8 @@ double ReadMutexBesideWriter(std::uint64_t reads) {
 
 std::vector<Case> TableCases(const Effort& effort) {
   constexpr double kReaderAndWriter = 2;
-  constexpr double kOneAtATime = 1;  // who waits for a mutex sleeps
+  // A thread that waits for a mutex sleeps, so only one processor is busy.
+  constexpr double kOneAtATime = 1;
   const std::uint64_t alone = effort.Times(100'000);
   const std::uint64_t beside_writer = effort.Times(5'000);
   const auto with = [](std::uint64_t times, double (*function)(std::uint64_t)) {

@@ -8,7 +8,7 @@
 namespace tendon::benchmark {
 namespace {
 
-/// Sleeps until it is asked.
+/// Sleeps until a command arrives.
 class Server final : public SignalTask {
  public:
   explicit Server(std::string name) : SignalTask(std::move(name)) {
@@ -40,7 +40,8 @@ double CallAndWait(std::uint64_t calls) {
   Message answer{};
   return NanosecondsEach(calls, [&](std::uint64_t i) {
     question[0] = static_cast<double>(i);
-    while (!client.echo.Wait(question, answer, std::chrono::seconds(1))) {  // a stalled machine
+    // Tries again on a machine that stalls.
+    while (!client.echo.Wait(question, answer, std::chrono::seconds(1))) {
     }
     Use(answer);
   });

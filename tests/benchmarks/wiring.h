@@ -31,7 +31,7 @@ struct Table {
   [[nodiscard]] const Column<T>& column() const { return table.Find(variable); }
 };
 
-/// A server and a client without threads of their own, connected: the benchmark lends theirs.
+/// A connected server and client without threads. The benchmark calls both in its own threads.
 class Wiring {
  public:
   Wiring() {
@@ -45,7 +45,7 @@ class Wiring {
     connection_ = *Connection::Make(server_, control_, "client/Server", "server/Control");
   }
 
-  /// In the server's thread.
+  /// Executes the queued commands; called in the server's thread.
   std::size_t Execute() { return inbox_.ExecuteQueued(); }
   [[nodiscard]] std::uint64_t taken() const { return taken_; }
 
@@ -65,7 +65,8 @@ class Wiring {
   ProvidedInterface control_{"Control", &inbox_};
   RequiredInterface server_{"Server", &client_inbox_};
   std::unique_ptr<Connection> connection_;
-  alignas(kSeparation) Argument last_{};  // of the server's thread; client and server lie apart
+  // Used by the server's thread; in another cache line than the client's data.
+  alignas(kSeparation) Argument last_{};
   std::uint64_t taken_ = 0;
 };
 

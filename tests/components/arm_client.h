@@ -9,8 +9,8 @@
 
 namespace tendon_test {
 
-/// A client without a thread that needs all of an arm's `Control`. Its handlers run in the thread
-/// that raises the events: for arms that the test steps itself.
+/// A client without a thread that needs every member of an arm's `Control`. Its handlers run in the
+/// thread that raises the events. Used for arms that the test steps itself.
 class ArmClient : public tendon::Component {
  public:
   explicit ArmClient(std::string name) : Component(std::move(name)) {

@@ -13,7 +13,7 @@
 namespace tendon {
 namespace {
 
-/// The components of demo.json, all in this process and made by their plug-ins.
+/// The components of demo.json, all in this process, created from their plug-ins.
 class DemoSystem : public testing::Test {
  protected:
   void SetUp() override {

@@ -9,8 +9,7 @@
 
 namespace tendon_test {
 
-/// A task without a thread: the test makes its cycles, in the thread of the test, and sets the
-/// time.
+/// A task without a thread. The test runs the cycles in its own thread, and sets the time.
 template <std::derived_from<tendon::Task> T>
 class Stepped final : public T {
  public:
@@ -20,14 +19,15 @@ class Stepped final : public T {
   bool Cycle(int count = 1) {
     bool is_good = true;
     for (int i = 0; i < count; ++i) {
-      if (this->has_orders()) this->ObeyOrders();  // what has changed around it
+      // Executes pending orders of the framework, such as a disconnect.
+      if (this->has_orders()) this->ObeyOrders();
       now_ += std::chrono::nanoseconds(static_cast<std::int64_t>(this->period() * 1e9));
       is_good = this->DoCycle(now_);
     }
     return is_good;
   }
 
-  /// The newest value of a column.
+  /// Returns the newest value of a column.
   template <typename Value>
   Value Read(const char* column) {
     Value value{};

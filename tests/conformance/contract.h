@@ -11,7 +11,7 @@
 
 namespace tendon::conformance {
 
-/// A server that listens and a client, over each middleware.
+/// A listening server and a client, for each middleware.
 class Contract : public testing::TestWithParam<Kind> {
  protected:
   void Start(AcceptLink accept, Exposure exposure = Exposure::kLoopbackOnly) {
@@ -67,12 +67,13 @@ class LinkContract : public Contract {
 
 class AddressContract : public Contract {};
 class LifetimeContract : public Contract {};
-/// For kinds that are not always encrypted.
+/// Tests for kinds that are not always encrypted.
 class ExposureContract : public Contract {};
-/// For kinds whose ports unauthenticated programs can reach, and whose programs can be killed.
+/// Tests for kinds whose ports unauthenticated programs can reach, and whose programs can be
+/// killed.
 class PortContract : public Contract {
  protected:
-  /// `link_` is open, and `guest_` at its other end has received a frame from it.
+  /// Opens `link_`, and waits until `guest_` at the other end has received a frame.
   void Meet(Host& host, std::shared_ptr<Recorder> opener = std::make_shared<Recorder>()) {
     Start(host.accept());
     auto link = Open(std::move(opener));
@@ -119,8 +120,8 @@ class LaterAnswerContract : public Contract {
   std::shared_ptr<Link> asker_;
 };
 
-/// For kinds whose messages are exactly frames; tests/core/ice has the same tests for messages of
-/// Ice.
+/// Tests for kinds whose messages are exactly frames. tests/core/ice has the same tests for the
+/// messages of Ice.
 class UnfinishedContract : public PortContract {};
 
 /// Two channels after the handshake, unless the test does the handshake itself.
@@ -154,7 +155,7 @@ class ChannelContract : public Contract {
 };
 
 class LargeMessageContract : public ChannelContract {};
-/// For kinds whose ends authenticate by the cookie.
+/// Tests for kinds whose ends authenticate by the cookie.
 class CookieContract : public ChannelContract {};
 
 inline std::string NameOfKind(const testing::TestParamInfo<Kind>& info) { return info.param.name; }

@@ -14,7 +14,7 @@ constexpr std::uint16_t kOlder = kOurs - 1;
 constexpr std::uint16_t kNewer = kOurs + 1;
 const std::string kOursText = std::to_string(kOurs);
 
-/// The frame of a program with another protocol version. Its body cannot be decoded.
+/// Returns a frame of a program with another protocol version. Its body cannot be decoded.
 Bytes FrameOfVersion(std::uint16_t version, MessageType type) {
   constexpr std::uint32_t kSize = 5;
   Bytes frame;
@@ -95,7 +95,7 @@ TEST_P(CookieContract, AWrongCookieIsDeniedWithoutAnOpenEvent) {
   EXPECT_EQ(server->peer_, "");
 }
 
-/// Which of `frames` hold the cookie.
+/// Returns how many of `frames` contain the cookie.
 std::size_t CountOfCookie(const std::vector<Bytes>& frames, std::uint64_t cookie) {
   const auto wanted = std::as_bytes(std::span(&cookie, 1));
   return static_cast<std::size_t>(

@@ -14,11 +14,12 @@ Pair MakeIce(Exposure exposure) {
   return {MakeIceMiddleware(exposure), MakeIceMiddleware(exposure)};
 }
 
-/// Made once: making keys takes longer than the tests.
+/// Certificates for the tests. They are made only once, because making keys takes longer than the
+/// tests.
 class Certified {
  public:
   Certified() {
-    // For conformance_peer.
+    // The program conformance_peer reads these variables.
     setenv("TENDON_CERTIFICATE", Issue("peer").c_str(), 1);
     setenv("TENDON_CA", authority_->folder().c_str(), 1);
   }

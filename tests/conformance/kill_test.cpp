@@ -10,7 +10,7 @@
 namespace tendon::conformance {
 namespace {
 
-/// A conformance_peer in a process of its own.
+/// A conformance_peer that runs as another process.
 class Peer {
  public:
   explicit Peer(std::vector<std::string> words) {

@@ -9,7 +9,7 @@
 
 namespace tendon::conformance {
 
-/// Two middlewares that can talk, as if each were in a process of its own.
+/// Two middlewares that can communicate, as if each were in its own process.
 struct Pair {
   std::shared_ptr<Middleware> server;
   std::shared_ptr<Middleware> client;

@@ -136,8 +136,8 @@ TEST_P(LifetimeContract, OpeningDuringListenerShutdownAlwaysEnds) {
     opener.join();
 
     if (link) {
-      // A kernel may leave a connection half open whose handshake ended too late; what is sent on
-      // it, as a Hello always is, is answered by its end.
+      // If a handshake of the kernel ends too late, the kernel may leave the connection half open.
+      // The connection ends when data is sent on it. A real opener always sends a Hello.
       Bytes frame;
       WriteFrame({}, {}, frame);
       (void)(*link)->Send(frame);

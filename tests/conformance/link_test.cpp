@@ -13,7 +13,7 @@ std::vector<std::uint32_t> UpTo(std::uint32_t count) {
   return numbers;
 }
 
-/// Sends, again where the window is full.
+/// Sends a frame. While the window is full, tries again.
 Status SendPatiently(Link& link, const Bytes& frame) {
   Status status = Status::kQueueFull;
   EventuallyTrue([&] { return (status = link.Send(frame)) != Status::kQueueFull; });
@@ -194,7 +194,7 @@ TEST_P(LinkContract, DeliversNoFrameAfterALocalClose) {
   std::promise<void> closed;
   Connect(nullptr, [&](std::span<const std::byte> /*frame*/) {
     client_->Close();
-    closed.set_value();  // throws if there is a second frame
+    closed.set_value();  // set_value() throws if a second frame arrives
   });
 
   for (std::uint32_t i = 0; i < 100; ++i) (void)server_->Send(FrameOf(i));

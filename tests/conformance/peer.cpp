@@ -1,6 +1,6 @@
-// The other process of the tests that kill one: `conformance_peer KIND listen` prints the address
-// it listens at, `conformance_peer KIND open ADDRESS` opens a link and says "open"; both then wait
-// for the end of their standard input.
+// The other process of the tests that kill a process. `conformance_peer KIND listen` prints the
+// address at which it listens. `conformance_peer KIND open ADDRESS` opens a link and prints "open".
+// Both then wait for the end of their standard input.
 
 #include <cstdlib>
 #include <iostream>

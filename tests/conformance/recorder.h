@@ -62,7 +62,7 @@ class Recorder final : public LinkHandler {
   std::size_t bytes() const { return Get(bytes_); }
   int closed() const { return Get(closed_); }
   Error reason() const { return Get(reason_); }
-  /// True if every frame was valid and none came after the end.
+  /// Returns true if every frame was valid and no frame came after the end.
   bool intact() const { return Get(intact_); }
 
  private:
@@ -87,11 +87,11 @@ class Recorder final : public LinkHandler {
   bool intact_ = true;
 };
 
-/// Accepts links and keeps them, with a recorder each. The function that accept() returns may
-/// outlive it.
+/// Accepts links and keeps them, each with a recorder. The function that accept() returns may
+/// outlive this object.
 class Host {
  public:
-  /// The host admits each guest, or leaves it unauthenticated.
+  /// Whether the host admits each guest, or leaves it unauthenticated.
   enum class Guests { kAdmitted, kUnauthenticated };
   struct Guest {
     std::shared_ptr<Link> link;
@@ -113,7 +113,7 @@ class Host {
     };
   }
 
-  /// The accepted link with that number; waits until it arrives.
+  /// Returns the accepted link with this index; waits until it arrives.
   Guest guest(std::size_t index = 0) {
     std::unique_lock lock(guests_->mutex);
     const bool came =

@@ -21,7 +21,7 @@ Bytes RandomBytes(std::size_t size, unsigned seed) {
   return bytes;
 }
 
-/// What a port hears that programs of all kinds find.
+/// Returns bytes that other kinds of programs send to an open port.
 std::vector<Bytes> Garbage() {
   std::vector<Bytes> garbage{
       BytesOf("GET / HTTP/1.1\r\nHost: 127.0.0.1\r\nUser-Agent: curl\r\n\r\n"),
@@ -44,12 +44,13 @@ class UnauthenticatedPeer {
 
   void Say(const Bytes& bytes) { (void)os::SendSome(socket_, bytes); }
 
-  /// Whether the other end hangs up.
+  /// Returns true if the other end closes the connection.
   bool IsTurnedAway() {
     Bytes buffer(4096);
     return EventuallyTrue([&] { return !os::ReceiveSome(socket_, buffer); });
   }
-  /// The same while it says these, byte by byte.
+  /// Sends `end` byte by byte. Returns true if the other end closes the connection before the last
+  /// byte.
   bool IsTurnedAwayBefore(const Bytes& end) {
     Bytes buffer(4096);
     std::size_t said = 0;
@@ -102,7 +103,7 @@ TEST_P(PortContract, RejectsImpossibleSizes) {
   EXPECT_TRUE(Open(std::make_shared<Recorder>()));
 }
 
-/// The largest frame that an unauthenticated peer may send, and `more` bytes.
+/// Returns the largest frame that an unauthenticated peer may send, plus `more` bytes.
 Bytes LargestFrame(std::uint32_t number, std::size_t more) {
   return FrameOf(number, kMaxUnauthenticatedFrameSize - FrameHeader::kSize + more);
 }
@@ -197,7 +198,7 @@ TEST_P(UnfinishedContract, SingleBytesDoNotExtendTheTimeout) {
   ASSERT_NO_FATAL_FAILURE(Meet(host, recorder));
   guest_.link->Admit();
 
-  // All of it would take a minute.
+  // Sending all bytes would take a minute.
   EXPECT_TRUE(UnauthenticatedPeer(listener_->address()).IsTurnedAwayBefore(LargestFrame(1, 0)));
 
   EXPECT_EQ(recorder->closed(), 0);

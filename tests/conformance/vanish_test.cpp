@@ -13,7 +13,7 @@
 namespace tendon::conformance {
 namespace {
 
-/// 0 where there is none.
+/// Returns the port; 0 if there is none.
 template <typename Query>
 std::uint16_t PortOf(int descriptor, Query query) {
   sockaddr_in address{};
@@ -24,9 +24,8 @@ std::uint16_t PortOf(int descriptor, Query query) {
 
 enum class Ends { kBoth, kOpeners };
 
-/// From now on whatever comes for the connections to `port` of this program, at either end, is
-/// thrown away before the kernel answers it, as if the cable had been cut. Returns how many ends
-/// there were.
+/// Makes the kernel drop all data that arrives for this program's connections to `port`,
+/// before it acknowledges the data, as if the cable were cut. Returns the number of affected ends.
 int CutCable(std::uint16_t port, Ends which = Ends::kBoth) {
   constexpr int kDescriptors = 1024;
   sock_filter drop{BPF_RET | BPF_K, 0, 0, 0};
@@ -42,7 +41,7 @@ int CutCable(std::uint16_t port, Ends which = Ends::kBoth) {
   return ends;
 }
 
-/// Whether the kernel repeats again and again what an opener has sent to `port`.
+/// Returns true if the kernel repeatedly sends the data of an opener to `port`.
 bool IsRepeated(std::uint16_t port) {
   constexpr int kDescriptors = 1024;
   for (int descriptor = 0; descriptor < kDescriptors; ++descriptor) {
@@ -100,7 +99,7 @@ TEST_P(PortContract, ClosingACutLinkEndsTheOtherEndAtOnce) {
     (void)link_->Send(FrameOf(2));
     return IsRepeated(ParseAddress(listener_->address(), 1)->port);
   }));
-  (void)link_->Send(FrameOf(3));  // which waits behind what is repeated
+  (void)link_->Send(FrameOf(3));  // this frame waits behind the repeated data
 
   link_->Close();
 

@@ -18,7 +18,7 @@ WARN_AS_ERROR = NO
 
 
 def doxygen(settings):
-    """What it complains of, and whether it calls that an error."""
+    """Runs doxygen. Returns its output and its exit code."""
     done = subprocess.run(["doxygen", "-"], input=settings, text=True, stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, check=False)
     return done.stdout, done.returncode
@@ -33,7 +33,7 @@ def main(doxyfile):
     complaints, failed = doxygen(settings)
     with tempfile.TemporaryDirectory() as folder:
         strict, _ = doxygen(settings + STRICT.format(folder=folder))
-    # A specialisation is what its template is.
+    # Specialisations of templates need no description: [^<] leaves them out.
     bare = re.findall(r"^.*Compound [^<\n]* is not documented\.$", strict, re.M)
     print("\n".join([complaints, *bare]).strip() or "no complaint")
     return 1 if failed or complaints or bare else 0

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""links_test.py ROOT: every link of a page to a file or folder of ours leads somewhere, and docs/README.md names every
-page of docs/."""
+"""links_test.py ROOT: checks that every link of a page to a file or folder of this tree leads to one, and that
+docs/README.md names every page of docs/."""
 import pathlib
 import re
 import sys

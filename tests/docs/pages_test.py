@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
-"""pages_test.py ROOT BIN PAGE: every command that a page of docs/ prints works, in the order in which they stand there.
+"""pages_test.py ROOT BIN PAGE: checks that every command on a page of docs/ works, in the order of the page.
 
-The lines of its ```sh blocks run in one place, with a GCM, state and run-time folders of their own, and must succeed.
-Those that end with & stay until the page ends; the next line waits for them. A comment in the page
+Runs the lines of the ```sh blocks with a separate GCM and separate folders for state and run-time files. Each line must
+succeed. A program whose line ends with & runs until the page ends; the next line waits until it has started. A comment
+in the page
 
     <!-- eventually: COMMAND => REGULAR EXPRESSION -->
 
-is a command whose output must come to match. tools/ are not run: they set up what is there when this test runs.
+names a command that is repeated until its output matches. Scripts of tools/ are not run, because this test runs after
+they have done their work.
 """
 import os
 import pathlib
@@ -27,7 +29,7 @@ STEP = re.compile(r"^```sh\n(?P<block>.*?)^```|^<!-- eventually: (?P<command>.*?
 
 
 class Place:
-    """Where the commands run; ends what is left over."""
+    """The environment in which the commands run. end() ends the programs that still run."""
 
     def __init__(self, root, programs, folder):
         self.root = root
@@ -37,7 +39,7 @@ class Place:
             "XDG_STATE_HOME": folder, "XDG_RUNTIME_DIR": folder, "XDG_CONFIG_HOME": folder}
 
     def run(self, line):
-        """As patient as a busy machine needs. What only looks may have to wait until there is something to see."""
+        """Runs a line. A command that only shows something is repeated until it succeeds."""
         if re.match(r"gcm (--json )?(ls|tree|show|get|watch|status|find|graph|top|hz|plot|doctor|run|shell) ", line):
             return self.eventually(line, "")
         exported = re.match(r"export (\w+)=", line)
@@ -51,7 +53,7 @@ class Place:
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=2 * PATIENCE, check=False)
 
     def start(self, line):
-        words = ["gcm", "serve"] if line.startswith("gcm-gui") else shlex.split(line)  # no screen here
+        words = ["gcm", "serve"] if line.startswith("gcm-gui") else shlex.split(line)  # there is no screen
         if words[0] == "lcm":
             words += ["--timeout", str(1000 * PATIENCE)]
         self.processes.append(subprocess.Popen(words, cwd=self.root, env=self.environment))
@@ -80,7 +82,7 @@ class Place:
 
 
 def lines_of(block):
-    """Commands with the comments behind them taken off, continued lines put together."""
+    """Yields the commands of a block. Joins continued lines, and removes comments."""
     for line in block.replace("\\\n", " ").splitlines():
         line = re.sub(r"(^|\s+)# .*", "", line).strip()
         line = line.replace("build/dev/bin/", "")

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
-"""snippets_test.py ROOT: every C++, JSON and Python block of the README, of docs/ and of the pages beside the code
-stands, line for line, in a file that the build or a test reads; every CMake block stands, with other lines in between,
-in the plug-in that is built outside of the tree."""
+"""snippets_test.py ROOT: checks the code blocks of the README, of docs/ and of the pages beside the code.
+
+Every C++, JSON and Python block must occur, line for line, in a file that the build or a test reads. The lines of every
+CMake block must occur, in the same order, in the plug-in that is built outside of the tree.
+"""
 import pathlib
 import re
 import sys

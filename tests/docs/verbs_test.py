@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""verbs_test.py GCM PAGE: the page explains every verb that `gcm help` lists, and shows each as a command."""
+"""verbs_test.py GCM PAGE: checks that the page explains every verb of `gcm help`, and shows a command with each."""
 import pathlib
 import re
 import subprocess

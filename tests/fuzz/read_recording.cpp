@@ -14,7 +14,7 @@ namespace {
 
 namespace mcap = tendon::mcap;
 
-/// Small, so that a small file reaches them.
+/// The limits are so small that a small file can exceed them.
 constexpr mcap::ReaderLimits kLimits{.chunk = std::uint64_t{1} << 20U,
                                      .text = std::uint64_t{1} << 16U,
                                      .attachment = std::uint64_t{1} << 16U,
@@ -44,7 +44,7 @@ Found ReadMessages(mcap::Reader& reader, mcap::Query::Order order) {
     for (const std::byte byte : message->data) sum += std::to_integer<unsigned>(byte);
     Require(reader.FindChannel(message->channel_id) != nullptr, "a message has a channel");
   }
-  static_cast<void>(sum);  // a sanitizer sees each byte
+  static_cast<void>(sum);  // a sanitizer checks each byte that was read
   found.is_complete = messages.is_complete();
   return found;
 }

@@ -4,7 +4,7 @@
 
 namespace fuzz {
 
-/// An MCAP file: opened, read in both orders, verified, and recovered.
+/// Opens the bytes as an MCAP file, reads it in both orders, verifies it, and recovers it.
 void ReadRecording(Bytes bytes);
 
 }  // namespace fuzz

@@ -13,8 +13,8 @@
 
 #include "targets.h"
 
-/// Every test run feeds the decoders with the corpus and with what chance makes of it; the fuzzer
-/// itself (target `fuzz`) looks longer.
+/// Every test run feeds the decoders with the corpus and with random changes of it. The fuzzer
+/// itself (target `fuzz`) searches longer.
 namespace fuzz {
 
 void PrintTo(const Target& target, std::ostream* out) { *out << target.name; }
@@ -43,7 +43,7 @@ std::vector<Body> Corpus(std::string_view target) {
   return corpus;
 }
 
-/// Numbers that break decoders.
+/// Writes a number that often breaks decoders.
 void WriteLength(std::mt19937& random, Body& body) {
   constexpr std::array<std::uint32_t, 8> kLengths{0,          1,          0x7f,       0xffff,
                                                   0x20000000, 0x7fffffff, 0x80000000, 0xffffffff};

@@ -18,7 +18,8 @@
 namespace fuzz {
 namespace {
 
-/// Two bytes are the length of a schema's text, which follows; the rest is a body.
+/// Decodes a body by a schema. The first two bytes are the length of the schema's text, which
+/// follows; the rest is the body.
 void DecodeBySchema(Bytes bytes) {
   constexpr std::size_t kMostRead = 8;
   if (bytes.size() < 2) return;
@@ -28,7 +29,8 @@ void DecodeBySchema(Bytes bytes) {
   const auto schema = tendon::Schema::Parse(TextOf(bytes.subspan(2, length)));
   if (!schema) return;
   const Bytes rest = bytes.subspan(2 + length);
-  const std::vector<std::byte> body(rest.begin(), rest.end());  // a sanitizer sees its end
+  // A separate copy, so that a sanitizer detects reads beyond its end.
+  const std::vector<std::byte> body(rest.begin(), rest.end());
 
   if (const auto json = tendon::ToJson(*schema, body)) {
     const auto again = tendon::FromJson(*schema, *json);
@@ -60,8 +62,8 @@ void ReadSchema(Bytes bytes) {
   (void)tendon::NumericFields(*schema);
 }
 
-/// Frames one after the other, as the first that an end hears on a link. Version 0 stands for ours,
-/// so that the corpus remains valid when that is raised.
+/// Reads the bytes as consecutive frames, the first frames on a link. Version 0 stands for the
+/// present version, so that the corpus remains valid when the version changes.
 void ReadFrames(Bytes bytes, tendon::Handshake::Role role) {
   const tendon::Hello mine{.instance = 1, .name = "robot", .session = 2, .cookie = 7};
   tendon::Handshake handshake(role, mine, "127.0.0.1:1", tendon::UnauthenticatedPeers::kRefused);
@@ -75,7 +77,8 @@ void ReadFrames(Bytes bytes, tendon::Handshake::Role role) {
     if (bytes.size() < size) return;
     Require(tendon::ReadWholeFrame(bytes.first(size)).has_value(), "a whole frame is one");
     const Bytes inner = bytes.subspan(tendon::FrameHeader::kSize, header->size);
-    const std::vector<std::byte> body(inner.begin(), inner.end());  // a sanitizer sees its end
+    // A separate copy, so that a sanitizer detects reads beyond its end.
+    const std::vector<std::byte> body(inner.begin(), inner.end());
     (void)tendon::ReadRefusal(body, "peer");
     if (tendon::IsReplyBatch(body)) {
       Bytes rest = body;

@@ -23,7 +23,8 @@ using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
 template <typename T>
 void Decode(Bytes bytes) {
-  const std::vector<std::byte> body(bytes.begin(), bytes.end());  // a sanitizer sees its end
+  // A separate copy, so that a sanitizer detects reads beyond its end.
+  const std::vector<std::byte> body(bytes.begin(), bytes.end());
   T value{};
   if (!tendon::Decode(body, value)) return;
   const auto again = Encoded(value);

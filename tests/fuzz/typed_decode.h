@@ -4,10 +4,10 @@
 
 namespace fuzz {
 
-/// The first byte chooses a type; the rest is a body.
+/// Decodes a body. The first byte chooses the type; the rest is the body.
 void DecodeTyped(Bytes bytes);
 
-/// The first byte chooses a type; the rest is its JSON.
+/// Reads a value as JSON. The first byte chooses the type; the rest is the JSON.
 void ReadJson(Bytes bytes);
 
 }  // namespace fuzz

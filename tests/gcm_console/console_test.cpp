@@ -65,7 +65,7 @@ TEST_F(ConsoleTest, UndoRevertsAConnect) {
   EXPECT_THAT(Gcm({"tree"}).out, HasSubstr("Robot  required  not connected"));
 }
 
-/// Beside the demo system's, a second arm: spare/arm/Control.
+/// The demo system with a second arm: spare/arm/Control.
 class ReplaceTest : public ConsoleTest {
  protected:
   void SetUp() override {
@@ -149,7 +149,8 @@ TEST_F(ConsoleTest, ReportsTheDifferenceBetweenTwoTypesOfOneName) {
   const Program::Words ends = {"desk/teleoperation/Robot", "desk/old_arm/Control"};
   const std::string difference = " needed, ";
 
-  // The types are not waited for long: on a machine that stands still they may come too late.
+  // gcm waits only briefly for the types. On a machine that stalls, the types may arrive too late,
+  // so the test repeats the command.
   EXPECT_TRUE(EventuallySays({"candidates", ends[0]}, difference));
   EXPECT_TRUE(EventuallySays({"explain", ends[0], ends[1]}, difference));
   EXPECT_TRUE(EventuallyTrue([&] {
@@ -180,7 +181,8 @@ TEST_F(ConsoleTest, WatchPrintsEveryRowInOrder) {
 
   ASSERT_EQ(watched.exit_code, program::kOk) << watched.err;
   std::uint64_t lost = 0;
-  const std::size_t summary = watched.err.find("gcm: 500 rows, ");  // gaps are told before
+  // Gaps are reported before the summary.
+  const std::size_t summary = watched.err.find("gcm: 500 rows, ");
   ASSERT_NE(summary, watched.err.npos) << watched.err;
   ASSERT_EQ(std::sscanf(watched.err.c_str() + summary, "gcm: 500 rows, %lu lost", &lost), 1)
       << watched.err;
@@ -198,7 +200,8 @@ TEST_F(ConsoleTest, WatchPrintsEveryRowInOrder) {
     last = tick;
   }
   EXPECT_EQ(rows, 500);
-  EXPECT_LE(missing, lost);  // a machine that stands still loses rows, but never in silence
+  // Rows may be lost on a machine that stalls, but every loss must be reported.
+  EXPECT_LE(missing, lost);
 }
 
 TEST_F(ConsoleTest, WatchAtARatePrintsOneRowOfEachPeriod) {
@@ -225,11 +228,12 @@ TEST_F(ConsoleTest, WatchAtARatePrintsOneRowOfEachPeriod) {
 
 TEST_F(ConsoleTest, WatchWritesItsSummaryToTheGivenStream) {
   const Outcome folder = RunProgram({"/bin/sh", "-c", "printf %s \"$XDG_RUNTIME_DIR\""});
-  setenv("XDG_RUNTIME_DIR", folder.out.c_str(), 1);  // of the programs, where the cookie is
+  // The programs keep their cookie in this folder.
+  setenv("XDG_RUNTIME_DIR", folder.out.c_str(), 1);
   std::ostringstream out;
   std::ostringstream err;
   int exit_code = -1;
-  std::thread([&] {  // which alone holds its signals
+  std::thread([&] {  // signals are held only in this thread
     exit_code = console::RunCommandLine({"--gcm", address, "--timeout", kPatience, "watch",
                                          "robot/arm/state.Joints.position[0]", "--count", "3"},
                                         out, err, 0);
@@ -259,7 +263,7 @@ TEST_F(ConsoleTest, WatchPrintsArraysAndWholeColumns) {
   EXPECT_EQ(none.out, "");
 }
 
-/// What it has printed so far, without a line that is not at its end.
+/// Returns the complete lines that the program has printed so far.
 std::istringstream LinesOf(const Program& program) {
   const std::string out = program.out();
   return std::istringstream(out.substr(0, out.rfind('\n') + 1));
@@ -270,7 +274,7 @@ TEST_F(ConsoleTest, WatchPrintsAllMatchingColumnsOfSeveralTables) {
   const std::string flange = "desk/supervisor/state.Flange";
   Program watch({Binary("gcm"), "--gcm", address, "watch", "robot/*/state.Joints.position[0]", arm,
                  "**/state.Flange"});
-  std::set<std::size_t> seen;  // which of the two columns has a value
+  std::set<std::size_t> seen;  // the indexes of the columns that have had a value
   ASSERT_TRUE(EventuallyTrue([&] {
     std::istringstream lines = LinesOf(watch);
     for (std::string line; std::getline(lines, line);) {
@@ -312,7 +316,9 @@ TEST_F(ConsoleTest, WatchSkipsMatchingColumnsWithoutTheField) {
   const Outcome none = Gcm({"watch", "robot/arm/state.*.positio"});
   EXPECT_EQ(none.exit_code, program::kNotFound);
   EXPECT_THAT(none.err, HasSubstr("gcm: robot/arm/state.Joints.positio: there is no field"));
-  EXPECT_THAT(none.err, testing::EndsWith("gcm: no matching column has this part\n"));
+  EXPECT_THAT(none.err,
+              testing::EndsWith("gcm: no matching column has this part; to list the parts of a "
+                                "column: gcm show COLUMN\n"));
 }
 
 TEST_F(ConsoleTest, WatchRejectsAGlobForFields) {

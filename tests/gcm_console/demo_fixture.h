@@ -14,9 +14,11 @@ class DemoFixture : public SystemFixture {
     StartGcm();
     robot = StartLcm("robot", demo);
     desk = StartLcm("desk", demo);
-    ASSERT_TRUE(EventuallySays({"ls", "robot"}, "host_monitor\tactive")) << robot->err();  // last
+    // Host_monitor is the last component that starts.
+    ASSERT_TRUE(EventuallySays({"ls", "robot"}, "host_monitor\tactive")) << robot->err();
     ASSERT_TRUE(EventuallySays({"ls", "desk"}, "old_arm\tactive")) << desk->err();
-    ASSERT_TRUE(EventuallySays({"get", "robot/arm/state.Joints"}, "position"));  // its first cycle
+    // Waits for the first cycle of the arm.
+    ASSERT_TRUE(EventuallySays({"get", "robot/arm/state.Joints"}, "position"));
     ASSERT_TRUE(EventuallySays({"ls", "desk/supervisor"}, "-> robot/arm/Control\n"));
   }
 

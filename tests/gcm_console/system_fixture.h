@@ -11,11 +11,12 @@
 #include "support/program.h"
 #include "support/wait.h"
 
-/// A GCM and, on demand, LCMs of the demo system, as real processes that know only each other.
+/// A GCM and, on demand, LCMs of the demo system. All are real processes, separate from any other
+/// system on this machine.
 class SystemFixture : public testing::Test {
  protected:
-  /// Prints the logs of the GCM and of the processes that it has started, to explain a failure that
-  /// does not occur again.
+  /// Prints the logs of the GCM and of the processes that it has started. They help to explain a
+  /// failure that does not occur again.
   void TearDown() override {
     if (!HasFailure()) return;
     if (gcm) std::cerr << "The GCM has logged:\n" << gcm->err();
@@ -39,7 +40,7 @@ class SystemFixture : public testing::Test {
     words.insert(words.begin(), Binary("gcm"));
     return RunProgram(words, {{"TENDON_GCM", address}});
   }
-  /// Runs Gcm() in a shell, so that WORDS may redirect.
+  /// Runs Gcm() in a shell, so that `words` may contain redirections.
   Outcome Shell(const std::string& words) const {
     return RunProgram(
         {"/bin/sh", "-c",
@@ -66,7 +67,7 @@ class SystemFixture : public testing::Test {
                          R"("}]}]})");
     return StartLcm(process, (home.path() / file).string());
   }
-  /// Waits until `gcm WORDS...` prints `text`.
+  /// Waits until the output of `gcm WORDS...` contains `text`.
   testing::AssertionResult EventuallySays(const Program::Words& words,
                                           const std::string& text) const {
     Outcome last;

@@ -17,7 +17,7 @@
 /// A program with its own terminal, in which the test types keys and reads the output.
 class Terminal {
  public:
-  /// Runs `command` in a shell, which replaces itself with it.
+  /// Runs `command` in this terminal.
   explicit Terminal(const std::string& command, std::map<std::string, std::string> environment = {},
                     unsigned short columns = 80)
       : master_(posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)) {
@@ -53,14 +53,15 @@ class Terminal {
     const auto written = write(master_, keys.data(), keys.size());
     static_cast<void>(written);
   }
-  /// Waits until `text` appears in the output since the last keys; returns false if it does not.
+  /// Waits until the output since the last keys contains `text`; returns false if this does not
+  /// happen in time.
   bool Shows(const std::string& text) {
     return EventuallyTrue([&] {
       Read();
       return seen_.find(text) != std::string::npos;
     });
   }
-  /// The same for text that matches a regular expression.
+  /// Does the same as Shows() for a regular expression.
   bool ShowsMatch(const std::string& pattern) {
     const std::regex expression(pattern);
     return EventuallyTrue([&] {

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# desktop_test.sh CMAKE BUILD PROGRAM: what the part `gui` installs for a desktop is there, and valid.
+# desktop_test.sh CMAKE BUILD PROGRAM: checks that the desktop files that the part `gui` installs exist and are valid.
 set -euo pipefail
 cmake=$1 build=$2 program=$3
 [[ -x $program ]]
@@ -17,7 +17,7 @@ desktop-file-validate "$entry"
 appstreamcli validate --no-net "$metadata"
 xmllint --noout "$icon" "$metadata" "$types"
 
-# All speak of the same program, icon and type.
+# The files must name the same program, icon and MIME type.
 type=$(xmllint --xpath 'string(//*[local-name()="mime-type"]/@type)' "$types")
 grep -qx "MimeType=$type;" "$entry"
 grep -qx "Icon=$(basename "$icon" .svg)" "$entry"

@@ -2,7 +2,7 @@
 
 #include "support/run_tests.h"
 
-/// For tests that ask how long the handlers of the window took.
+/// The main function for tests that measure the handlers of the window.
 int main(int argc, char** argv) {
   return tendon::gui::RunTests<tendon::gui::WatchedApplication>(argc, argv);
 }

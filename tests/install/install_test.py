@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""install_test.py --cmake CMAKE --compiler C++ --build FOLDER PART...: proves that what is installed is enough.
+"""install_test.py --cmake CMAKE --compiler C++ --build FOLDER PART...: proves that the installed files are
+sufficient.
 
-It installs the parts into a temporary folder, checks that no header misses another, builds the plug-in lamp/ against
-them as a user would, with find_package, and lets the installed lcm run it.
+Installs the parts into a temporary folder, and checks that no included header is missing. Builds the plug-in lamp/ as a
+user would, with find_package, and runs it in the installed lcm.
 """
 
 import argparse
@@ -35,7 +36,7 @@ def install(arguments, prefix):
 
 
 def check_headers(include):
-    """Every header of ours that an installed one includes is installed, too."""
+    """Fails if an installed header includes a header of Tendon that is not installed."""
     for header in include.rglob("*.h"):
         for name in re.findall(r"#include <(tendon/[^>]+)>", header.read_text(encoding="utf-8")):
             if not (include / name).is_file():
@@ -54,7 +55,7 @@ def libraries(arguments):
 
 @contextlib.contextmanager
 def running(*command, environment):
-    """A program that is ended with the block; its output goes to this test's."""
+    """Runs a program until the end of the block. Its output goes to the output of this test."""
     process = subprocess.Popen(command, env=environment)
     try:
         yield process
@@ -68,7 +69,7 @@ def wait_for(what, succeeds, *processes):
     while not succeeds():
         ended = [process.args[0] for process in processes if process.poll() is not None]
         if ended or time.monotonic() > deadline:
-            sys.exit(f"waited in vain for {what}; ended meanwhile: {ended}")
+            sys.exit(f"{what} did not appear within {PATIENCE} s; programs that ended: {ended}")
         time.sleep(0.1)
 
 
@@ -82,7 +83,7 @@ def check_pages(share):
 def run_lamp(prefix, plugins, folder):
     environment = {**os.environ, "TENDON_COMPONENTS": str(plugins), "XDG_STATE_HOME": str(folder),
                    "XDG_RUNTIME_DIR": str(folder)}
-    environment.pop("LD_LIBRARY_PATH", None)  # what is installed finds its own
+    environment.pop("LD_LIBRARY_PATH", None)  # installed programs must find their libraries without it
     address = f"127.0.0.1:{free_port()}"
     gcm = [prefix / "bin" / "gcm", "--gcm", address, "--timeout", "20000"]
 

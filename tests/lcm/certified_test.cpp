@@ -10,8 +10,8 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// The programs as one starts them on hosts that do not trust each other's network, each with a
-/// certificate of its own.
+/// Starts the programs as on hosts that do not trust their network: each program has its own
+/// certificate.
 class CertifiedPrograms : public SystemFixture {
  protected:
   using Words = Program::Words;

@@ -17,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A program that lets others connect and then says nothing.
+/// A server that accepts connections and then sends nothing.
 class HangingServer {
  public:
   HangingServer() : socket_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
@@ -27,7 +27,7 @@ class HangingServer {
     place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     EXPECT_EQ(bind(socket_, reinterpret_cast<const sockaddr*>(&place), sizeof(place)), 0);
     EXPECT_EQ(listen(socket_, SOMAXCONN), 0);
-    const timeval patience{.tv_sec = 20, .tv_usec = 0};  // for a visitor
+    const timeval patience{.tv_sec = 20, .tv_usec = 0};  // the time limit for a receive
     EXPECT_EQ(setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof(patience)), 0);
   }
   HangingServer(const HangingServer&) = delete;
@@ -48,7 +48,7 @@ class LcmTest : public SystemFixture {
     home.Write("system.json", text);
     return (home.path() / "system.json").string();
   }
-  /// Runs an LCM that is expected to give up.
+  /// Runs an LCM that is expected to fail.
   Outcome Refused(const std::string& name, const std::string& system) const {
     const auto lcm = StartLcm(name, system);
     const auto exit_code = lcm->Wait();
@@ -174,7 +174,7 @@ TEST_F(LcmTest, SigtermEndsItAtOnceWhileItSeeksTheGcm) {
 
   lcm.Signal(SIGTERM);
 
-  EXPECT_EQ(lcm.Wait(), program::kOk) << lcm.err();  // not after ten minutes
+  EXPECT_EQ(lcm.Wait(), program::kOk) << lcm.err();  // long before the time-out of ten minutes
   EXPECT_EQ(lcm.err(), "");
 }
 

@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-/// An LCM that must not start: it says why in one sentence, and nobody has heard of it.
+/// An LCM that must not start. It prints the reason in one sentence, and the GCM has never seen it.
 class LcmStart : public SystemFixture {
  protected:
   void ExpectRefused(Program::Words words, int exit_code, const std::string& sentence) {

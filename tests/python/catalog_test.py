@@ -1,4 +1,4 @@
-"""The catalogue, made of changes, and names that are looked up in it."""
+"""Tests the catalogue: applying changes, and looking up names."""
 import unittest
 
 from tendon import Failed, Invalid, NotFound, Unreachable

@@ -1,4 +1,4 @@
-"""certified_test.py BIN ROOT: the package under TLS, with a GCM and a process that want it."""
+"""certified_test.py BIN ROOT: tests the package with a GCM and a process that require TLS."""
 import os
 import pathlib
 import subprocess
@@ -52,7 +52,7 @@ class UnderTls(unittest.TestCase):
         cls.addClassCleanup(started.terminate)
 
     def connect(self, certificate):
-        """As soon as there is somebody."""
+        """Connects as soon as the GCM answers."""
         deadline = time.monotonic() + PATIENCE
         while True:
             try:
@@ -91,7 +91,7 @@ class UnderTls(unittest.TestCase):
             del os.environ["TENDON_CERTIFICATE"]
 
     def test_connecting_without_a_certificate_fails(self):
-        self.connect(self.anna).close()  # it is there
+        self.connect(self.anna).close()  # the GCM answers
         with self.assertRaises(tendon.Error):
             tendon.connect(self.address, timeout=2)
 

@@ -1,4 +1,4 @@
-"""Frames."""
+"""Tests writing and reading of frames."""
 import struct
 import unittest
 
@@ -37,7 +37,7 @@ class Frame(unittest.TestCase):
 
 
 def batch(*replies):
-    """A batch of answers, each with its request and the size that it claims to have."""
+    """A batch of answers. Each has the number of its request and the size that it claims."""
     return b"".join(struct.pack("<QI", request, size) + answer
                     for request, size, answer in replies)
 

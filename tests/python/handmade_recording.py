@@ -1,4 +1,4 @@
-"""Recordings with a chosen content, in the format of core/tendon/recording."""
+"""Writes recordings with a chosen content, in the format of core/tendon/recording."""
 import pathlib
 import struct
 import zlib
@@ -34,7 +34,7 @@ def record(opcode, content):
 
 
 class Writer:
-    """Each call of chunk() ends a chunk; finish() writes the index and returns the file."""
+    """Builds a recording. chunk() ends a chunk; finish() writes the index and returns the file."""
 
     def __init__(self, compress=lambda data: ("", data)):
         self._compress = compress

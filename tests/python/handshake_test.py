@@ -1,4 +1,4 @@
-"""The opener's half of the handshake, and the cookie that it proves to know."""
+"""Tests the opener's side of the handshake, and reading the cookie."""
 import hashlib
 import hmac
 import os
@@ -19,7 +19,8 @@ ACCEPTOR = {"instance": 42, "name": "gcm", "nonce": bytes(range(16))}
 
 
 def greeting_bytes(greeting, position):
-    """As core/tendon/middleware/handshake has it, put together by hand: CDR at `position`."""
+    """The bytes of a greeting that begins at `position` of a message. Written without the package,
+    in the form of core/tendon/middleware/handshake."""
     def pad(size):
         nonlocal body
         body += bytes(-(position + len(body)) % size)

@@ -1,4 +1,4 @@
-"""hdf5_test.py GCM: what `gcm export --hdf5` writes, read with h5py."""
+"""hdf5_test.py GCM: reads files of `gcm export --hdf5` with h5py."""
 import pathlib
 import resource
 import signal
@@ -29,7 +29,7 @@ class Exported(unittest.TestCase):
         self.output = self.folder / "run.h5"
 
     def export(self, *words, code=0, **options):
-        """Its sentences."""
+        """Runs `gcm export`, and returns its messages."""
         done = subprocess.run([GCM, "export", self.recording, "--hdf5", self.output, *words],
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                               check=False, **options)
@@ -37,7 +37,7 @@ class Exported(unittest.TestCase):
         return done.stderr
 
     def opened(self, writer, *words, code=0):
-        """The HDF5 file of a recording."""
+        """Exports the recording of a writer, and opens the HDF5 file."""
         writer.save(self.recording)
         self.export(*words, code=code)
         file = h5py.File(self.output)
@@ -54,7 +54,7 @@ class Exported(unittest.TestCase):
     def test_every_column_is_that_of_the_recording(self):
         writer, schema = Writer(), parse(WHEEL)
         channel = writer.channel("robot/cart/state.Wheel", WHEEL)
-        for row in range(20_000):  # several chunks of the dataset
+        for row in range(20_000):  # more than one chunk of the dataset
             writer.message(channel, row, row, schema.encode(
                 {"speed": row / 7, "mode": "moving" if row % 2 else "idle", "uptime": row / 8,
                  "ready": row % 3 == 0, "legs": LEGS}))
@@ -195,14 +195,14 @@ class Exported(unittest.TestCase):
         self.assertEqual(self.output.read_text(encoding="ascii"), "mine")
 
     def test_a_full_disk_leaves_no_file(self):
-        rows = np.random.default_rng(1).bytes(8 * 200_000)  # which deflate cannot shrink
+        rows = np.random.default_rng(1).bytes(8 * 200_000)  # random bytes cannot be compressed
         writer = Writer()
         channel = writer.channel("robot/cart/state.Count", "uint64")
         for row in range(200_000):
             writer.message(channel, row, row, rows[8 * row:8 * row + 8])
         writer.save(self.recording)
 
-        for size in (512 << 10, 100):  # within the rows, and from the first byte on
+        for size in (512 << 10, 100):  # the disk is full within the rows, or at the beginning
             def limit(most=size):
                 """Beyond this size, writing fails with "File too large"."""
                 signal.signal(signal.SIGXFSZ, signal.SIG_IGN)

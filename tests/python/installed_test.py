@@ -1,4 +1,4 @@
-"""installed_test.py CMAKE BUILD: what is installed is the whole package, and needs nothing else."""
+"""installed_test.py CMAKE BUILD: checks that the installed package is complete, and works without this tree."""
 import os
 import pathlib
 import subprocess

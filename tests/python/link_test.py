@@ -1,4 +1,4 @@
-"""A link over Ice, to an acceptor that knows nothing of ours but the contract and the messages."""
+"""Tests a link over Ice. The acceptor is written here, from only the contract and the messages of the package."""
 import contextlib
 import os
 import pathlib
@@ -26,21 +26,21 @@ COOKIE = 0x1f
 IDENTITY = Ice.Identity("tendon", "")
 ECHO, REFUSE, IGNORE, TELL, HANG_UP, TALK_NONSENSE, TALK_NO_ICE, GATHER = range(0x1000, 0x1008)
 
-# Parameters of `frame` that claim more bytes than they have; some crash the code that Ice generates.
+# Parameters of `frame` that claim more bytes than they have. Some of them crash the code that Ice generates.
 NO_ICE = [b"", b"\x06\0\0\0\x01\x01", b"\x07\0\0\0\x01\x01\x05",
           b"\x0b\0\0\0\x01\x01\xff\xff\xff\xff\x7f", b"\x0b\0\0\0\x01\x01\xff\0\0\0\x80",
           b"\xff\xff\xff\x7f\x01\x01\x01\x05", b"\x01\0\0\0\x01\x01\x01\x05"]
 
 
 class Acceptor(Ice.openModule("tendon").Endpoint):
-    """Answers as the numbers above say."""
+    """The acceptor of the tests. Answers each request according to its type: ECHO, REFUSE and so on."""
 
     def __init__(self, cookie=COOKIE):
         self.cookie = cookie
         self.is_mute = False
         self.is_impostor = False
         self.version = PROTOCOL_VERSION
-        self.versions = set()  # of what it hears
+        self.versions = set()  # protocol versions of the received frames
         self.heard = []
         self.is_greeted = threading.Event()
         self.begun = bytearray()
@@ -88,7 +88,7 @@ class Acceptor(Ice.openModule("tendon").Endpoint):
             send(MessageType.WELCOME, b"\0")
         elif header.type == ECHO:
             send(MessageType.REPLY, body)
-        elif header.type == GATHER:  # all answers together, with the one that has a body
+        elif header.type == GATHER:  # sends all answers in one message after a request with a body
             self.gathered += struct.pack("<QI", header.request, len(body)) + body
             if body:
                 send(MessageType.REPLIES, self.gathered, request=0)
@@ -161,7 +161,7 @@ class OverIce(unittest.TestCase):
 
     def test_all_frames_have_the_protocol_version(self):
         link = self.link()
-        for size in (5, 3 * MAX_PIECE_SIZE):  # whole, and in parts
+        for size in (5, 3 * MAX_PIECE_SIZE):  # one frame, and a frame in parts
             self.assertEqual(link.request(ECHO, bytes(size), PATIENCE), bytes(size))
         self.assertEqual(self.acceptor.versions, {PROTOCOL_VERSION})
 
@@ -180,7 +180,7 @@ class OverIce(unittest.TestCase):
         for _ in range(2):
             body = os.urandom(9 * MAX_PIECE_SIZE + 5)
             self.assertEqual(link.request(ECHO, body, PATIENCE), body)
-        link.request(ECHO, b"", PATIENCE)  # after all that was told
+        link.request(ECHO, b"", PATIENCE)  # its answer arrives after the acknowledgements
         self.assertEqual(self.acceptor.taken, self.acceptor.told_taken)
 
     def test_batched_replies_are_accepted(self):
@@ -199,7 +199,7 @@ class OverIce(unittest.TestCase):
         told_before = []
         link = self.link()
         link.request(TELL, b"", PATIENCE, lambda body: told_before.append(list(self.notices)))
-        link.request(ECHO, b"", PATIENCE)  # after them all
+        link.request(ECHO, b"", PATIENCE)  # its answer arrives after the notices
         self.assertEqual(told_before, [[]])
         self.assertEqual(self.notices, list(range(100)))
 
@@ -223,7 +223,7 @@ class OverIce(unittest.TestCase):
         link = Link(self.network, parse_address(self.acceptor.address), "test", PATIENCE, hold)
         link.request(TELL, b"", PATIENCE)
         self.assertTrue(is_held.wait(PATIENCE))
-        link.notify(HANG_UP, 0)  # of which the thread of Ice does not hear
+        link.notify(HANG_UP, 0)  # the held thread of Ice does not notice that the peer hangs up
 
         with self.assertRaises(Unreachable):
             while True:
@@ -243,7 +243,7 @@ class OverIce(unittest.TestCase):
     def test_malformed_ice_messages_do_no_harm(self):
         for number in range(len(NO_ICE)):
             with self.subTest(number=number):
-                with contextlib.suppress(Unreachable):  # Ice itself refuses some
+                with contextlib.suppress(Unreachable):  # Ice itself rejects some of them
                     self.link().request(TALK_NO_ICE, bytes([number]), PATIENCE)
                 self.assertEqual(self.link().request(ECHO, b"hello", PATIENCE), b"hello")
 
@@ -290,7 +290,7 @@ class OverIce(unittest.TestCase):
         self.assertTrue(self.acceptor.is_greeted.wait(PATIENCE))
         with self.assertRaisesRegex(Unreachable, "^process 'gone' does not answer at "):
             call("gone", "127.0.0.1:1")
-        self.assertLess(time.monotonic() - begin, PATIENCE)  # the slow one has not ended yet
+        self.assertLess(time.monotonic() - begin, PATIENCE)  # the slow process still has time
         self.network.close()
         slow.join(PATIENCE)
 

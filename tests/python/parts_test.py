@@ -1,4 +1,4 @@
-"""Frames that travel in parts."""
+"""Tests frames that are sent in parts."""
 import threading
 import unittest
 
@@ -15,7 +15,7 @@ PARTS = [FRAME[start:start + PART_SIZE] for start in range(0, len(FRAME), PART_S
 
 
 def header_of(body_size):
-    """The header of a frame that is not there."""
+    """The header of a frame with a body of this size, without the body."""
     return write_frame(Header(0x201), b"")[:16] + body_size.to_bytes(4, "little") + bytes(4)
 
 
@@ -62,7 +62,7 @@ class Sender(unittest.TestCase):
         self.sender = PartSender(self.sent.append)
 
     def take(self):
-        """All that has come."""
+        """Acknowledges all bytes that were sent."""
         taken = sum(len(frame) - HEADER_SIZE for frame in self.sent)
         self.sender.on_taken(messages.encode("PartsTaken", taken))
 

@@ -1,4 +1,4 @@
-"""recorded_test.py BIN ROOT: recordings of `gcm record`, compared with what `gcm export` reads."""
+"""recorded_test.py BIN ROOT: compares recordings of `gcm record` with the files of `gcm export`."""
 import csv
 import os
 import pathlib
@@ -20,12 +20,12 @@ PATIENCE = 60  # s, for a machine that is busy
 TRACK = """{"version": 1, "name": "track", "processes": [{"name": "track", "components": [
     {"name": "odometer", "class": "Odometer", "library": "odometer"}]}]}"""
 TABLE = "track/odometer/state"
-# Cells of the CSV file by the dtype of the column.
+# Functions that read a cell of the CSV file, by the dtype of the column.
 EXACT = {"f": float, "u": int, "i": int, "b": lambda cell: {"true": True, "false": False}[cell]}
 
 
 def gcm(*words):
-    """What it prints."""
+    """Runs gcm, and returns its output."""
     return subprocess.run([PROGRAMS / "gcm", "--timeout", str(1000 * PATIENCE), *map(str, words)],
                           check=True, stdout=subprocess.PIPE, text=True).stdout
 
@@ -90,7 +90,7 @@ class Recorded(unittest.TestCase):
     def compare(self, run, column, cells):
         path = f"{TABLE}.{column}"
         values = run[path]
-        if column.endswith("uptime"):  # in the CSV file, seconds
+        if column.endswith("uptime"):  # the CSV file has seconds
             values = values.astype("i8")
             cells = [str(round(Decimal(cell) * 10**9)) for cell in cells]
         if column == "Mode":

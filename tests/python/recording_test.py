@@ -1,4 +1,4 @@
-"""Recordings as arrays: values, rows, and what is damaged."""
+"""Tests recordings as arrays: values, rows, and damaged files."""
 import pathlib
 import struct
 import subprocess
@@ -33,7 +33,7 @@ class OnFile(unittest.TestCase):
         self.path = pathlib.Path(folder.name) / "run.mcap"
 
     def open(self, content, problems=None):
-        """Whose problems are expected to be these, as far as it is known when it is opened."""
+        """Opens a recording, and checks that opening it reports this number of problems."""
         self.path.write_bytes(content)
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
@@ -44,7 +44,7 @@ class OnFile(unittest.TestCase):
 
 
 def counting(rows, chunk=0, compress=None, epoch=1):
-    """Two columns: Count, and its double."""
+    """Writes rows with two columns: Count, and Double with twice the value."""
     writer = Writer(compress) if compress else Writer()
     count = writer.channel("robot/cart/state.Count", "uint64", epoch=epoch)
     double = writer.channel("robot/cart/state.Double", "uint64", epoch=epoch)
@@ -328,7 +328,7 @@ class Damage(OnFile):
     def test_a_scan_continues_behind_damaged_lengths(self):
         writer = counting(300, 100)
         content = bytearray(writer.finish()[:-20])
-        content[writer.chunk_starts[1] + 4] = 0xff  # of its length
+        content[writer.chunk_starts[1] + 4] = 0xff  # a byte of the chunk's length
         run = self.open(bytes(content), problems=2)
 
         self.assertRegex(run.problems[1], "damaged and skipped; the next chunk begins after")

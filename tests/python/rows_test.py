@@ -1,4 +1,4 @@
-"""Batches of rows of a state table."""
+"""Tests batches of rows of a state table."""
 import struct
 import threading
 import unittest
@@ -11,13 +11,14 @@ from tendon.rows import MOST_WAITING, Batch, Column, Feed, Feeds, Watch
 
 PATIENCE = 60  # s, for a machine that is busy
 
-# A column of float64 and one of strings, whose cells differ in size.
+# A column of numbers, whose cells have one size, and a column of texts, whose cells differ in size.
 SCHEMAS = [parse("float64"), parse("string")]
 COLUMNS = [Column("Speed", 0, ""), Column("Name", 1, "")]
 
 
 def body_of(rows_before, rows, lost_table=0):
-    """As core/tendon/process/telemetry writes it; a row is (tick, time, float, string or None)."""
+    """The body of a batch, in the form of core/tendon/process/telemetry. A row is (tick, time, number,
+    text or None)."""
     head = struct.pack("<QQQII", rows_before, lost_table, 0, len(rows), 2)
     head += struct.pack("<II", 8, 0)
     start = len(head) + len(rows) * 32

@@ -1,4 +1,4 @@
-"""The codec: bytes from values by schema and back, and what it refuses."""
+"""Tests the codec: converting values to bytes and back, and rejecting wrong values and bytes."""
 import math
 import struct
 import unittest

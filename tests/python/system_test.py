@@ -1,4 +1,4 @@
-"""system_test.py BIN ROOT: the package with a real GCM and real processes: the demo system."""
+"""system_test.py BIN ROOT: tests the package with a real GCM and the processes of the demo system."""
 import contextlib
 import io
 import itertools
@@ -31,7 +31,7 @@ CONTROL = "robot/arm/Control"
 
 
 class Place:
-    """Where the programs run; ends what is left over."""
+    """The environment in which the programs run. end() ends the programs that still run."""
 
     def __init__(self):
         self.folder = tempfile.TemporaryDirectory()
@@ -65,7 +65,7 @@ class Place:
         self.folder.cleanup()
 
     def connect(self):
-        """As soon as there is somebody."""
+        """Connects as soon as the GCM answers."""
         deadline = time.monotonic() + PATIENCE
         while True:
             try:
@@ -77,14 +77,14 @@ class Place:
 
 
 def is_active(system, process, component):
-    """Whether it runs."""
+    """True if the component is active."""
     known = [one["name"] for one in system.processes() if one["state"] == "alive"]
     return process in known and any(one["name"] == component and one["state"] == "active"
                                     for one in system.components(process))
 
 
 def state_of(system, process):
-    """None where it is not known."""
+    """The state of a process; None if the process is unknown."""
     return next((one["state"] for one in system.processes() if one["name"] == process), None)
 
 
@@ -105,7 +105,7 @@ class InTheDemoSystem(unittest.TestCase):
                 lambda system, who=(process, component): is_active(system, *who), PATIENCE)
 
     def connection(self, system):
-        """Of teleoperation, if there is one."""
+        """The connection of teleoperation; None if there is none."""
         required = tendon.paths.parse_interface(ROBOT)
         return next((one for one in system.connections() if one["required"] == required), None)
 
@@ -271,7 +271,7 @@ class InTheDemoSystem(unittest.TestCase):
                 lambda system, who=process: state_of(system, who) == "alive", PATIENCE)
 
     def has_no_gcm(self):
-        """Whether one hears so."""
+        """True if a request fails because there is no GCM."""
         try:
             self.system.processes()
         except tendon.Unreachable as why:

@@ -9,7 +9,7 @@
 
 namespace tendon::test {
 
-/// An empty private folder, which the destructor removes.
+/// An empty private folder. The destructor removes the folder.
 class Folder {
  public:
   Folder()

@@ -17,11 +17,12 @@
 /// Components in a chain: each leads the next one and stops it in its own Cleanup().
 namespace leading {
 
-/// The actions of the components; outlives them.
+/// Records the actions of the components; must outlive the components.
 using Story = tendon::test::Record<std::string>;
 
-/// Leads the next component, and may have a leader itself. Reports each stop that reaches it, and
-/// its Cleanup(), in which it sends a stop to the next one.
+/// A component that leads the next one, and may have a leader itself. It records each stop command
+/// that it receives, and its own Cleanup(). In Cleanup(), it sends a stop command to the next
+/// component.
 template <std::derived_from<tendon::Task> Base>
 class Leading final : public Base {
  public:
@@ -36,13 +37,14 @@ class Leading final : public Base {
     next.AddFunction(stop_, "Stop");
   }
 
-  std::atomic<std::chrono::milliseconds> work{std::chrono::milliseconds(0)};  ///< of one cycle
-  std::atomic<bool> floods = false;   ///< sends until it is refused
-  std::atomic<bool> executes = true;  ///< executes received commands
-  std::atomic<bool> holds = false;    ///< holds a cycle until it is false again
+  /// Working time of one cycle.
+  std::atomic<std::chrono::milliseconds> work{std::chrono::milliseconds(0)};
+  std::atomic<bool> floods = false;   ///< true: sends commands until one is refused
+  std::atomic<bool> executes = true;  ///< true: executes received commands
+  std::atomic<bool> holds = false;    ///< true: a cycle blocks until this is false again
   std::atomic<bool> is_held = false;
-  std::atomic<std::uint64_t> refused = 0;  ///< commands refused for lack of room
-  std::atomic<std::uint64_t> gone = 0;     ///< lost clients that were reported to it
+  std::atomic<std::uint64_t> refused = 0;  ///< commands refused because a mailbox was full
+  std::atomic<std::uint64_t> gone = 0;     ///< lost clients that were reported to this component
 
  private:
   void Run() override {
@@ -57,7 +59,8 @@ class Leading final : public Base {
     }
   }
   void Cleanup() override {
-    // Reserves the place first: the next component may stop, and report it, before stop_() returns.
+    // Reserves the place in the record first: before stop_() returns, the next component may stop
+    // and record this.
     const std::size_t place = story_.Add("");
     const tendon::Status sent = stop_();
     const std::string outcome = sent ? "" : ", " + std::string(ToString(sent));

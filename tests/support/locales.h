@@ -12,10 +12,10 @@
 
 namespace tendon::test {
 
-/// Creates locales for tests of numbers, because installed locales, and their Debian sources,
-/// differ between machines. Each has only the number format of its language. The program uses the
-/// last chosen one until this object is destroyed; child programs find the locales by LOCPATH. One
-/// object at a time, because the locale is global.
+/// Creates locales for tests of numbers. Installed locales and their Debian sources differ between
+/// machines, so they are not used. Each locale has only the number format of its language. The
+/// program uses the last chosen locale until this object is destroyed; child programs find the
+/// locales by LOCPATH. Create only one object at a time, because the locale is global.
 class Locales {
  public:
   Locales() {
@@ -61,7 +61,7 @@ class Locales {
     std::ofstream(letters) << "<code_set_name> ANSI_X3.4-1968\n<mb_cur_max> 1\n<escape_char> /\n"
                               "CHARMAP\n"
                            << AsciiLetters() << "END CHARMAP\n";
-    // With -c, localedef only warns that the other parts are those of C.
+    // With -c, localedef only warns that the other categories are those of C.
     const std::string line = "localedef -c -f '" + letters + "' -i '" + locale + "' '" +
                              (folder_.path() / name).string() + "' >/dev/null 2>&1";
     [[maybe_unused]] const int warned = std::system(line.c_str());

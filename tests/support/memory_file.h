@@ -14,13 +14,13 @@
 
 namespace tendon::test {
 
-/// A file in memory that is read; it counts what is read of it, and can have a bad place.
+/// A file in memory for reading. Counts the bytes that were read, and can have an unreadable range.
 class MemoryFile final : public os::RandomAccessFile {
  public:
   struct Reads {
     std::uint64_t bytes = 0;
-    std::uint64_t bad_begin = 0;  ///< the disk reports an error from here ...
-    std::uint64_t bad_end = 0;    ///< ... to here
+    std::uint64_t bad_begin = 0;  ///< the disk reports an error from this position ...
+    std::uint64_t bad_end = 0;    ///< ... to this position
   };
 
   explicit MemoryFile(std::vector<std::byte> bytes) : bytes_(std::move(bytes)) {}
@@ -47,7 +47,7 @@ class MemoryFile final : public os::RandomAccessFile {
   const std::shared_ptr<Reads> reads_ = std::make_shared<Reads>();
 };
 
-/// A disk in memory that one file is written on; it can be full, or fail.
+/// A disk in memory on which one file is written. The disk can be full, or can fail.
 struct MemoryDisk {
   std::vector<std::byte> bytes;
   std::uint64_t capacity = std::numeric_limits<std::uint64_t>::max();

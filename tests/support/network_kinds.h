@@ -10,7 +10,7 @@
 
 /// A kind of network for tests with whole processes.
 struct NetworkKind {
-  /// Makes the middleware of one more process.
+  /// Makes the middleware of a further process in the network.
   using Join = std::function<std::shared_ptr<tendon::Middleware>()>;
 
   std::string name;
@@ -20,7 +20,7 @@ struct NetworkKind {
 
 inline void PrintTo(const NetworkKind& kind, std::ostream* out) { *out << kind.name; }
 
-/// Loopback and plain sockets, and Ice if it is built.
+/// Returns loopback and plain sockets, and Ice if it is built.
 std::vector<NetworkKind> NetworkKinds();
-/// Only loopback and plain sockets.
+/// Returns only loopback and plain sockets.
 std::vector<NetworkKind> PlainNetworkKinds();

@@ -32,7 +32,7 @@ struct Note {
   bool operator==(const Note&) const = default;
 };
 
-/// Has the fields of a Move, but is another type.
+/// A type with the same fields as Move that is not Move.
 struct OtherMove {
   std::uint64_t number = 0;
   std::array<double, 3> goal{};
@@ -84,7 +84,7 @@ class Plant final : public tendon::PeriodicTask {
   tendon::WriteEvent<Note> written_;
 };
 
-/// Has no thread: the test calls its functions and executes its received events.
+/// A component without a thread: the test calls its functions and executes its received events.
 class Operator final : public tendon::Component {
  public:
   explicit Operator(std::string name, std::size_t capacity = 64);
@@ -109,7 +109,7 @@ class Operator final : public tendon::Component {
   void OnWritten(const Note& note) { written.push_back(note); }
 };
 
-/// Its interfaces have too few members, or members of the wrong types.
+/// Its interfaces lack members, or have members of the wrong types.
 class Impostor final : public tendon::Component {
  public:
   explicit Impostor(std::string name);

@@ -43,15 +43,15 @@ const fs::path& Home() {
   return home.path();
 }
 
-/// Ends a child with its parent; otherwise it would continue, and keep its ports, if `parent` were
-/// killed.
+/// Ends a child together with its parent. Otherwise the child would continue, and keep its ports,
+/// if `parent` were killed.
 void EndWith(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(127);  // the parent had already ended
 }
 
-/// The data for a child, prepared before fork(): between fork() and exec(), other threads may hold
-/// locks, so the child must not lock.
+/// The data for a child, prepared before fork(). Between fork() and exec(), the child must not
+/// lock, because another thread may have held the lock during fork().
 class Start {
  public:
   Start(const Program::Words& command, const std::map<std::string, std::string>& environment,
@@ -102,8 +102,8 @@ class Start {
   std::string err_;
 };
 
-/// Reserves the port among tests, including those of other users, until this process ends. An
-/// abstract socket name needs no file.
+/// Reserves the port until this process ends; all tests, including those of other users, use this
+/// reservation. It is the name of an abstract socket, so it needs no file.
 bool IsReserved(int port) {
   const std::string name = "tendon-test-port-" + std::to_string(port);
   sockaddr_un address{};
@@ -137,7 +137,8 @@ Program::Program(const Words& command, const std::map<std::string, std::string>&
   folder_ = folder;
   const Start start(command, environment, folder_, Home());
   const pid_t parent = getpid();
-  const bool is_main_thread = gettid() == parent;  // other threads may end before their children
+  // Another thread could end before its children, which would end them too early.
+  const bool is_main_thread = gettid() == parent;
   pid_ = fork();
   if (pid_ < 0) throw std::runtime_error("no process for " + command[0]);
   if (pid_ > 0) return;
@@ -155,7 +156,7 @@ Program::~Program() {
 }
 
 void Program::Signal(int signal) const {
-  if (!exit_code_) kill(pid_, signal);  // afterwards another process may have its pid
+  if (!exit_code_) kill(pid_, signal);  // after the end, another process may have this pid
 }
 
 std::optional<int> Program::Wait(std::chrono::seconds patience) {
@@ -183,7 +184,8 @@ Outcome RunProgram(const Program::Words& command,
 int FreePort() {
   constexpr int kTries = 1000;
   std::random_device random;
-  std::uniform_int_distribution<int> any(20000, 31999);  // the kernel assigns higher ones
+  std::uniform_int_distribution<int> any(20000,
+                                         31999);  // the kernel assigns ports above this range
   for (int i = 0; i < kTries; ++i) {
     const int port = any(random);
     if (IsReserved(port) && IsFree(port)) return port;

@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-/// The path of "bin/gcm" in the build folder of this test program. Found at run time, because
-/// presets share compiled objects.
+/// Returns the path of a file such as "bin/gcm" in the build folder of this test program. The
+/// folder is found at run time, because presets share compiled objects.
 inline std::string Built(const std::string& place) {
   return tendon::os::ProgramFolder().parent_path() / place;
 }
 
-/// A program run as a separate process, as a user would run it. Its state, cache and run-time
-/// folders are not the user's: all programs of a test share temporary ones. Killed on destruction.
+/// A program that runs as a separate process. Its state, cache and run-time folders are not the
+/// user's: all programs of a test share temporary folders. The destructor kills the program.
 class Program {
  public:
   using Words = std::vector<std::string>;
@@ -27,9 +27,10 @@ class Program {
   ~Program();
 
   void Signal(int signal) const;
-  /// The exit code, or 128 + the signal that killed it; empty if it has not ended in time.
+  /// Waits for the end. Returns the exit code, or 128 + the number of the signal that killed the
+  /// program; empty if the program has not ended in time.
   std::optional<int> Wait(std::chrono::seconds patience = std::chrono::seconds(30));
-  /// Its output so far.
+  /// Returns the output so far.
   [[nodiscard]] std::string out() const;
   [[nodiscard]] std::string err() const;
   [[nodiscard]] int pid() const { return pid_; }
@@ -47,9 +48,9 @@ struct Outcome {
   std::string err;
 };
 
-/// Runs a program to its end; exit code -1 if it does not end by itself.
+/// Runs a program to its end. The exit code is -1 if the program does not end by itself.
 Outcome RunProgram(const Program::Words& command,
                    const std::map<std::string, std::string>& environment = {});
 
-/// An unused port on 127.0.0.1; no other test gets it before this program ends.
+/// Returns an unused port on 127.0.0.1. No other test gets this port before this program ends.
 int FreePort();

@@ -44,8 +44,8 @@ TEST(Program, TheGivenEnvironmentWins) {
 TEST(Program, ReportsTheSignalThatEndedIt) { EXPECT_EQ(Shell("kill -9 $$").exit_code, 128 + 9); }
 
 TEST(Program, EndsWhenItsTestIsKilled) {
-  const tendon::test::Folder folder;  // the programs cannot remove the files here
-  int ends[2];                        // both the test and its program keep the other end open
+  const tendon::test::Folder folder;  // the killed test cannot remove the files in its folder
+  int ends[2];                        // the forked test and its program keep the other end open
   ASSERT_EQ(pipe(ends), 0);
 
   const pid_t test = fork();

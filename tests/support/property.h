@@ -16,7 +16,8 @@
 /// Checks properties of all numbers with RapidCheck.
 namespace tendon::test {
 
-/// Doubles that often break arithmetic: limits, denormals, values that differ in the last digits.
+/// Returns doubles that often break arithmetic: limits, denormals, and values that differ only in
+/// the last digits.
 inline std::vector<double> EdgeDoubles() {
   using Limits = std::numeric_limits<double>;
   std::vector<double> edges = {0.0,
@@ -48,7 +49,7 @@ inline std::vector<double> EdgeDoubles() {
   return edges;
 }
 
-/// Edge cases, their neighbours, any 64 bits, and RapidCheck's own small doubles.
+/// Generates edge cases, their neighbours, any 64 bits, and RapidCheck's own small doubles.
 inline rc::Gen<double> AnyDouble() {
   const auto edges = rc::gen::elementOf(EdgeDoubles());
   const auto infinity = std::numeric_limits<double>::infinity();
@@ -63,7 +64,8 @@ inline rc::Gen<double> AnyFinite() {
   return rc::gen::suchThat(AnyDouble(), [](double value) { return std::isfinite(value); });
 }
 
-/// Limits, integers near the largest that a double holds exactly, and any others.
+/// Generates limits, integers near the largest that a double represents exactly, and any other
+/// integers.
 template <std::integral Integer>
 rc::Gen<Integer> AnyInteger() {
   using Limits = std::numeric_limits<Integer>;
@@ -79,8 +81,8 @@ rc::Gen<Integer> AnyInteger() {
                         rc::gen::arbitrary<Integer>());
 }
 
-/// Calls a property, whose body uses RC_ASSERT(), for a few hundred cases, or for a minute if
-/// TENDON_FULL_FAULTS is set. To repeat a failure, set RC_PARAMS as printed by RapidCheck.
+/// Checks a property, whose body uses RC_ASSERT(), for a few hundred cases. If TENDON_FULL_FAULTS
+/// is set, checks it for a minute. To repeat a failure, set RC_PARAMS as printed by RapidCheck.
 template <typename Property>
 void CheckProperty(Property property) {
   constexpr std::chrono::minutes kFull(1);

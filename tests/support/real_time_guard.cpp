@@ -33,7 +33,7 @@ namespace {
 
 using Counts = RealTimeGuard::Counts;
 
-constexpr int kSetSyscallUserDispatch = 59;  // of prctl; older headers lack it
+constexpr int kSetSyscallUserDispatch = 59;  // an option of prctl() that older headers lack
 constexpr unsigned char kAllow = 0;
 constexpr unsigned char kBlock = 1;
 
@@ -49,7 +49,7 @@ void SetArmed(bool armed) {
   if (traps_system_calls) selector = armed ? kBlock : kAllow;
 }
 
-/// During its life the thread sleeps, which is allowed.
+/// While this object exists, the thread sleeps; sleeping is allowed.
 struct Sleep {
   Sleep() { SetArmed(false); }
   ~Sleep() {
@@ -65,8 +65,8 @@ void CountSystemCall(long number) {
 }
 
 #if defined(__x86_64__)
-/// Counts a trapped call and then allows it: the instruction is repeated, and further calls are not
-/// trapped until the thread sleeps.
+/// Counts a trapped call and then allows it: the instruction is repeated. Further calls are not
+/// trapped until the thread has slept.
 void OnTrap(int /*signal*/, siginfo_t* info, void* context) {
   selector = kAllow;
   CountSystemCall(info->si_syscall);
@@ -118,7 +118,7 @@ Counts RealTimeGuard::Disarm() {
 
 }  // namespace tendon_test
 
-// These interpose functions of the C library.
+// These functions replace functions of the C library.
 extern "C" {
 
 using tendon_test::counts;

@@ -7,7 +7,7 @@
 
 namespace tendon::test {
 
-/// Values in the order in which they were added.
+/// A list of values in the order in which they were added.
 ///
 /// Thread safety: all functions, any thread.
 template <typename T>
@@ -19,7 +19,7 @@ class Record {
     values_.push_back(std::move(value));
     return values_.size() - 1;
   }
-  /// For a value that is known later than its place.
+  /// Replaces a value. Use it for a value that is not known yet when its place is added.
   void Replace(std::size_t place, T value) {
     const std::scoped_lock lock(mutex_);
     values_.at(place) = std::move(value);

@@ -6,7 +6,7 @@
 
 namespace tendon::test {
 
-/// The message of the ConfigurationError that `action` throws; empty if it throws none.
+/// Returns the message of the ConfigurationError that `action` throws; empty if it throws none.
 template <typename Action>
 std::string Refusal(Action action) {
   try {

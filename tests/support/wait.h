@@ -3,8 +3,8 @@
 #include <chrono>
 #include <thread>
 
-/// Waits until `predicate()` is true, polling every millisecond; false after `timeout`. The default
-/// is long: it only limits a failing test, and is not a requirement on speed.
+/// Waits until `predicate()` is true; checks it every millisecond. Returns false after `timeout`.
+/// The default is long: it only limits a failing test, and is not a requirement on speed.
 template <typename Predicate>
 bool EventuallyTrue(Predicate predicate,
                     std::chrono::milliseconds timeout = std::chrono::seconds(30)) {

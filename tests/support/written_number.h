@@ -10,9 +10,9 @@
 
 namespace tendon::test {
 
-/// A decimal number: a sign, the digits without zeros at either end, and the power of ten of the
-/// last digit. Two words mean the same number if and only if these parts are equal. This is the
-/// reference for tests of all code that reads numbers, and shares none of that code.
+/// A decimal number: the sign, the digits without zeros at either end, and the power of ten of the
+/// last digit. Two words mean the same number if and only if these parts are equal. Tests compare
+/// all code that reads numbers with this class, which shares no code with it.
 struct WrittenNumber {
   bool is_negative = false;
   std::string digits;  // empty for 0
@@ -21,7 +21,7 @@ struct WrittenNumber {
   bool operator==(const WrittenNumber&) const = default;
 };
 
-/// Parses a word that has exactly one meaning; empty for any other word.
+/// Parses a word with exactly one meaning; empty for any other word.
 inline std::optional<WrittenNumber> WrittenNumberOf(const std::string& word) {
   constexpr std::size_t kMostOfExponent = 15;  // digits: no type holds more
   static const std::regex grammar(R"(([+-]?)(\d*)(?:\.(\d*))?(?:[eE]([+-]?)0*(\d*))?)");
@@ -42,7 +42,7 @@ inline std::optional<WrittenNumber> WrittenNumberOf(const std::string& word) {
   return number;
 }
 
-/// Random words, valid and invalid numbers.
+/// Generates random words: valid and invalid numbers.
 class RandomWords {
  public:
   explicit RandomWords(std::uint32_t seed) : random_(seed) {}

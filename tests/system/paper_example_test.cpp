@@ -19,7 +19,7 @@ using tendon::Status;
 using testing::ElementsAre;
 using testing::UnorderedElementsAre;
 
-/// Notes the numbers it is called with, and tells each caller's as an event.
+/// Records the numbers that it receives, and raises an event for each caller.
 class Server final : public tendon::PeriodicTask {
  public:
   Server(std::string name, const std::vector<std::string>& interfaces)
@@ -49,7 +49,8 @@ class Server final : public tendon::PeriodicTask {
   tendon::WriteEvent<std::uint64_t> called_by_p2_;
 };
 
-/// One required interface of a component without a thread: its calls, and the events it heard.
+/// One required interface of a component without a thread: its calls, and the events that it has
+/// received.
 struct Port {
   void OnCalled(std::uint64_t number) { heard.push_back(number); }
 

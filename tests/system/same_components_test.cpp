@@ -4,7 +4,7 @@
 #include "support/network_test.h"
 #include "support/plant.h"
 
-/// The claim of the whole: components do not know where their peers live.
+/// Tests the main claim of the framework: components do not know in which process their peers are.
 namespace {
 
 using plant::Move;
@@ -13,7 +13,7 @@ using plant::Operator;
 using plant::Plant;
 using tendon::LocalManager;
 
-/// What the two components did, wherever they were.
+/// The calls and events of the two components, in whichever processes they are.
 struct Outcome {
   std::vector<Move> moves;
   std::vector<Note> notes;

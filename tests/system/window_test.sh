@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
-# window_test.sh BIN: the real programs as real processes, driven by a real mouse under a virtual display: connect by
-# click, the arm moves, ten seconds of 1 kHz rows are plotted without loss, disconnect, an LCM is killed and comes
-# back,
-# a window records until a signal ends it.
+# window_test.sh BIN: tests the real programs on a virtual display, with a real mouse. Connects by clicks and moves the
+# arm; plots ten seconds of 1 kHz rows without loss; disconnects; kills an LCM and starts it again; ends a recording
+# window by a signal.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
 bin=$1
@@ -104,7 +103,7 @@ heals_after_a_kill() {
   passed "started again, it is connected and plotted again"
 }
 
-# The first window hosts the GCM; another one joins it, and stays when it goes.
+# A second window joins the GCM that the first window hosts, and survives the end of the first window.
 survives_its_gcm() {
   viewer() { python3 "$TENDON_ROOT/tools/ui.py" "$RUN_FOLDER/viewer.json" "$@"; }
   echo '{"version": 1, "plots": [{"window": 30, "curves": [{"path": "robot/arm/state.Joints.position[1]",' \
@@ -125,7 +124,7 @@ survives_its_gcm() {
   passed "with a new GCM it heals"
 }
 
-# The user stops neither the recording nor the window.
+# A signal ends the window while it records.
 records_until_a_signal() {
   local file
   viewer click widgets record

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# changes_test.sh: tests in a small repository that tools/format and tools/tidy check the changed files. Exit code 77,
-# which skips the test, if a program that they need is missing.
+# changes_test.sh: tests in a small repository that tools/format and tools/tidy check the changed files. The exit code
+# is 77, which skips the test, if a program that they need is missing.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
 # shellcheck source-path=SCRIPTDIR source=../../tools/common.sh
@@ -73,7 +73,7 @@ other_files_are_refused_at_once() {
     fail "tools/tidy says:" "$(<"$folder/said")"
 }
 
-# A script replaces cmake: it writes the compile commands, and checks whether another build would have to wait.
+# Replaces cmake by a script, which writes the compile commands and checks that the preset is locked.
 dev_is_configured_where_it_does_not_know_a_file() {
   printf 'int* added = nullptr;\n' >"$folder/core/added.cpp"
   mkdir "$folder/programs"

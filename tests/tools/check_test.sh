@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# check_test.sh: tests tools/check in a small project of its own: it prints only failures and the reasons of skipped
-# tests, and notices a changed preset.
+# check_test.sh: tests tools/check in a small project. tools/check must print only failures and the reasons of skipped
+# tests, and notice a changed preset.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
 # shellcheck source-path=SCRIPTDIR source=../../tools/common.sh
@@ -8,7 +8,7 @@ source "$root/tools/common.sh"
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-# make_preset VARIABLES: those of CMake's cache.
+# make_preset VARIABLES: writes the preset dev with these cache variables of CMake.
 make_preset() {
   cat >"$folder/CMakePresets.json" <<END
 {"version": 6,
@@ -18,7 +18,7 @@ make_preset() {
 END
 }
 
-# A copy of the tools, in which there is nothing to install.
+# Copies the tools, except for tools/setup: the small project needs no packages.
 make_project() {
   cp -r "$root/tools" "$folder"
   printf '#!/bin/sh\n' >"$folder/tools/setup"
@@ -70,7 +70,7 @@ times_are_those_of_the_last_run() {
   says "     2.5 s  core: a.cpp.o"
   grep -q "s  silent$" "$folder/said" || fail "the time of a test is not told:" "$(<"$folder/said")"
   "$folder/tools/check" --times --preset none >"$folder/said"
-  says "build/none has no tests.xml, so nothing is known of its tests; tools/check writes it."
+  says "build/none has no tests.xml, so the times of its tests are unknown; run tools/check."
 }
 
 a_change_of_the_compiler_forgets_nothing_of_the_preset() {
@@ -84,7 +84,7 @@ a_change_of_the_compiler_forgets_nothing_of_the_preset() {
   grep -q "^TOLD:.*=yes$" "$folder/build/dev/CMakeCache.txt" || fail "a variable of the preset is lost"
 }
 
-# The test of dev ends only when preset no-ice has been built beside it; the next preset takes a minute to build.
+# The test of dev waits until preset no-ice was built at the same time. The next preset would take a minute to build.
 ahead_builds_beside_the_tests_and_ends_with_them() {
   rm "$folder/broken"
   python3 - "$folder/CMakePresets.json" <<'END'

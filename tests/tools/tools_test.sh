@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# tools_test.sh CMAKE: tests the scripts in tools/ as a new user runs them. Installs and builds nothing.
+# tools_test.sh CMAKE: runs the scripts in tools/ like a new user. Installs and builds nothing.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)
 cmake=$1

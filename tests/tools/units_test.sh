@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# units_test.sh FOLDER: systemd understands each of its units, and has nothing to remark.
+# units_test.sh FOLDER: checks that systemd accepts each unit in the folder without a remark.
 set -euo pipefail
 folder=$1
 if ! command -v systemd-analyze >/dev/null; then
   echo "skipped: systemd-analyze is not installed, so the units were not verified"
   exit 77
 fi
-# Remarks of systemd that concern any unit on this machine are ignored.
+# If systemd has remarks even on a trivial unit, the test is skipped.
 trivial=$(mktemp -d)
 trap 'rm -rf "$trivial"' EXIT
 printf '[Service]\nType=oneshot\nExecStart=/usr/bin/env true\n' >"$trivial/trivial.service"

@@ -10,8 +10,8 @@
 namespace tendon::gui {
 namespace {
 
-/// If more providers match, their affinities are ignored, because they say nothing about a client's
-/// best position.
+/// If a required interface fits more providers than this, these possible connections do not affect
+/// the layout: they do not show where the client belongs.
 constexpr std::size_t kMostProviders = 3;
 
 QString ComponentPath(const InterfaceName& name) {

@@ -13,7 +13,7 @@
 
 namespace tendon::gui {
 
-/// Runs a GraphLayout in a thread of its own. GUI thread.
+/// Runs a GraphLayout in a separate thread. The functions are for the GUI thread.
 class LayoutWorker : public QObject {
   Q_OBJECT
 
@@ -29,7 +29,8 @@ class LayoutWorker : public QObject {
   /// chosen by the user. While the thread is busy, only the newest of the arriving requests is
   /// kept.
   void arrange(const GraphPicture& picture, const Places& places);
-  /// Does the same faster; use it only if nothing but `places` has changed since the last call.
+  /// Does the same as arrange(), but faster. Use it only if nothing but `places` has changed since
+  /// the last call.
   void move(const GraphPicture& picture, const Places& places);
 
   /// The latest result. It does not contain items that were added later.

@@ -15,7 +15,7 @@ namespace tendon::gui {
 namespace {
 
 constexpr std::size_t kMostSteps = 50;
-// The maximum number of positions, including those of systems that were shown earlier.
+// The maximum number of positions, including positions of systems that were shown earlier.
 constexpr std::size_t kMostPlaces = 20000;
 constexpr double kFurthest = 1e6;  // a larger distance is a mistake in the file
 

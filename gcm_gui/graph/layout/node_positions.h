@@ -27,12 +27,13 @@ class NodePositions : public QObject {
 
   [[nodiscard]] const Map& all() const { return all_; }
   [[nodiscard]] bool canUndo() const { return !steps_.empty(); }
-  /// True if the last action of the user was such a move, and not an action on the system.
+  /// Returns true if the last action of the user moved a component, and no action on the system
+  /// followed.
   [[nodiscard]] bool isNewest() const { return is_newest_ && canUndo(); }
 
  public Q_SLOTS:
   /// Moves several components in one step. If `key` is the same as in the previous step, the move
-  /// becomes a part of that step, so that many small moves by keys are undone together.
+  /// becomes a part of that step. So many small moves by keys are undone together.
   void move(const std::map<QString, QPointF>& moved, const QString& key = {});
   /// Returns all components to their automatic positions.
   void reset();

@@ -17,7 +17,8 @@ constexpr double kCurveLayer = 20;  // above grid and gaps
 constexpr double kThickness = 2;    // logical pixels
 constexpr double kDotRadius = 2.5;
 constexpr double kLateRadius = 4;
-constexpr double kNearest = 3;  // pixels between samples; if they are closer, dots are not visible
+// Pixels between two samples; no dots are drawn at smaller distances.
+constexpr double kNearest = 3;
 // The distance between samples, in pixels, from which dots have their full size.
 constexpr double kDotDistance = 8;
 constexpr double kBeyond = 64;  // pixels outside the canvas; lines are cut off there
@@ -109,8 +110,9 @@ void CurveLayer::drawLines(QPainter& painter, const Curve& curve, const Envelope
   painter.restore();
 }
 
-// Returns the radius of a dot. It grows with the distance between samples, starting with the width
-// of the line, so no dot suddenly appears or disappears when one more sample becomes visible.
+// Returns the radius of a dot. The radius grows with the distance between samples. At the smallest
+// distance, the radius is half the width of the line. So no dot suddenly appears or disappears when
+// one more sample becomes visible.
 double CurveLayer::DotRadius(double distance) {
   const double part = (distance - kNearest) / (kDotDistance - kNearest);
   return kThickness / 2 + std::clamp(part, 0.0, 1.0) * (kDotRadius - kThickness / 2);

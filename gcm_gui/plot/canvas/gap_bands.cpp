@@ -70,7 +70,7 @@ std::vector<GapBands::Band> GapBands::bandsOf(const Curve& curve, const QwtScale
   };
   std::vector<Band> bands;
   for (const Gap& gap : curve.samples().gaps()) {
-    // Rows have arrived, so the curve is only interrupted.
+    // The rows have arrived, and only the curve is interrupted. So there is no band.
     if (gap.cause == Gap::Cause::kNoValue) continue;
     Band band{.left = x_of(gap.from_ns),
               .right = x_of(gap.to_ns),

@@ -117,7 +117,7 @@ void PlotAxes::setRoom(const SideRoom& least) {
   placeSides();
 }
 
-// Includes the outer axes, and the room that is not used, in the margins of the plot.
+// Adds the width of the outer axes, and the width that no label uses, to the margins of the plot.
 void PlotAxes::placeSides() {
   plot_.axisScaleDraw(QwtAxis::YLeft)->setMinimumExtent(std::max(kSide, least_.left));
   const SideRoom wanted = wantedRoom();

@@ -28,9 +28,9 @@ std::uint32_t Blend(std::uint32_t below, std::uint32_t color, std::uint32_t cove
 // Bands are widened in blocks of this size, so that the compiler can vectorise the loop.
 constexpr std::size_t kBlock = 64;
 
-// Widens a block of bottoms (`direction` 1) or of tops (`direction` -1). Tops are treated as the
-// bottoms of the picture turned upside down. Reads one block, plus the width of the pen, from
-// `thin`.
+// Widens a block of bottoms (`direction` 1) or of tops (`direction` -1). For tops, the picture is
+// turned upside down, so that a top becomes a bottom. Reads from `thin` one block, plus the width
+// of the pen.
 void Widen(const float* thin, const std::vector<float>& reach, float direction, float* wide) {
   std::array<float, kBlock> lowest;
   lowest.fill(-kNowhere);

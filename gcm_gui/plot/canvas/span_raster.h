@@ -46,7 +46,7 @@ class SpanRaster {
   void draw(const Envelope& envelope, const RowScale& rows, double radius, const QColor& color);
   /// Paints the rows of the image that were drawn on; `top_left` is in logical pixels.
   void paint(QPainter& painter, const QPointF& top_left, double device_pixel_ratio) const;
-  /// For tests. The result shares the memory of this object.
+  /// Returns the drawn picture. The result shares the memory of this object.
   [[nodiscard]] QImage image() const;
 
  private:

@@ -23,7 +23,7 @@ bool IsDrawnOnce(const QwtPlotItem& item) {
 void DrawSweep(const QwtPlot& plot, const TimeWindow& window, QPainter& painter,
                const QRectF& canvas_rect, const QwtScaleMap* maps) {
   const QwtScaleMap& present = maps[QwtAxis::XBottom];
-  QwtScaleMap former = present;  // the same columns show the time one window length earlier
+  QwtScaleMap former = present;  // in each column, the time is one window length earlier
   const double length = window.to() - window.from();
   former.setScaleInterval(present.s1() - length, present.s2() - length);
   const double head = std::round(present.transform(window.head()));

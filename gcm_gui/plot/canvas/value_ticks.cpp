@@ -8,7 +8,8 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kFewDecades = 2.5;  // below this, labels at 2 and 5 fit between the powers of ten
+// With fewer decades, labels at 2 and 5 fit between the powers of ten.
+constexpr double kFewDecades = 2.5;
 constexpr double kTickTolerance = 1e-9;
 constexpr double kLargestPlain = 1e6;  // larger numbers, and steps below kTiny, get an exponent
 constexpr double kTiny = 1e-5;
@@ -41,8 +42,8 @@ void Add(ValueTicks& ticks, double place, const QString& text) {
   ticks.texts.push_back(text);
 }
 
-// Returns the labels for less than a decade, where round values are evenly spaced. Calculates
-// relative to a power of ten, because near the limits of doubles the values themselves may be
+// Returns the labels for less than a decade. Round values are then evenly spaced. Calculates with
+// numbers divided by a power of ten: near the limits of doubles, the values themselves may become
 // infinite.
 ValueTicks WithinADecade(const AxisRange& range, int most) {
   ValueTicks ticks;

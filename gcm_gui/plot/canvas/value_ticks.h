@@ -17,9 +17,9 @@ struct ValueTicks {
   bool operator==(const ValueTicks&) const = default;
 };
 
-/// Returns about `most` labels or fewer. On a logarithmic axis, they are at powers of ten and, if
-/// there is room, also at 2 and 5 times these powers. If the axis shows less than a decade, they
-/// are at round values.
+/// Returns about `most` labels or fewer. On a logarithmic axis, the labels are at powers of ten
+/// and, if there is room, also at 2 and 5 times these powers. If the axis shows less than a decade,
+/// the labels are at round values.
 [[nodiscard]] ValueTicks TicksOf(const AxisRange& range, ValueScale scale, int most);
 /// Returns the labels of an axis in its frame: the names of the values if they have names,
 /// otherwise the distance from the base of the axis.

@@ -26,7 +26,8 @@ constexpr int kBetween = 12;  // between two rows side by side
 constexpr int kWidestName = 220;
 constexpr double kHiddenOpacity = 0.45;
 
-// Stores a text with its layout, because the legend paints the text in each frame of the plot.
+// Stores a text with its layout. The legend paints the text in each frame of the plot, so the
+// layout is not computed each time.
 void SetText(QStaticText& text, const QString& content, const QFont& font) {
   if (text.text() == content) return;
   text.setTextFormat(Qt::PlainText);
@@ -51,8 +52,8 @@ void LegendRow::setEntry(const LegendEntry& entry) {
   setAccessibleName(QStringList{entry.name, entry.value, entry.unit}.join(' ').simplified());
   setToolTip(isGrey() ? entry.path + '\n' + entry.name : entry.path);
   const QFontMetrics metrics(Theme::instance().small());
-  // A name such as "arm.position[0] · suspended · 5 s old" is shortened in the middle of its path.
-  // So the ends stay visible, because they distinguish the curves.
+  // Shortens a name such as "arm.position[0] · suspended · 5 s old" in the middle of its path. The
+  // ends of the path stay visible, because they distinguish the curves.
   const qsizetype reason = entry.name.indexOf(QStringLiteral(" · "));
   QString name = metrics.elidedText(entry.name.left(reason), Qt::ElideMiddle, kWidestName);
   if (reason >= 0) name += metrics.elidedText(entry.name.mid(reason), Qt::ElideRight, kWidestName);
@@ -203,7 +204,7 @@ Legend::Legend(QWidget* parent) : QFrame(parent), grid_(new QGridLayout(this)) {
   grid_->setHorizontalSpacing(kBetween);
   grid_->setSizeConstraint(QLayout::SetFixedSize);
   hide();
-  // The fonts may have changed, so all rows are removed; the next setEntries() builds them again.
+  // The fonts may have changed. Removes all rows; the next setEntries() builds them again.
   connect(&Theme::instance(), &Theme::changed, this, [this] { makeRows(0); });
 }
 

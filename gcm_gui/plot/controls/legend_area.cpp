@@ -11,7 +11,7 @@ namespace tendon::gui {
 namespace {
 
 constexpr int kOneRow = 18;
-// The minimum height of canvas and axis; if the plot is low, the legend becomes lower.
+// The minimum height of canvas and axis together. In a low plot, the legend is lower instead.
 constexpr int kLeastPlot = 110;
 constexpr double kHighest = 0.4;  // fraction of the plot
 constexpr int kEdge = kInset;

@@ -14,8 +14,8 @@ class LegendArea : public QScrollArea {
   Q_OBJECT
 
  public:
-  /// Creates a child of `plot`. When the size of the legend or of the plot changes, it sets the
-  /// contents margins of the plot.
+  /// Creates a child of `plot`. The area sets the contents margins of the plot whenever the size of
+  /// the legend or of the plot changes.
   explicit LegendArea(QwtPlot& plot);
 
   [[nodiscard]] Legend& legend() { return *legend_; }

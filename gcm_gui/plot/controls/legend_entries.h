@@ -20,9 +20,9 @@ struct TimeSpan {
 [[nodiscard]] QString NumberOf(const ExactNumber& number, const Curve& curve,
                                const CurveSet& curves);
 
-/// Returns the rows of the legend. They contain the values at `at_ns` or, if it is empty, the
-/// present values; and the statistics of a time span, if requested. O(curves) + O(samples in that
-/// span).
+/// Returns the rows of the legend. The rows contain the values at `at_ns`; without `at_ns`, the
+/// present values. If a time span is given, the rows also contain its statistics. O(curves) +
+/// O(samples in the span).
 [[nodiscard]] std::vector<LegendEntry> LegendEntriesOf(const CurveSet& curves,
                                                        std::optional<std::int64_t> at_ns,
                                                        std::optional<TimeSpan> statistics);

@@ -130,7 +130,7 @@ void PlotHeader::buildWindowMenu() {
     action->setCheckable(true);
     connect(action, &QAction::triggered, this, [this, length] { Q_EMIT windowChosen(length); });
   }
-  // QToolButton's own menu is not used, because its handler blocks until the menu is closed.
+  // Does not use QToolButton's own menu: its handler blocks until the menu is closed.
   connect(window_, &QToolButton::clicked, menu,
           [this, menu] { menu->popup(window_->mapToGlobal(QPoint(0, window_->height()))); });
 }

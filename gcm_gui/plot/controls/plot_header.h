@@ -15,8 +15,8 @@ namespace tendon::gui {
 class MemoryMeter;
 class RateBadge;
 
-/// The header of the plots. It has a tab for each page and a button [+]; for the current plot it
-/// has the rate, the time span, the motion and the history buttons.
+/// The header of the plots. It has a tab for each page and a button [+]. For the current plot, it
+/// shows the rate and the time span, and has buttons for the motion and the history.
 class PlotHeader : public HeaderRow {
   Q_OBJECT
 
@@ -45,8 +45,8 @@ class PlotHeader : public HeaderRow {
   void csvRequested();
 
  protected:
-  /// If the header is narrow, hides the buttons whose functions also have a key and are in the
-  /// menu.
+  /// If the header is narrow, hides some buttons. Only buttons whose functions also have a key and
+  /// a menu entry are hidden.
   void resizeEvent(QResizeEvent* event) override;
 
  private:

@@ -30,7 +30,7 @@ class PlotNavigator : public QObject {
   Q_OBJECT
 
  public:
-  /// Watches the canvas of `view`, which owns it.
+  /// Watches the canvas of `view`. The view owns this object.
   explicit PlotNavigator(PlotView& view);
 
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -12,7 +12,7 @@ namespace {
 
 QString Number(double hz) {
   if (hz >= 99.95) return QString::number(hz, 'f', 0);
-  // More digits would not be exact, because the rate is measured over one second.
+  // The rate is measured over one second, so further digits would not be exact.
   return QString::number(hz, 'g', hz >= 9.995 ? 3 : 2);
 }
 
@@ -47,7 +47,7 @@ QString BadgeText(const std::vector<SourceFigures>& figures) {
   return text;
 }
 
-/// Returns the losses by place, as far as known; empty if nothing was lost.
+/// Returns the known losses by place; empty if nothing was lost.
 QString PlacesText(const RowLosses& losses) {
   QStringList places;
   if (losses.table > 0) places << Words::tr("%1 in its process").arg(losses.table);

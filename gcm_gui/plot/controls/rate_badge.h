@@ -7,8 +7,8 @@
 
 namespace tendon::gui {
 
-/// Shows the rate of rows and the number of lost rows: "1000 Hz · 0 lost". It is red if any row is
-/// lost. A click shows the figures of each source.
+/// Shows the rate of rows and the number of lost rows: "1000 Hz · 0 lost". The text is red if any
+/// row is lost. A click shows the figures of each source.
 class RateBadge : public QToolButton {
   Q_OBJECT
 
@@ -18,8 +18,8 @@ class RateBadge : public QToolButton {
   void setFigures(const std::vector<SourceFigures>& figures);
 };
 
-/// Formats a rate: "1000 Hz", "19.8 Hz", "0.5 Hz". It has three digits, or two below 10 Hz, but
-/// always all digits before the point.
+/// Formats a rate: "1000 Hz", "19.8 Hz", "0.5 Hz". The text has three digits, or two below 10 Hz.
+/// All digits before the decimal point are shown.
 [[nodiscard]] QString RateText(double hz);
 /// Returns where rows were lost: "; lost 600 in its process, 3 on the network". Empty if no row was
 /// lost.

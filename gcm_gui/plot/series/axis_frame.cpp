@@ -12,9 +12,9 @@ constexpr double kNear = kFar / 4;  // distance from 0, in spans, below which la
 // 2^52: half of the integers that a double can distinguish.
 constexpr double kExact = 4503599627370496;
 
-// Returns a round number near the middle of the data. With it, labels need at most one more digit.
-// For integers, the number is not farther from 0 than the middle, because the range of the integer
-// type may end there.
+// Returns a round number near the middle of the data. Labels relative to this number need at most
+// one more digit. For integers, the number is not farther from 0 than the middle, because the range
+// of the integer type may end there.
 double RoundBase(double middle, double span, NumberKind numbers) {
   const double digits = std::ceil(std::log10(span)) + 1;
   const double power = std::pow(10, std::abs(digits));
@@ -25,16 +25,16 @@ double RoundBase(double middle, double span, NumberKind numbers) {
   return std::round(middle * power) / power;
 }
 
-// Returns true if labels relative to this base need no more digits. When a live axis has only few
-// samples yet, there may be no round number near them.
+// Returns true if labels relative to this base need no additional digits. A live axis with only a
+// few samples may have no round number near them.
 bool IsRound(double base, double span) {
   const double steps = base / std::pow(10, std::ceil(std::log10(span)) - 1);
   const double tolerance = 1e-3 + std::abs(steps) * 1e-15;
   return std::abs(steps - std::round(steps)) <= tolerance;
 }
 
-// Formats a base. Integers that are readable have all digits; other numbers are as short as
-// possible.
+// Formats a base. Shows all digits of an integer if they are readable. Other numbers are as short
+// as possible.
 QString BaseText(double base) {
   constexpr int kMostZeros = 4;
   constexpr double kIntegers = 1e20;  // larger than any 64-bit integer

@@ -10,10 +10,10 @@ namespace tendon::gui {
 /// the place is the logarithm of this number. So the places are ordinary numbers, even if the
 /// values are close together and far from 0, or near the largest double.
 struct AxisFrame {
-  /// 0, or a round number near the values if they are far from 0. The base is shown beside the
-  /// unit.
+  /// A round number near the values if the values are far from 0; otherwise 0. The base is shown
+  /// beside the unit.
   double base = 0;
-  /// 0; another exponent if the distances between values are too large for a double.
+  /// Not 0 only if the distances between values are too large for a double.
   int exponent = 0;
 
   /// Returns the place of a value at this distance from the base.

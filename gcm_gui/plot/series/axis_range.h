@@ -32,11 +32,12 @@ enum class NumberKind { kReal, kWhole };
 
 /// Returns 1, 2 or 5 times a power of ten, such that at most `most` steps fit into `span`.
 [[nodiscard]] double NiceStep(double span, int most);
-/// Returns such a step in seconds; for long steps, a round number of minutes or hours.
+/// Does the same as NiceStep() for a step in seconds. Long steps are a round number of minutes or
+/// hours.
 [[nodiscard]] double NiceTimeStep(double span_s, int most);
 
-/// Returns true if the values from base + low to base + high differ only by rounding errors, which
-/// must not be magnified. Real values very close to 0 count as equal to 0.
+/// Returns true if the values from base + low to base + high differ only by rounding errors. An
+/// axis must not magnify rounding errors. Real values very close to 0 count as equal to 0.
 [[nodiscard]] bool IsFlat(const AxisRange& data, double base, NumberKind numbers);
 
 /// Returns the range of an axis for `data`, with a margin and round ends. Returns `current` if the
@@ -45,7 +46,7 @@ enum class NumberKind { kReal, kWhole };
 /// are distances from `base`; they are finite and not huge.
 [[nodiscard]] AxisRange FittedRange(const AxisRange& current, const AxisRange& data,
                                     NumberKind numbers = NumberKind::kReal, double base = 0);
-/// Returns such a range for logarithms of values.
+/// Does the same as FittedRange() for logarithms of values.
 [[nodiscard]] AxisRange FittedDecades(const AxisRange& current, const AxisRange& data);
 /// Returns the range of an axis for states, given by their numbers: `data` with a margin of at
 /// least 0.3.

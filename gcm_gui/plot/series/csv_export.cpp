@@ -37,7 +37,7 @@ void CsvExport::save(CsvTable table, const QString& file) {
       file, fill, this, [this, file, figures, is_scaled](const QString& refusal) {
         if (!refusal.isEmpty()) {
           Q_EMIT finished(NotSaved(file, refusal));
-        } else if (*figures) {  // otherwise a newer request has replaced this one before it began
+        } else if (*figures) {  // no value if a newer request replaced this request before it began
           Q_EMIT finished(Saved(**figures, is_scaled, file));
         }
       });

@@ -61,7 +61,7 @@ class Writer {
   }
 
  private:
-  struct Interruption {  // of one source, directly before a line
+  struct Interruption {  // a gap or a restart of one source, directly before a line
     std::uint64_t lost = 0;
     bool restart = false;
   };

@@ -74,16 +74,6 @@ double Curve::distanceOf(std::uint64_t index) const {
   return DistanceFrom(number.kind(), base_)(number.word());
 }
 
-std::optional<double> Curve::valueAt(std::int64_t time_ns) const {
-  const auto number = numberAt(time_ns);
-  return number ? std::optional(number->nearest()) : std::nullopt;
-}
-
-std::optional<double> Curve::latestValue() const {
-  const auto number = latestNumber();
-  return number ? std::optional(number->nearest()) : std::nullopt;
-}
-
 std::optional<ExactNumber> Curve::numberAt(std::int64_t time_ns) const {
   const std::uint64_t next = samples_.lowerBound(time_ns + 1);
   if (next == samples_.firstIndex()) return {};

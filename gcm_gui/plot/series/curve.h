@@ -39,8 +39,8 @@ class Curve {
   /// kept as minimum and maximum of each 100 ms.
   void setBudget(std::size_t bytes);
   [[nodiscard]] std::size_t bytes() const { return samples_.bytes() + history_.bytes(); }
-  /// Returns true if the oldest samples were dropped, so that this part is shown by minima and
-  /// maxima.
+  /// Returns true if the oldest samples were dropped. This part of the curve is then shown by
+  /// minima and maxima.
   [[nodiscard]] bool isThinned() const;
   [[nodiscard]] const SampleRing& samples() const { return samples_; }
 
@@ -61,12 +61,13 @@ class Curve {
   void setLossesBefore(const RowLosses& losses) { losses_before_ = losses; }
   [[nodiscard]] const RowLosses& lossesBefore() const { return losses_before_; }
 
-  /// Sets the look, but does not update the axes. Otherwise use CurveSet::setLook().
+  /// Sets the look without updating the axes. If the curve is in a CurveSet, call
+  /// CurveSet::setLook() instead.
   void setLook(const CurveLook& look);
   [[nodiscard]] const CurveLook& look() const { return look_; }
   [[nodiscard]] const Scaling& scaling() const { return look_.scaling; }
-  /// Sets the names of the curve's values, but does not update the axes. Otherwise use
-  /// CurveSet::setNames().
+  /// Sets the names of the curve's values without updating the axes. If the curve is in a CurveSet,
+  /// call CurveSet::setNames() instead.
   void setNames(ValueNamesPointer names) { names_ = std::move(names); }
   [[nodiscard]] const ValueNamesPointer& allNames() const { return names_; }
   /// Returns the names to show; null if there are none or if the curve is scaled.
@@ -91,12 +92,9 @@ class Curve {
   void setVisible(bool visible) { visible_ = visible; }
   [[nodiscard]] bool isVisible() const { return visible_; }
 
-  // Scaled values.
+  // The following functions return scaled values. Unscaled integers keep all digits.
   /// Returns the value of the last sample at or before `time_ns`; empty if there is a gap in
   /// between.
-  [[nodiscard]] std::optional<double> valueAt(std::int64_t time_ns) const;
-  [[nodiscard]] std::optional<double> latestValue() const;
-  // The same values as exact numbers: unscaled integers keep all digits.
   [[nodiscard]] std::optional<ExactNumber> numberAt(std::int64_t time_ns) const;
   [[nodiscard]] std::optional<ExactNumber> latestNumber() const;
   /// Returns the distance of a scaled sample from the base.

@@ -27,7 +27,8 @@ UnitAxis* AxisFor(std::vector<UnitAxis>& axes, const QString& unit) {
   return found == axes.end() ? nullptr : &*found;
 }
 
-// If an enumeration has only a few states, the axis shows all of them, so that it does not move.
+// For an enumeration with only a few states, the axis shows all states, so that the axis does not
+// move.
 AxisRange WithAllStates(const AxisRange& data, const ValueNames& names) {
   constexpr double kFew = 12;
   if (names.all.empty()) return data;
@@ -234,8 +235,8 @@ void CurveSet::fitAxes(std::span<const SeenSlices> seen) {
 // axis; low > high if there is no data.
 AxisRange CurveSet::chooseFrame(UnitAxis& axis, std::span<const SeenSlices> seen) {
   const bool has_base = fit_ != Fit::kSymmetric && !hasStates(axis);
-  // Distances are exact only near the base. So after the base has changed, another iteration may be
-  // needed.
+  // Distances are exact only near the base, so a new base gives new distances. These may need
+  // another base.
   constexpr int kMostFrames = 3;
   for (int i = 0;; ++i) {
     const std::vector<Extremes> all = extremesOn(axis, seen);
@@ -261,8 +262,8 @@ AxisRange CurveSet::chooseFrame(UnitAxis& axis, std::span<const SeenSlices> seen
   }
 }
 
-// Extends the range of the data by the range that the axis must keep. Both are distances from the
-// base.
+// If the axis never becomes narrower, extends the range of the data by its previous range. Both
+// ranges are distances from the base.
 AxisRange CurveSet::withGrown(const AxisRange& data, const UnitAxis& axis) const {
   if (fit_ != Fit::kGrow || !axis.has_grown) return data;
   const double factor = axis.frame.factor();

@@ -14,7 +14,7 @@
 
 namespace tendon::gui {
 
-/// How a Y axis follows the visible data.
+/// The ways in which a Y axis follows the visible data.
 enum class Fit {
   kClose,      ///< as narrow as the data
   kGrow,       ///< never narrower than before
@@ -24,7 +24,7 @@ enum class Fit {
 /// The Y axis of all curves that have the same unit and scaling, or for which the user has chosen
 /// the same axis.
 struct UnitAxis {
-  QString unit;        ///< or the name of the axis chosen by the user: see Curve::axis()
+  QString unit;        ///< the name of the axis, usually a unit: see Curve::axis()
   AxisFrame frame;     ///< maps values to places
   AxisRange range;     ///< the range of places
   bool fitted = true;  ///< true: follows the visible data; false: range chosen by the user
@@ -91,16 +91,15 @@ class CurveSet {
   /// Returns the names of the curves that have values of 0 or less in the slices, because a
   /// logarithmic axis cannot show these values. Empty on a linear axis.
   [[nodiscard]] QStringList withoutPlace(std::span<const SeenSlices> seen) const;
-  /// Fits the axes that follow the data to the values in the slices. A curve is ignored if its
-  /// values are beyond 1e12 and also more than a million times larger than the values of the other
-  /// curves on its axis, because it would flatten the other curves. beyondAxes() returns the
-  /// ignored curves.
+  /// Fits the axes that follow the data to the values in the slices. Ignores a curve whose values
+  /// are beyond 1e12 and more than a million times larger than those of the other curves on its
+  /// axis: such a curve would flatten the others. beyondAxes() returns the ignored curves.
   void fitAxes(std::span<const SeenSlices> seen);
   [[nodiscard]] const QStringList& beyondAxes() const { return beyond_; }
   /// Returns the time of the newest sample of all curves; INT64_MIN if there are no samples.
   [[nodiscard]] std::int64_t newestTime() const;
   /// Returns one entry for each source, even if several of its columns are plotted. The rate is 0
-  /// if, at `now_ns`, the last row is older than both one second and two periods.
+  /// if the last row is older than one second and older than two periods at `now_ns`.
   [[nodiscard]] std::vector<SourceFigures> figures(std::int64_t now_ns) const;
 
  private:

@@ -14,7 +14,7 @@ constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 bool IsFinite(double value) { return std::abs(value) <= std::numeric_limits<double>::max(); }
 
-// These types convert words to values while drawing. Almost all plots use the first type, whose
+// These types convert stored words to values while drawing. Almost all plots use the type Real; its
 // conversion costs nothing.
 struct Real {
   static constexpr bool kSteps = false;
@@ -101,8 +101,8 @@ void Envelope::start(const SampleRing& ring, const TimeSlices& slices) {
   next_ = std::max(ring.lowerBound(slices.from_ns), ring.firstIndex() + 1) - 1;
 }
 
-// Shifts the existing slices to the left. Returns false if this is not possible, so that everything
-// must be computed again.
+// Shifts the existing slices to the left. Returns false if this is not possible and the envelope
+// must be built again.
 bool Envelope::moveOn(const SampleRing& ring, const TimeSlices& slices) {
   constexpr std::int64_t kRoundingNs = 2;
   const std::int64_t by_ns = slices.from_ns - slices_.from_ns;
@@ -235,7 +235,7 @@ void Envelope::lineTo(Pen& pen, std::int64_t time_ns, double value) {
       const auto way_ns = static_cast<double>(ends_[pen.slice] - pen.time_ns);
       const double there = IsFinite(slope) ? pen.value + slope * way_ns
                                            : FarBetween(pen.value, value, way_ns / span_ns);
-      // Rounding may put it outside of the two values.
+      // Rounding may put `there` outside of the two values.
       const double border = std::clamp(there, least, most);
       pen.low = std::min(pen.low, border);
       pen.high = std::max(pen.high, border);

@@ -22,19 +22,19 @@ struct TimeSlices {
 /// A curve as it appears on a screen. For each time slice, it has the minimum and the maximum of
 /// the line through the samples. This line is straight between real numbers; an integer holds its
 /// value until the next sample.
-///
 /// The extreme values of all samples are kept. The line is interrupted at gaps and at values that
-/// are not finite. All values are distances from a base, because doubles cannot distinguish large
+/// are not finite. All values are distances from a base: a double cannot distinguish large
+/// integers, but it can hold their distance from a base near them.
 /// integers.
 class Envelope {
  public:
   /// Builds the envelope; always pass the same ring. O(samples in the slices + slices). If the
-  /// slices have moved by a whole number of slices, as in a live plot: O(new samples + slices). If
-  /// the base has changed, the whole envelope is built again.
+  /// slices have moved by a whole number of slices, as in a live plot, only the new part is
+  /// computed: O(new samples + slices). If the base has changed, the whole envelope is built again.
   void build(const SampleRing& ring, const TimeSlices& slices, double base = 0);
 
-  /// Adds the minimum and maximum of [from_ns, to_ns), whose samples no longer exist. The addition
-  /// is lost at the next build(). O(slices in that span).
+  /// Adds the minimum and maximum of [from_ns, to_ns), a span whose samples no longer exist. The
+  /// next build() removes this addition. O(slices in the span).
   void widen(std::int64_t from_ns, std::int64_t to_ns, double low, double high);
 
   /// Makes this object a scaled copy of `plain`, which must have base 0; the values are then
@@ -46,7 +46,7 @@ class Envelope {
   /// The maxima. In an empty slice, high() is lower than low().
   [[nodiscard]] std::span<const double> high() const { return shown(high_); }
 
-  // Over all slices. If all slices are empty, lowest() > highest().
+  // lowest() and highest() cover all slices. If all slices are empty, lowest() > highest().
   [[nodiscard]] double lowest() const { return lowest_; }
   [[nodiscard]] double highest() const { return highest_; }
 
@@ -69,7 +69,7 @@ class Envelope {
     return all.empty() ? std::span<const double>() : std::span(all).subspan(1, all.size() - 2);
   }
 
-  // These have one more hidden slice at each end, for all earlier and all later times.
+  // The arrays have one more hidden slice at each end, for all earlier and all later times.
   std::vector<std::int64_t> ends_;
   std::vector<double> low_;
   std::vector<double> high_;

@@ -9,9 +9,9 @@ namespace tendon::gui {
 
 /// A number exactly as its source wrote it: a double, or an integer with all 64 bits.
 ///
-/// Beyond 2^53, doubles cannot distinguish neighbouring integers, and counters of nanoseconds are
-/// far above this. So samples keep the number itself. For drawing, only its distance from a nearby
-/// base is used, because a double holds this distance exactly.
+/// Beyond 2^53, doubles cannot distinguish neighbouring integers. A counter of nanoseconds is far
+/// above 2^53. Therefore a sample keeps the number itself. A plot draws only the distance of the
+/// number from a nearby base; a double holds this distance exactly.
 class ExactNumber {
  public:
   enum class Kind : std::uint8_t { kReal, kSigned, kUnsigned };
@@ -56,7 +56,7 @@ class ExactNumber {
   bool operator==(const ExactNumber&) const = default;
 
  private:
-  std::uint64_t word_ = 0;  // the word of 0.0, too
+  std::uint64_t word_ = 0;  // these bits are also the word of 0.0
   Kind kind_ = Kind::kReal;
 };
 
@@ -87,8 +87,9 @@ class DistanceFrom {
   ExactNumber::Kind kind_;
   double base_;
   std::uint64_t whole_base_ = 0;
-  bool is_exact_ = false;   // numbers and base are integers
-  bool is_beyond_ = false;  // the base is 2^63 or 2^64; the largest integers round to these
+  bool is_exact_ = false;  // numbers and base are integers
+  // the base is 2^63 or 2^64; as doubles, the largest integers become this base
+  bool is_beyond_ = false;
 };
 
 }  // namespace tendon::gui

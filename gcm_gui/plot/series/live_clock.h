@@ -20,8 +20,8 @@ class LiveClock {
  private:
   static constexpr std::int64_t kUnknown = std::numeric_limits<std::int64_t>::min();
 
-  // The maximum offset in the present interval and in the previous one. With two intervals, old
-  // offsets expire.
+  // The maximum offset in the present interval and in the previous interval. An older offset has no
+  // effect.
   std::int64_t lead_ns_ = kUnknown;
   std::int64_t former_lead_ns_ = kUnknown;
   std::int64_t span_began_ns_ = 0;

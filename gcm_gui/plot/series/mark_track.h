@@ -13,7 +13,7 @@ struct Mark {
   enum class Kind { kCommand, kEvent, kState, kConnection };
 
   Kind kind = Kind::kEvent;
-  std::int64_t time_ns = 0;  ///< on this process's steady clock, as for samples
+  std::int64_t time_ns = 0;  ///< on the steady clock of this process, like the times of samples
   QString label;             ///< short text at the bottom of the plot: "MoveTo"
   QString text;              ///< full text: "call robot/arm/Control.MoveTo {…}"
   bool is_bad = false;       ///< refused, faulted, lost

@@ -11,8 +11,8 @@ namespace {
 constexpr std::size_t kFirstCapacity = 1024;
 // Limits the memory for gaps; a signal that loses every other row would have very many.
 constexpr std::size_t kMostGaps = 16384;
-// A shorter time without samples is normal, because a slow source may send its samples this far
-// apart.
+// A shorter time without samples is no standstill: it may be the normal distance between the
+// samples of a slow source.
 constexpr std::int64_t kShortestStandstillNs = 250'000'000;
 
 std::size_t Capacity(std::size_t limit) { return std::bit_floor(std::max(limit, std::size_t{2})); }
@@ -32,7 +32,7 @@ void SampleRing::append(std::span<const Sample> samples) {
   }
 }
 
-// Returns true if the sample has a number that must be stored.
+// Returns true if the sample has a number that must be stored. Adapts the number kind of the ring.
 bool SampleRing::takeKind(const Sample& sample) {
   const ExactNumber::Kind kind = sample.value.kind();
   if (kind == kind_) return true;
@@ -77,8 +77,8 @@ bool SampleRing::continues(const Sample& sample) {
   const std::uint64_t lost = std::exchange(lost_before_, 0) + (sample.tick - last_tick_ - 1);
   const bool is_standstill =
       stands_still_ && sample.time_ns - time(end_ - 1) > kShortestStandstillNs;
-  // The standstill has ended, because the source runs again. A slow source may send its next sample
-  // after a time as long as this one, which must not count as another standstill.
+  // The standstill has ended, because the source runs again. The next sample of a slow source may
+  // come after an equally long time. This time must not count as another standstill.
   if (is_standstill) stands_still_ = standstill_ends_ = false;
   if (lost > 0) {
     addGap(Gap::Cause::kLost, sample, lost);

@@ -43,9 +43,9 @@ struct Gap {
 /// from tendon::LostRows (gcm_gui/session/column_feed.h). It is a separate type because plots
 /// depend only on Qt and Qwt.
 struct RowLosses {
-  std::uint64_t table = 0;    ///< in the source's process: overwritten before they were read
+  std::uint64_t table = 0;    ///< lost in the source's process: overwritten before they were read
   std::uint64_t network = 0;  ///< refused by the link, or written while there was no link
-  std::uint64_t viewer = 0;   ///< in this window
+  std::uint64_t viewer = 0;   ///< lost in this window
 
   /// Returns the losses that were added after `before`.
   [[nodiscard]] RowLosses since(const RowLosses& before) const {
@@ -76,10 +76,10 @@ class SampleRing {
   explicit SampleRing(std::size_t limit = kDefaultLimit);
 
   /// Appends samples, at amortised O(1) per sample. If ticks are missing before a sample, there is
-  /// a gap. A sample whose tick is not above the last tick is counted as repeated and dropped.
-  /// However, if its tick is lower and its time later, the source was restarted. A change of the
-  /// number kind clears the ring. In a ring of integers, NaN means that the row has no value, and
-  /// makes a gap.
+  /// a gap. A sample whose tick is not above the last tick is counted as repeated and dropped. If
+  /// the tick of such a sample is lower and its time is later, the source was restarted, and the
+  /// sample is kept. A change of the number kind clears the ring. In a ring of integers, NaN means
+  /// that the row has no value, and makes a gap.
   void append(std::span<const Sample> samples);
   /// Called when the source was restarted: its ticks start again with the next sample, which comes
   /// after a gap. If the clock of the source was set back, the ring is cleared, because the times
@@ -116,7 +116,7 @@ class SampleRing {
   /// All gaps by index, except those before the oldest sample.
   [[nodiscard]] const std::deque<Gap>& gaps() const { return gaps_; }
 
-  // Both count from the very first sample.
+  // lost() and repeated() count from the very first sample.
   [[nodiscard]] std::uint64_t lost() const { return lost_; }          ///< rows
   [[nodiscard]] std::uint64_t repeated() const { return repeated_; }  ///< rows
 

@@ -9,7 +9,7 @@
 namespace tendon::gui {
 namespace {
 
-// Beyond these limits, a sum of doubles would consist only of rounding errors.
+// Beyond these limits, the sum of value and offset would consist only of rounding errors.
 constexpr double kLeastFactor = 1e-12;
 constexpr double kMostFactor = 1e12;
 constexpr double kMostOffset = 1e15;

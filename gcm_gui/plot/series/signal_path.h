@@ -24,8 +24,7 @@ struct CurveKey {
 
 /// The MIME type of dragged values: one line for each value, with path and unit separated by a tab.
 inline constexpr auto kPathMimeType = "application/x-tendon-path";
-/// The MIME type of the id of the source plot, in digits. Added when values are dragged out of a
-/// plot.
+/// The MIME type for the id of a plot, in digits. A drag has it if the values come from a plot.
 inline constexpr auto kPlotMimeType = "application/x-tendon-plot";
 [[nodiscard]] QByteArray EncodedPaths(const QList<CurveKey>& keys);
 /// Returns the dragged values; empty if there are none. Lines without a path are skipped.

@@ -19,13 +19,13 @@ double UnitOfSize(double size) {
   return std::ldexp(1, -std::max(exponent, kLeastExponent));
 }
 
-// Does the inverse. Rounding cannot make the result infinite.
+// Undoes the scaling of UnitOfSize(). Rounding cannot make the result infinite.
 double FromUnit(double distance, double unit) {
   constexpr double kMost = std::numeric_limits<double>::max();
   return std::clamp(distance / unit, -kMost, kMost);
 }
 
-// Returns the integer at this distance above `lowest`. It has more digits than a double.
+// Returns the integer at this distance above `lowest`, with more digits than a double has.
 ExactNumber Above(const ExactNumber& lowest, double distance) {
   return {lowest.kind(), lowest.word() + static_cast<std::uint64_t>(std::round(distance))};
 }

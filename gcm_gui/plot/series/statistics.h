@@ -15,7 +15,7 @@ struct Statistics {
   std::uint64_t count = 0;
   ExactNumber lowest;
   ExactNumber highest;
-  ExactNumber mean;      ///< rounded to an integer if doubles cannot distinguish its neighbours
+  ExactNumber mean;      ///< rounded to an integer if a double near the mean cannot hold fractions
   double deviation = 0;  ///< standard deviation of the population
   double rms = 0;
   double rate = 0;  ///< samples per second; 0 if there are fewer than two

@@ -30,7 +30,7 @@ void TimeWindow::setMotion(Motion motion) {
   if (live_) rewind();
 }
 
-// Resets the axis to that of a live window.
+// Resets the axis as in a live window.
 void TimeWindow::rewind() {
   is_unfolded_ = false;
   from_s_ = motion_ == Motion::kSweep ? 0 : -lengthInSeconds();

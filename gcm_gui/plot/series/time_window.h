@@ -8,13 +8,13 @@ namespace tendon::gui {
 /// The span of time that a plot shows. A live window shows the last seconds, with the present at
 /// the right edge. A held window shows a span chosen by the user, while further samples arrive.
 ///
-/// Positions on the axis are in seconds relative to origin(). In a live window, the origin is the
-/// present; in a held window, it is the time at which the window was held.
+/// Positions on the axis are in seconds relative to origin(). The origin of a live window is the
+/// present. The origin of a held window is the time at which the window was held.
 ///
-/// A sweeping window, as on an oscilloscope, has a fixed axis that begins at origin(), and a head
-/// that moves from left to right. To the left of the head is the present pass. To the right of it
-/// is the previous pass, until the head overwrites it. Zooming or moving the window ends the sweep:
-/// time then runs from left to right again.
+/// A sweeping window works as on an oscilloscope: the axis is fixed and begins at origin(), and a
+/// head moves from left to right. The present pass is to the left of the head. The previous pass is
+/// to the right, until the head overwrites it. Zooming or moving the window ends the sweep: time
+/// then runs from left to right again.
 class TimeWindow {
  public:
   enum class Motion { kScroll, kSweep };
@@ -33,14 +33,14 @@ class TimeWindow {
   /// Returns the axis position of the head of a sweeping window.
   [[nodiscard]] double head() const { return secondsAt(head_ns_); }
 
-  /// Moves a live window until the present is at the right edge. The canvas is `columns` wide, and
-  /// the window moves by whole columns: each column keeps its samples, so the curve does not
-  /// flicker. Returns true if the window has moved. A held window does not move.
+  /// Moves a live window until the present is at the right edge. The canvas is `columns` wide. The
+  /// window moves by whole columns: each column keeps its samples, so the curve does not flicker.
+  /// Returns true if the window has moved. A held window does not move.
   bool follow(std::int64_t now_ns, double columns);
   void hold() { live_ = false; }
   void goLive();
 
-  // The following functions hold the window. In zoom(), the time at `at_s` keeps its position on
+  // zoom(), pan() and show() hold the window. In zoom(), the time at `at_s` keeps its position on
   // the canvas.
   void zoom(double factor, double at_s);
   void pan(double by_s);

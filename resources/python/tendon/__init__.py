@@ -18,7 +18,7 @@ from typing import Any
 from .errors import (Denied, Error, Exists, Failed, Incompatible, Invalid, NotFound, TimedOut,
                      Unreachable)
 
-# The names that need a package which a script may do without, and where each is.
+# The modules of the names that need another package. Only scripts that use such a name need that package.
 _LAZY = {"System": ("system", "System"), "connect": ("system", "connect"),
          "Row": ("rows", "Row"), "Watch": ("rows", "Watch"),
          "open": ("recording", "open_recording"), "Recording": ("recording", "Recording"),
@@ -31,7 +31,7 @@ __all__ = ["DamagedRecording", "Denied", "Error", "Exists", "Failed", "Incompati
 
 
 def __getattr__(name: str) -> Any:
-    """Imports Ice only for a system, and numpy only for a recording."""
+    """Imports a module of _LAZY at the first use of one of its names."""
     import importlib  # pylint: disable=import-outside-toplevel
 
     if name not in _LAZY:

@@ -1,4 +1,4 @@
-"""All that is known of a system, and the lookup of names that people type."""
+"""A copy of the catalogue of the GCM, in which paths that people type are looked up."""
 
 from __future__ import annotations
 
@@ -10,27 +10,29 @@ from .paths import Path
 MOST_LISTED = 8
 
 Description = dict[str, Any]
-"""A description as in tendon/process/process_description.h: its fields by name."""
+"""A structure of tendon/process/process_description.h as a dict: its fields by name."""
 
 
 class Process:
-    """A process and what it holds."""
+    """A process with its components and connections."""
 
     def __init__(self, description: Description) -> None:
         self.description = description
         self.components: dict[str, Description] = {}
-        self.connections: dict[int, Description] = {}  # those it owns, by id
+        self.connections: dict[int, Description] = {}  # by id
 
 
 class Catalogue:
-    """Built of numbered changes. Not thread-safe."""
+    """All processes of a system. The GCM sends changes with consecutive numbers. Not
+    thread-safe."""
 
     def __init__(self, revision: int = 0) -> None:
         self.revision = revision
         self.processes: dict[str, Process] = {}
 
     def copy(self) -> Catalogue:
-        """A copy, to which changes can be applied; the descriptions are shared and never changed."""
+        """Copies the catalogue for apply(). The copies share the descriptions, which never
+        change."""
         other = Catalogue(self.revision)
         for name, process in self.processes.items():
             entry = other.processes[name] = Process(process.description)
@@ -39,8 +41,8 @@ class Catalogue:
         return other
 
     def apply(self, change: dict[str, Any]) -> bool:
-        """Applies the next change. Returns False, without an effect, if its revision is not the
-        next one or it is invalid; then the whole catalogue must be requested again."""
+        """Applies the next change. Changes nothing and returns False if the change is invalid or
+        its revision is not the next one; then request the whole catalogue again."""
         if change["revision"] != self.revision + 1:
             return False
         name = change["process"]
@@ -56,13 +58,14 @@ class Catalogue:
         return applied
 
     def process(self, name: str) -> Process:
-        """By its name."""
+        """The process of this name. Raises NotFound if there is none."""
         if name not in self.processes:
             raise _not_found("process", name, name, self.processes)
         return self.processes[name]
 
     def present(self, name: str) -> Description:
-        """A process that can be talked to."""
+        """The process of this name. Raises Failed or Unreachable if no request can be sent to
+        it."""
         process = self.process(name).description
         if process["state"] not in ("alive", "suspect"):
             state = "has left" if process["state"] == "left" else "is lost"
@@ -73,7 +76,7 @@ class Catalogue:
         return process
 
     def component(self, path: Path) -> Description:
-        """Of a path."""
+        """The component of a path. Raises NotFound if there is none."""
         components = self.process(path.process).components
         if path.component not in components:
             full = f"{path.process}/{path.component}"
@@ -81,7 +84,8 @@ class Catalogue:
         return components[path.component]
 
     def command(self, path: Path) -> Description:
-        """The tendon.MemberDescription of a command, or of a column, which is a read command."""
+        """The tendon.MemberDescription of a command. A column of a table counts as a read
+        command."""
         if not path.member:
             raise Invalid(f"'{'/'.join(filter(None, path))}' does not name a command: "
                           "expected process/component/interface.member")
@@ -101,8 +105,8 @@ class Catalogue:
         return commands[path.member]
 
     def table(self, path: Path) -> Description:
-        """The tendon.TableDescription of "robot/arm", whose table is "state", or of
-        "robot/arm/state-Fast"."""
+        """The tendon.TableDescription of a table: "robot/arm/state-Fast", or "robot/arm" for its
+        table "state"."""
         tables = _named(self.component(path)["tables"])
         name = path.interface or "state"
         if name not in tables:
@@ -147,8 +151,8 @@ def _named(elements: Iterable[Description]) -> dict[str, Description]:
 
 
 def _not_found(what: str, full: str, name: str, candidates: Iterable[str]) -> NotFound:
-    """Suggests a similar name; if there is none, lists the existing names unless there are too
-    many."""
+    """The error for an unknown name. It suggests a similar name, or else lists up to MOST_LISTED
+    existing names."""
     names = list(candidates)
     hint = did_you_mean(name, names)
     if not names:

@@ -1,5 +1,5 @@
-"""The exceptions of this package. The text of each is one sentence: what failed, where, and what to
-do next."""
+"""The exceptions of this package. The text of each is one sentence. It says what failed, where, and
+what to do next."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Unreachable(Error):
 
 
 class NotFound(Error):
-    """No such process, component, interface, member or field."""
+    """There is no process, component, interface, member or field of this name."""
 
     code = "NOT_FOUND"
 
@@ -46,19 +46,19 @@ class Exists(Error):
 
 
 class Incompatible(Error):
-    """Two ends do not fit."""
+    """Two interfaces, types or protocol versions do not fit each other."""
 
     code = "INCOMPATIBLE"
 
 
 class TimedOut(Error):
-    """No answer in time; the outcome is unknown."""
+    """There was no answer in time. It is unknown whether the request was executed."""
 
     code = "TIMEOUT"
 
 
 class Denied(Error):
-    """The caller may not do this."""
+    """The caller does not have the right to do this."""
 
     code = "DENIED"
 
@@ -73,6 +73,6 @@ def error_of(code: str, message: str) -> Error:
 
 
 def did_you_mean(name: str, candidates: Iterable[str]) -> str:
-    """"; did you mean 'arm'?", or an empty string if no name is similar."""
+    """The end of an error: "; did you mean 'arm'?". Empty if no name is similar."""
     near = difflib.get_close_matches(name, list(candidates), n=1)
     return f"; did you mean '{near[0]}'?" if near else ""

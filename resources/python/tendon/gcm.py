@@ -29,7 +29,7 @@ class GcmLink:
         self._opening = threading.Lock()
         self._link: Link | None = None
         self._changed = threading.Condition()
-        self._catalog = Catalogue()  # is replaced, never changed
+        self._catalog = Catalogue()  # never changed, only replaced
         self._changes = 0
 
     def request(self, message_type: MessageType, name: str, value: Any, answer: str) -> Any:
@@ -38,15 +38,16 @@ class GcmLink:
                                     reading(answer))
 
     def fresh(self) -> Catalogue:
-        """The catalogue with all changes until now; a request to the GCM ensures that."""
+        """The catalogue with all changes until now. Asks the GCM: its answer follows those
+        changes."""
         try:
             self._ask_for_life()
         except Unreachable:
-            self._ask_for_life()  # of one that has come back, or that we did not keep up with
+            self._ask_for_life()  # connects again, which brings the whole catalogue
         return self._catalog
 
     def known(self) -> Catalogue:
-        """The last known catalogue: processes can be used without a GCM."""
+        """The last known catalogue. The GCM need not answer: processes can be used without it."""
         link = self._link
         if link is None or not link.is_open:
             try:
@@ -62,7 +63,7 @@ class GcmLink:
             return self._changes
 
     def wait_for_change(self, since: int, deadline: float) -> bool:
-        """Waits until `changes` has another value; returns False if it has not by the deadline."""
+        """Waits until `changes` is not `since` any more. Returns False after the deadline."""
         with self._changed:
             return self._changed.wait_for(lambda: self._changes != since,
                                           max(0.0, deadline - time.monotonic()))
@@ -89,7 +90,7 @@ class GcmLink:
                                   "start one with: gcm serve") from None
 
     def _on_snapshot(self, body: bytes) -> None:
-        """Called in the thread of Ice, like the following functions."""
+        """Called in the thread of Ice, like _on_notice() and _on_closed()."""
         snapshot = messages.decode("Snapshot", body)
         catalog = Catalogue(snapshot["base"])
         if not all(map(catalog.apply, snapshot["changes"])):
@@ -107,7 +108,7 @@ class GcmLink:
         if fits:
             self._replace(catalog)
         elif self._link is not None:
-            self._link.close()  # we were too slow: the next question asks for all of it
+            self._link.close()  # the next request fetches the whole catalogue
 
     def _on_closed(self, _reason: Error) -> None:
         self._replace(self._catalog)
@@ -120,7 +121,7 @@ class GcmLink:
 
 
 def _briefly(reason: str) -> str:
-    """"nobody answers at 127.0.0.1:10705 (Connection refused)", without the words that the error
-    has anyway."""
+    """The reason without the words that the caller's error repeats: "Connection refused" of "nobody
+    answers at 127.0.0.1:10705 (Connection refused)"."""
     _, found, inner = reason.partition(" (")
     return inner.removesuffix(")") if found and reason.startswith("nobody ") else reason

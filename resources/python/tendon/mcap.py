@@ -1,9 +1,9 @@
 """Reads MCAP files, version 0, by the public specification of the format: mcap.dev/spec.
 
-As core/tendon/recording/mcap_reader.h does: by the index at the end of the file or, if that is
-missing or damaged, by reading the whole file once. What a length, a checksum or an index
-contradicts is skipped, and `File.problems` says so. Lengths are compared with the size of the file
-before memory is taken.
+Works like core/tendon/recording/mcap_reader.h. Uses the index at the end of the file. If the index
+is missing or damaged, reads the whole file once. Skips records whose length, checksum or index
+entry is wrong, and reports them in `File.problems`. Compares lengths with the size of the file
+before it allocates memory.
 """
 
 from __future__ import annotations
@@ -23,14 +23,14 @@ MOST_CHUNK = 256 << 20  # bytes, decompressed
 MOST_TEXT = 64 << 20  # bytes of a schema, channel, metadata or index
 MOST_SUMMARY = 256 << 20  # bytes
 MOST_ATTACHMENT = 1 << 30  # bytes
-MOST_PROBLEMS = 100  # that are kept as sentences
+MOST_PROBLEMS = 100  # sentences in File.problems
 
 HEADER, FOOTER, SCHEMA, CHANNEL, MESSAGE, CHUNK, MESSAGE_INDEX, CHUNK_INDEX, ATTACHMENT, \
     ATTACHMENT_INDEX, STATISTICS, METADATA, METADATA_INDEX, SUMMARY_OFFSET, DATA_END = range(1, 16)
 
 HEAD = struct.Struct("<BQ")  # opcode, length of the content
 CHUNK_HEAD = struct.Struct("<QQQI")  # first and last time, size, checksum
-MESSAGE_HEAD = struct.Struct("<BQHIQQ")  # with the head of the record
+MESSAGE_HEAD = struct.Struct("<BQHIQQ")  # fields as in MESSAGE_DTYPE
 MESSAGE_DTYPE = np.dtype([("opcode", "u1"), ("length", "<u8"), ("channel", "<u2"),
                           ("sequence", "<u4"), ("log_time", "<u8"), ("publish_time", "<u8")])
 ENTRY_DTYPE = np.dtype([("log_time", "<u8"), ("offset", "<u8")])
@@ -40,7 +40,7 @@ assert MESSAGE_DTYPE.itemsize == MESSAGE_HEAD.size
 
 @dataclass
 class Channel:
-    """A topic, or a part of one."""
+    """A series of messages of one type; several channels may have the same topic."""
 
     id: int
     schema_id: int
@@ -51,21 +51,22 @@ class Channel:
 
 @dataclass
 class Chunk:
-    """Messages that are read together."""
+    """A chunk: records that are compressed and read together."""
 
     start: int
-    """Where it is in the file."""
+    """The position of the chunk in the file."""
     length: int
     channels: dict[int, int]
-    """Its channels, and where in the file the index of each is; empty if that is unknown."""
+    """The position of the message index in the file, by channel. Empty if it is unknown which
+    channels the chunk has."""
     index_length: int = 0
     """The size of all message indexes, which follow the chunk."""
     is_loose: bool = False
-    """True for records of a file without chunks, which have no checksum."""
+    """True for messages of a file without chunks. They have no checksum."""
 
 
 class Place(NamedTuple):
-    """A record of the index of attachments or metadata."""
+    """The position and the name of an attachment or a metadata record."""
 
     start: int
     length: int
@@ -74,14 +75,14 @@ class Place(NamedTuple):
 
 @dataclass
 class Contents:
-    """What is in a file, and where."""
+    """The index of a file: what it contains, and where."""
 
     channels: dict[int, Channel] = field(default_factory=dict)
     schemas: dict[int, str] = field(default_factory=dict)  # names, by id
     chunks: list[Chunk] = field(default_factory=list)
     attachments: list[Place] = field(default_factory=list)
     metadata: list[Place] = field(default_factory=list)
-    counts: dict[int, int] = field(default_factory=dict)  # of messages; empty if unknown
+    counts: dict[int, int] = field(default_factory=dict)  # messages by channel; may be empty
 
 
 class Messages(NamedTuple):
@@ -90,7 +91,7 @@ class Messages(NamedTuple):
     data: memoryview
     """The records of the chunk."""
     offsets: dict[int, np.ndarray[Any, Any]]
-    """Where in `data` the messages of each channel begin, in the order of the file."""
+    """The positions of the messages in `data` by channel, in the order of the file."""
 
 
 class File:
@@ -100,7 +101,7 @@ class File:
         self.name = str(path)
         self.problems: list[str] = []
         self._on_problem = on_problem
-        self._lost: set[int] = set()  # the chunks that a problem tells of
+        self._lost: set[int] = set()  # damaged chunks already reported
         try:
             self._file = open(path, "rb")
         except FileNotFoundError:
@@ -118,33 +119,33 @@ class File:
             raise
 
     def close(self) -> None:
-        """Afterwards, nothing can be read."""
+        """Closes the file. Later reads raise Failed."""
         self._file.close()
 
     @property
     def size(self) -> int:
-        """In bytes, when it was opened."""
+        """The size of the file in bytes when it was opened."""
         return self._size
 
     def at(self, start: int, size: int) -> bytes:
-        """As many bytes, or fewer at the end of the file."""
+        """Reads `size` bytes from `start`, or fewer at the end of the file."""
         try:
             self._file.seek(start)
             return self._file.read(max(0, min(size, self._size - start)))
         except ValueError:
-            raise Failed(f"{self.name} is closed") from None
+            raise Failed(f"{self.name} is closed; to read it again: tendon.open()") from None
         except OSError as why:
             raise Failed(f"cannot read {self.name} at {start}: {why.strerror}") from None
 
     def tell(self, sentence: str) -> None:
-        """Of something that is damaged or missing."""
+        """Reports that a part of the file is damaged or missing."""
         if len(self.problems) < MOST_PROBLEMS:
             self.problems.append(sentence)
             self._on_problem(f"{self.name}: {sentence}")
 
     def messages(self, channels: Iterable[int]) -> Iterator[Messages]:
-        """The messages of these channels, chunk by chunk in the order of the file. Damaged chunks
-        are left out."""
+        """Yields the messages of these channels, chunk by chunk in the order of the file. Skips
+        damaged chunks."""
         wanted = set(channels)
         for chunk in self.contents.chunks:
             if chunk.channels and wanted.isdisjoint(chunk.channels):
@@ -166,14 +167,14 @@ class File:
                 yield Messages(memoryview(records), found)
 
     def load(self, chunk: Chunk) -> bytes:
-        """Its records, whose checksum is right."""
+        """The records of a chunk. Raises Invalid if the chunk is damaged."""
         if chunk.is_loose:
             return self.at(chunk.start, chunk.length)
         return self.load_chunk(chunk.start, chunk.length)[0]
 
     def load_chunk(self, start: int, length: int | None = None) -> tuple[bytes, int]:
-        """The records of the chunk at `start`, and the length of its record. Raises Invalid if its
-        length is another one."""
+        """The records of the chunk at `start`, and the length of the whole chunk. Raises Invalid if
+        the chunk is damaged, or if it does not have the expected `length`."""
         head = self.at(start, 128)  # the names of compressions are short
         opcode, size = HEAD.unpack_from(head.ljust(HEAD.size, b"\0"))
         if opcode != CHUNK or size > self._size - start - HEAD.size:
@@ -196,7 +197,7 @@ class File:
         return records, HEAD.size + size
 
     def attachment(self, place: Place) -> bytes:
-        """The content of an attachment, whose checksum is right."""
+        """The content of an attachment. Raises Invalid if the checksum is wrong."""
         content = self.record(place.start, place.length, ATTACHMENT, MOST_ATTACHMENT)
         fields = _Fields(content)
         fields.number(16)
@@ -226,9 +227,9 @@ class File:
                           f"but this file begins with {begin!r}")
 
     def _indexed(self, chunk: Chunk, records: bytes) -> dict[int, np.ndarray[Any, Any]] | None:
-        """By the message indexes behind the chunk. They have no checksum, so each entry is compared
-        with its message, and the records of the chunk must have no other message. None if they do
-        not agree."""
+        """The positions of the messages by the indexes that follow the chunk. The indexes have no
+        checksum. So each entry is compared with its message, and every message of the chunk must
+        have an entry. Returns None if they do not agree."""
         if chunk.is_loose or not chunk.index_length or chunk.index_length > MOST_TEXT:
             return None
         index = self.at(chunk.start + chunk.length, chunk.index_length)
@@ -244,7 +245,7 @@ class File:
                     found[channel] = entries["offset"]
                     _check_entries(channel, entries, records)
             _check_rest(found, records)
-        except ValueError:  # also of numpy
+        except ValueError:  # numpy: the index ends within an entry
             return None
         except Invalid:
             return None
@@ -290,14 +291,14 @@ class _Fields:
 
 
 def read_metadata(content: bytes) -> dict[str, str]:
-    """Of the content of its record."""
+    """The keys and values of a metadata record with this content."""
     fields = _Fields(content)
     fields.text()
     return fields.texts()
 
 
 def _records(data: bytes) -> Iterator[tuple[int, bytes]]:
-    """Opcode and content of each record; raises Invalid at the first that is none."""
+    """Yields the opcode and the content of each record. Raises Invalid where no record begins."""
     position = 0
     while position < len(data):
         if len(data) - position < HEAD.size:
@@ -311,8 +312,8 @@ def _records(data: bytes) -> Iterator[tuple[int, bytes]]:
 
 
 def _walk(records: bytes) -> tuple[dict[int, np.ndarray[Any, Any]], list[tuple[int, bytes]]]:
-    """Where the messages of each channel begin, and the definitions: opcode and content. Ends
-    before the first record that is none."""
+    """Finds the positions of the messages by channel, and the schemas and channels as opcode and
+    content. Stops where no record begins."""
     found: dict[int, list[int]] = {}
     definitions: list[tuple[int, bytes]] = []
     position, end = 0, len(records)
@@ -331,7 +332,7 @@ def _walk(records: bytes) -> tuple[dict[int, np.ndarray[Any, Any]], list[tuple[i
 
 
 def take(data: memoryview, offsets: np.ndarray[Any, Any], size: int) -> np.ndarray[Any, Any]:
-    """Copies `size` bytes from each offset: the rows of an array of bytes."""
+    """Copies `size` bytes from each offset into one row of an array of bytes."""
     if not len(offsets):
         return np.empty((0, size), np.uint8)
     if int(offsets.max()) + size > len(data):
@@ -356,9 +357,9 @@ def _check_entries(channel: int, entries: np.ndarray[Any, Any], records: bytes) 
 
 
 def _check_rest(found: dict[int, np.ndarray[Any, Any]], records: bytes) -> None:
-    """The records between the indexed messages are no messages."""
+    """Raises Invalid if the chunk has a message without an entry in the indexes."""
     starts = np.concatenate([np.empty(0, np.uint64), *found.values()]).astype(np.int64)
-    starts.sort(kind="stable")  # fast, since each channel is in order
+    starts.sort(kind="stable")  # fast, because each channel is sorted already
     ends = starts + HEAD.size
     if len(starts):
         ends = ends + heads(memoryview(records), starts)["length"].astype(np.int64)
@@ -373,7 +374,7 @@ def _check_rest(found: dict[int, np.ndarray[Any, Any]], records: bytes) -> None:
 
 
 def _decompressed(compression: str, data: bytes, size: int) -> bytes:
-    """To exactly `size` bytes."""
+    """Decompresses the data. Raises Invalid if the result does not have `size` bytes."""
     if compression == "":
         records = data
     elif compression == "zstd":
@@ -415,7 +416,7 @@ def _lz4(data: bytes, size: int) -> bytes:
 
 
 class Missing(Failed):
-    """A module of Python that is not installed."""
+    """A module of Python that is needed for the compression is not installed."""
 
 
 def _missing(what: str, module: str) -> Missing:
@@ -432,7 +433,7 @@ class _Summary:
         self._expected: tuple[int, int, int] | None = None  # attachments, metadata, chunks
 
     def read(self) -> Contents | None:
-        """None if it is missing, damaged or not sufficient to read the file."""
+        """The index; None if it is missing, damaged or incomplete."""
         try:
             records = self._find()
             if records is None:
@@ -499,7 +500,7 @@ class _Summary:
             end = chunk.start + max(1, chunk.length)
 
     def _is_sufficient(self) -> bool:
-        """The format allows a summary that leaves out what a reader needs."""
+        """False if the index is incomplete, which the format allows."""
         contents = self._contents
         used = {one for chunk in contents.chunks for one in chunk.channels}
         used.update(one for one, count in contents.counts.items() if count)
@@ -509,18 +510,18 @@ class _Summary:
 
 
 class _Scan:
-    """Goes through a whole file, and finds the next chunk behind damaged records."""
+    """Builds the index by reading the whole file. Behind damaged records, finds the next chunk."""
 
     def __init__(self, file: File) -> None:
         self._file = file
         self._contents = Contents()
         self._position = len(MAGIC)
-        self._trusted = self._position  # the end of the last record that certainly was one
-        self._budget = 8 * file.size + MOST_CHUNK  # bytes that a search may read
+        self._trusted = self._position  # the end of the last valid record
+        self._budget = 8 * file.size + MOST_CHUNK  # bytes that the searches may still read
         self._is_finished = False
 
     def run(self) -> Contents:
-        """Reads all chunks, and keeps none."""
+        """Reads all records of the file, and returns the index."""
         while not self._is_finished and self._position < self._file.size:
             head = self._file.at(self._position, HEAD.size)
             opcode, length = HEAD.unpack(head.ljust(HEAD.size, b"\0"))
@@ -530,7 +531,7 @@ class _Scan:
         return self._contents
 
     def _read(self, opcode: int, length: int) -> bool:
-        """Returns False if the length of the record cannot be trusted."""
+        """Reads one record. Returns False if the next record may not begin at its end."""
         start, self._position = self._position, self._position + HEAD.size + length
         if opcode == CHUNK:
             try:
@@ -554,7 +555,7 @@ class _Scan:
         return True
 
     def _read_small(self, opcode: int, start: int, length: int) -> bool:
-        most = 4096 if opcode == ATTACHMENT else length  # its name is at the begin
+        most = 4096 if opcode == ATTACHMENT else length  # its name is near the beginning
         content = self._file.at(start + HEAD.size, min(length, most))
         try:
             if opcode in (SCHEMA, CHANNEL):
@@ -592,8 +593,8 @@ class _Scan:
             self._contents.counts[channel] = self._contents.counts.get(channel, 0) + len(places)
 
     def _add_message(self, start: int, length: int) -> bool:
-        """Of a file without chunks. Behind a chunk, a message outside of it is another record whose
-        opcode is damaged."""
+        """Adds a message of a file without chunks. In a file with chunks, a record that looks like
+        a message outside of them is another record with a damaged opcode."""
         chunks = self._contents.chunks
         head = self._file.at(start, MESSAGE_HEAD.size)
         if (chunks and not chunks[-1].is_loose) or not CONTENT_HEAD <= length <= MOST_CHUNK:
@@ -611,7 +612,7 @@ class _Scan:
         return True
 
     def _can_follow(self) -> bool:
-        """A record fits behind the present one."""
+        """True if a record fits behind the present one."""
         head = self._file.at(self._position, HEAD.size)
         if not head:
             return True
@@ -649,7 +650,7 @@ class _Scan:
         return None
 
     def _is_chunk(self, start: int) -> bool:
-        """True if its checksum is right."""
+        """True if a chunk with a correct checksum begins at `start`."""
         head = self._file.at(start, 128)
         try:
             fields = _Fields(head)

@@ -1,5 +1,5 @@
-"""The numbers of the messages, and the schemas of their bodies. messages.txt contains the schemas
-as the C++ code prints them; a test compares the two."""
+"""The numbers of the messages, and the schemas of their bodies. The schemas are in messages.txt, as
+the C++ code prints them; a test compares the file with the output of the C++ code."""
 
 from __future__ import annotations
 
@@ -24,20 +24,20 @@ class MessageType(enum.IntEnum):
     PART = 7
     PARTS_TAKEN = 8
     REPLIES = 9
-    # To a process.
+    # Messages to a process.
     GET_SCHEMAS = 0x200
     CALL_MEMBER = 0x201
     SUBSCRIBE = 0x202
     UNSUBSCRIBE = 0x203
-    # From a process.
+    # Messages from a process.
     ROWS = 0x204
     ROWS_ENDED = 0x205
-    # To a GCM.
+    # Messages to a GCM.
     RENEW = 0x302
     WATCH = 0x310
     CONNECT = 0x311
     DISCONNECT = 0x312
-    # From a GCM.
+    # Messages from a GCM.
     CHANGES = 0x320
 
 
@@ -49,17 +49,17 @@ SCHEMAS: dict[str, Schema] = {
 
 
 def encode(name: str, value: Any = None) -> bytes:
-    """The body of a message: encode("Wire", {...})."""
+    """The body of a message, as in encode("Wire", {...})."""
     return SCHEMAS[f"tendon.{name}"].encode(value)
 
 
 def decode(name: str, body: bytes) -> Any:
-    """Decodes a message from its body, which is untrusted."""
+    """Decodes the untrusted body of a message."""
     return SCHEMAS[f"tendon.{name}"].decode(body)
 
 
 def read_refusal(body: bytes, peer: str) -> Error:
-    """Converts the body of a refusal to the exception to raise."""
+    """The exception for the body of a refusal."""
     try:
         refused = decode("Error", body)
     except Invalid:

@@ -1,5 +1,5 @@
-"""`process/component/interface.member(.field or [i])*`: the form in which all tools of Tendon name
-the parts of a system."""
+"""Paths: the names of the parts of a system, as in all tools of Tendon:
+`process/component/interface.member(.field or [i])*`."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ _MEMBER = re.compile(r"([^.\[]*)(.*)", re.DOTALL)
 
 
 class Path(NamedTuple):
-    """Later parts may be empty: `robot/arm` is a path. `field` begins with its '.' or '['."""
+    """A path. Its last parts may be empty: `robot/arm` is a path. `field` begins with '.' or
+    '['."""
 
     process: str
     component: str = ""
@@ -55,14 +56,14 @@ def parse_interface(text: str) -> dict[str, str]:
 
 
 def split_member(text: str) -> tuple[str, str]:
-    """("Joints", ".position[0]") of "Joints.position[0]"."""
+    """Splits "Joints.position[0]" into ("Joints", ".position[0]")."""
     found = _MEMBER.fullmatch(text)
     assert found is not None
     return found[1], found[2]
 
 
 def steps_of(field: str) -> list[str | int]:
-    """["position", 0] of ".position[0]"."""
+    """Splits ".position[0]" into ["position", 0]."""
     steps: list[str | int] = []
     position = 0
     while position < len(field):

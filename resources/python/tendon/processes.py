@@ -20,7 +20,7 @@ _TAKE_ARGUMENTS = ("write", "qualified_read", "write_return")  # kinds of comman
 _ANSWER_NOTHING = ("void", "write")
 
 # The text after the name of a command that was not executed, by Status::Code.
-_DONE = 2  # below this, it was
+_DONE = 2  # commands with a lower code were executed
 _REFUSALS: list[tuple[type[Error], str]] = [
     (Failed, "done"), (Failed, "queued"), (Failed, "not connected"),
     (Failed, "not active; start its component first"),
@@ -33,16 +33,16 @@ _REFUSALS: list[tuple[type[Error], str]] = [
 
 
 class _Peer(NamedTuple):
-    """A process that we are linked with."""
+    """An open link to a process."""
 
     link: Link
     feeds: Feeds
-    schemas: dict[tuple[int, int], Schema]  # as this process says, by fingerprint
+    schemas: dict[tuple[int, int], Schema]  # by fingerprint, as the process described them
 
 
 class Wanted(NamedTuple):
-    """A request for rows of a state table: subscribes to the columns `names`, and returns `columns`
-    of them."""
+    """A request for rows of a state table. Subscribes to the columns `names`; a row has the values
+    of `columns`, which may be fields of them."""
 
     component: str
     table: str
@@ -52,13 +52,13 @@ class Wanted(NamedTuple):
 
 
 class Processes:
-    """Links that are opened when they are needed, and kept while they are open. Thread-safe."""
+    """The links to processes. A link is opened when it is first needed, and kept. Thread-safe."""
 
     def __init__(self, network: Network, name: str, timeout: float) -> None:
         self._network = network
         self._name = name
         self._timeout = timeout
-        self._opening: dict[str, threading.Lock] = {}  # by process: a slow one holds up no other
+        self._opening: dict[str, threading.Lock] = {}  # by process
         self._peers: dict[str, _Peer] = {}
 
     def call(self, process: Description, path: Path, command: Description, argument: Any) -> Any:

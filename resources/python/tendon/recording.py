@@ -34,14 +34,14 @@ Array = Any  # numpy.ndarray, of any type and shape
 
 
 class DamagedRecording(UserWarning):
-    """A part of a file is damaged or missing; the sentence says where and what follows."""
+    """The warning that a part of a file is damaged or missing, and where."""
 
 
 class LogRecord(NamedTuple):
-    """A line of the log."""
+    """A record of the log."""
 
     time: int
-    """When it was written, in ns since 1970."""
+    """When the record was written, in ns since 1970."""
     level: str
     """"debug", "info", "warning" or "error"."""
     source: str
@@ -53,13 +53,15 @@ class Loss(NamedTuple):
     """Rows that were not recorded, and where they were lost."""
 
     time: int
-    """Of the first row after them, in ns since 1970."""
+    """The time of the first row after the lost rows, in ns since 1970."""
     path: str
-    """Of the table."""
+    """The path of the table."""
     table: int
-    """Rows that the table had overwritten before they could be sent."""
+    """The number of rows that the table had overwritten before they could be sent."""
     network: int
+    """The number of rows that were lost on the network."""
     recorder: int
+    """The number of rows that the recorder could not write in time."""
 
 
 class _Member(NamedTuple):
@@ -68,18 +70,18 @@ class _Member(NamedTuple):
     path: str
     channel: mcap.Channel
     schema: Schema | None
-    """None if its text cannot be read."""
+    """None if the text of the schema cannot be read."""
 
 
 class _Run:
-    """The channels of a table since one start of its process, or of one event."""
+    """The channels of a table or an event, from one start of its process to the next."""
 
     def __init__(self) -> None:
         self.members: dict[str, _Member] = {}
         self.rows: np.ndarray[Any, Any] | None = None
-        """The heads of the messages of the rows that have all columns."""
+        """The heads of the first column's messages, without the rows that lack a column."""
         self.is_partial: set[int] = set()
-        """The channels with messages that belong to no such row."""
+        """The channels that have messages of incomplete rows."""
 
 
 class Recording:
@@ -88,8 +90,8 @@ class Recording:
     Paths are those of the console: a table is `robot/arm/state`, a column of it
     `robot/arm/state.Joints`, an event `robot/arm/Control.LimitExceeded`; fields and indexes may
     follow, as in `robot/arm/state.Joints.position[0]`. Rows are in the order of the file, also
-    across restarts of a process. A row of which a damaged chunk held a part is left out as a whole,
-    so all columns of a table have the same rows.
+    across restarts of a process. All columns of a table have the same rows: a row is left out if
+    any part of it was in a damaged chunk.
 
     open() reads the index of the file; the functions read the chunks that they need, and keep up to
     256 MiB of columns.
@@ -98,8 +100,8 @@ class Recording:
     def __init__(self, path: str | Path) -> None:
         self._file = mcap.File(path, _warn)
         self._runs: dict[str, list[_Run]] = {}  # by the path of a table or an event
-        self._members: dict[str, str] = {}  # that path, by the path of a column or an event
-        self._own: dict[str, list[_Member]] = {}  # by topic
+        self._members: dict[str, str] = {}  # the key in _runs, by column or event
+        self._own: dict[str, list[_Member]] = {}  # channels of the recorder itself, by topic
         self._cache: dict[tuple[str, str], np.ndarray[Any, Any]] = {}
         counts = self._file.contents.counts
         for number, channel in sorted(self._file.contents.channels.items()):
@@ -121,13 +123,13 @@ class Recording:
 
     @property
     def problems(self) -> list[str]:
-        """What is damaged or missing in the file, as far as it was read."""
+        """Which parts of the file are damaged or missing. Covers only the parts read so far."""
         return list(self._file.problems)
 
     @property
     def about(self) -> dict[str, str]:
-        """What the recording says about itself: who made it, of which paths, and, if it was
-        completed, how many rows it has and lost."""
+        """The metadata of the recording: who made it, and of which paths. A complete recording also
+        says how many rows it has, and how many were lost."""
         about: dict[str, str] = {}
         for place in self._file.contents.metadata:
             if place.name not in ("tendon.recording", "tendon.end"):
@@ -140,7 +142,7 @@ class Recording:
         return about
 
     def attachments(self) -> list[str]:
-        """The names of the attached files. `system.json` is the system file of what ran."""
+        """The names of the attached files. `system.json` describes the system that was recorded."""
         return [place.name for place in self._file.contents.attachments]
 
     def attachment(self, name: str) -> bytes:
@@ -160,20 +162,21 @@ class Recording:
         return sorted(path for path in self._runs if path in self._members)
 
     def paths(self) -> list[str]:
-        """Every field of the columns and events that is no structure."""
+        """The paths of all fields of columns and events, except for structures."""
         return sorted(path + field for path in self._members
                       for field, _ in arrays.leaves_of(self._schema(path)))
 
     def topics(self) -> list[str]:
-        """The topics of the file, also of other programs, whose values cannot be read here."""
+        """All topics of the file. Values of topics that other programs wrote cannot be read
+        here."""
         return sorted({one.topic for one in self._file.contents.channels.values()})
 
     def __getitem__(self, path: str) -> Array:
-        """The values of a column or an event, or of a part of them, one row each.
+        """The values of a column, an event or a part of one: one value for each row.
 
         Numbers keep their types: an array of 7 numbers is an array of rows x 7. Structures are
-        structured arrays, enums int32 (see enumerators()), durations timedelta64[ns]. Text,
-        sequences and what contains them are Python objects.
+        structured arrays, enums int32 (see enumerators()), durations timedelta64[ns]. Texts,
+        sequences, and types that contain one of them are Python objects.
 
         Cost: reads the chunks that have this column. About 1 us a row for values of fixed size, and
         more than 10 us for others.
@@ -189,8 +192,8 @@ class Recording:
         return self._cache[key].copy()
 
     def times(self, path: str) -> Array:
-        """The time of each row of a table, a column or an event, in ns since 1970: int64. The clock
-        is that of the computer that recorded."""
+        """The time of each row of a table, a column or an event, in ns since 1970, as int64. It was
+        measured with the clock of the computer that recorded."""
         return self._heads(path)["log_time"].astype(np.int64)
 
     def source_times(self, path: str) -> Array:
@@ -200,21 +203,22 @@ class Recording:
         return np.concatenate([np.empty(0, np.int64), *parts])
 
     def ticks(self, path: str) -> Array:
-        """The tick of each row of a table or a column: uint64. The file has their low 32 bits, so
-        the first tick of a process is less than 2^32; the others follow it. After a restart of the
-        process, ticks begin again. Of an event: a number that counts up."""
+        """The tick of each row of a table or a column, as uint64. The file has only the low 32 bits
+        of a tick, so the first tick after a start of the process is below 2^32. Ticks begin again
+        with each start of the process. For an event: a number that counts up."""
         parts = [_continued(self._run_heads(run)["sequence"]) for run in self._runs_of(path)]
         return np.concatenate([np.empty(0, np.uint64), *parts])
 
     def starts(self, path: str) -> Array:
-        """The rows with which a process began anew: int64, the first is 0."""
+        """The index of the first row after each start of the process, as int64. The first one is
+        0."""
         sizes = [len(self._run_heads(run)) for run in self._runs_of(path)]
         return np.cumsum([0, *sizes[:-1]], dtype=np.int64)[:len(sizes)]
 
     def gaps(self, path: str) -> Array:
-        """Where rows of a table are missing: a structured array with `row`, the first row after the
-        gap; `begin` and `end`, the times of the rows around it in ns; and `missing`, how many
-        rows."""
+        """The gaps in the rows of a table, as a structured array: `row` is the first row after the
+        gap, `begin` and `end` are the times in ns of the rows before and after the gap, and
+        `missing` is the number of missing rows."""
         found = [np.empty(0, GAP_DTYPE)]
         first = 0
         for run in self._runs_of(path):
@@ -231,13 +235,14 @@ class Recording:
         return np.concatenate(found)
 
     def losses(self) -> list[Loss]:
-        """The rows that the recorder knows to be lost, and where. gaps() says which ones."""
+        """How many rows were lost, when and where, as far as the recorder knows. gaps() says
+        which."""
         return [Loss(time, value["path"], value["table"], value["network"], value["recorder"])
                 for time, value in self._own_values(LOSS_TOPIC)]
 
     @property
     def log(self) -> list[LogRecord]:
-        """What the processes logged, by time."""
+        """The log of all processes, sorted by time."""
         records = [LogRecord(time, LEVELS.get(value["level"], str(value["level"])), value["name"],
                              value["msg"]) for time, value in self._own_values(LOG_TOPIC)]
         return sorted(records, key=lambda record: record.time)
@@ -248,7 +253,7 @@ class Recording:
         return arrays.part_of(self._schema(member), field).unit
 
     def units(self) -> dict[str, str]:
-        """The units of all paths() that have one."""
+        """The unit of each path in paths() that has one."""
         return {path + field: unit for path in self._members
                 for field, unit in arrays.leaves_of(self._schema(path)) if unit}
 
@@ -266,7 +271,7 @@ class Recording:
         path = channel.metadata.get("tendon.path", "")
         text = channel.metadata.get("tendon.schema", "")
         if not text:
-            return  # of another program
+            return  # the channel of another program
         try:
             schema: Schema | None = parse(text)
         except Invalid as why:
@@ -348,7 +353,7 @@ class Recording:
                                       for one in run.members.values()})
 
     def _assemble(self, key: str, run: _Run, heads: dict[int, np.ndarray[Any, Any]]) -> None:
-        """Keeps the rows that have all columns."""
+        """Finds the rows of one run. Leaves out rows that lack a column."""
         first = next(iter(heads.values()))
         run.rows = first
         if all(_same_rows(first, other) for other in heads.values()):
@@ -399,7 +404,7 @@ class Recording:
         self._cache[key] = values
 
     def _own_values(self, topic: str) -> Iterable[tuple[int, Any]]:
-        """Time and value of each message of the recorder itself."""
+        """Yields the time and the value of each message that the recorder itself wrote."""
         members = {one.channel.id: one for one in self._own.get(topic, [])}
         for messages in self._file.messages(members):
             for channel, offsets in messages.offsets.items():
@@ -416,10 +421,10 @@ class Recording:
 
 
 def open_recording(file: str | Path) -> Recording:
-    """Opens a recording of `gcm record`: an MCAP file, also one that is damaged, cut off, or still
-    being written.
+    """Opens a recording of `gcm record`. The MCAP file may be damaged, cut off, or still being
+    written.
 
-    What is damaged is left out; a warning says so, and Recording.problems has all of them. Files
+    Damaged parts are left out. A warning tells of each, and Recording.problems lists them. Files
     that are compressed with zstd or lz4 need the module zstandard or lz4.
 
     Cost: reads the index of the file. If that is missing, reads the whole file once.
@@ -432,7 +437,7 @@ def _warn(sentence: str) -> None:
 
 
 def _belongs(member: _Member, run: _Run) -> bool:
-    """True for another column of the same rows."""
+    """True if the member is another column of the rows of this run."""
     if member.path in run.members:
         return False
     other = next(iter(run.members.values())).channel.metadata
@@ -458,7 +463,7 @@ def _keys(heads: np.ndarray[Any, Any]) -> Iterable[tuple[int, int]]:
 
 
 def _continued(sequences: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
-    """Numbers of 64 bits that go on where their low 32 bits begin again."""
+    """Extends numbers of 32 bits, which overflow, to numbers of 64 bits, which do not."""
     if not len(sequences):
         return np.empty(0, np.uint64)
     steps = np.diff(sequences).astype(np.uint32).view(np.int32).astype(np.int64)
@@ -467,7 +472,8 @@ def _continued(sequences: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
 
 def _fixed_bodies(data: memoryview, offsets: np.ndarray[Any, Any], sizes: np.ndarray[Any, Any],
                   end: int) -> np.ndarray[Any, Any]:
-    """Bodies of one size, after which there may be padding, as the rows of an array."""
+    """The bodies of values of one fixed size, as the rows of an array. Padding may follow each
+    body."""
     body_sizes = sizes - len(ENCAPSULATION)
     if (body_sizes < end).any() or (body_sizes > end + -end % 8).any():
         raise Invalid(f"a value does not have the {end} bytes of its type")

@@ -17,7 +17,7 @@ from .middleware.link import Link
 from .paths import select
 from .payload.schema import Schema
 
-MOST_WAITING = 32 << 20  # bytes of rows that were not taken yet, or of one batch
+MOST_WAITING = 32 << 20  # bytes of rows that wait in a Feed; one batch may be larger
 
 _HEADER_SIZE = messages.SCHEMAS["tendon.RowsHeader"].minimum_size
 _STAMP = struct.Struct("<Qq")  # tick, time
@@ -40,7 +40,7 @@ class Row:
 
 
 class Column(NamedTuple):
-    """A requested part of a table: a column, or a `field` of it as in "Joints.position[0]"."""
+    """A requested column, or a field of it: "Joints.position[0]" has `field` ".position[0]"."""
 
     asked: str
     index: int
@@ -58,7 +58,7 @@ class Batch(NamedTuple):
 
     @classmethod
     def open(cls, body: bytes) -> Batch:
-        """Raises Invalid if the layout is wrong."""
+        """Reads the header of a body. Raises Invalid if the sizes do not fit the body."""
         header = messages.decode("RowsHeader", body[:_HEADER_SIZE])
         columns = header["columns"]
         if columns > (len(body) - _HEADER_SIZE) // 4:
@@ -70,7 +70,7 @@ class Batch(NamedTuple):
         return batch
 
     def cells(self) -> Iterator[tuple[int, int, list[bytes]]]:
-        """Tick, time, and the body of each column's value."""
+        """Yields the tick and the time of each row, with the body of each column's value."""
         place = self._first_row
         for _ in range(self.rows):
             tick, time = _STAMP.unpack_from(self.body, place)
@@ -105,13 +105,13 @@ class Feed:
         self.lost_table = 0  # rows
         self.lost_network = 0
         self.lost_viewer = 0
-        self._sent = 0  # rows, as the peer says
+        self._sent = 0  # rows that the peer has sent, as its batches say
         self._change = threading.Condition()
         self._queue: deque[Batch | Error | None] = deque()
         self._waiting = 0  # bytes
 
     def add(self, body: bytes) -> None:
-        """In a thread of Ice."""
+        """Adds the body of a batch. Called in a thread of Ice."""
         try:
             batch = Batch.open(body)
         except Invalid as why:
@@ -128,11 +128,11 @@ class Feed:
             self._change.notify()
 
     def end(self, reason: Error) -> None:
-        """No more come."""
+        """Adds the reason why no more rows come."""
         self._put(reason)
 
     def wake(self) -> None:
-        """Whoever waits gets nothing."""
+        """Ends take() in another thread; it returns None."""
         self._put(None)
 
     def take(self, timeout: float | None) -> Batch | Error | None:
@@ -161,7 +161,7 @@ class Feed:
 
 
 class Feeds:
-    """The subscriptions of one link, by the numbers that the peer gave them."""
+    """The subscriptions of one link, by their handles, which the peer has given."""
 
     def __init__(self) -> None:
         self._feeds: dict[int, Feed] = {}
@@ -171,13 +171,13 @@ class Feeds:
         self._feeds[handle] = feed
 
     def remove(self, handle: int) -> None:
-        """Ends the subscription; a thread that waits for a row gets none."""
+        """Removes a subscription, and ends take() of its feed in another thread."""
         feed = self._feeds.pop(handle, None)
         if feed is not None:
             feed.wake()
 
     def on_notice(self, header: Header, body: bytes) -> None:
-        """Of the link."""
+        """Called by the link."""
         feed = self._feeds.get(header.handle)
         if feed is None:
             return
@@ -187,14 +187,14 @@ class Feeds:
             feed.end(messages.read_refusal(body, "the process"))
 
     def on_closed(self, reason: Error) -> None:
-        """Of the link."""
+        """Called by the link."""
         for feed in list(self._feeds.values()):
             feed.end(reason)
 
 
 class Watch:
-    """The rows of a state table from now on, one after the other. Raises the reason if no more rows
-    come. Ends when it is closed, at the end of a `with` block, or when it is not used any more."""
+    """Iterates over the rows of a state table from now on. Raises the reason if no more rows can
+    come. The subscription ends with close(), with the end of a `with` block, or with the object."""
 
     def __init__(self, link: Link, feeds: Feeds, handle: int, feed: Feed,
                  schemas: list[Schema], columns: list[Column], timeout: float | None) -> None:
@@ -221,7 +221,7 @@ class Watch:
         return self._feed.lost_viewer
 
     def close(self) -> None:
-        """No more rows."""
+        """Ends the subscription. The loop over the rows ends."""
         self._ending()
 
     def __enter__(self) -> Watch:
@@ -247,7 +247,7 @@ class Watch:
                 return  # closed in another thread
             raise TimedOut(f"no row within {self._timeout:g} s; does the component run?")
         if isinstance(batch, Error):
-            self._feed.end(batch)  # for whoever asks again
+            self._feed.end(batch)  # the next call raises it again
             raise batch
         if len(batch.sizes) != len(self._schemas):
             raise Invalid("the rows do not have the requested number of columns")

@@ -81,7 +81,7 @@ class System:
                 raise TimedOut(f"the condition was not true within {timeout:g} s")
 
     def read(self, path: str, argument: Any = None) -> Any:
-        """The value of a column of a state table ("robot/arm/state.Joints"), of a field in it
+        """The value of a column of a state table ("robot/arm/state.Joints"), of a field of it
         ("robot/arm/state.Joints.position[0]"), or of a read command, which may take an argument.
         Other commands are refused, so a read changes nothing."""
         return self._execute(path, argument, only_reads=True)
@@ -136,7 +136,7 @@ def _own_name() -> str:
     """The name of this program and its user, in the same form as for gcm."""
     try:
         user = pwd.getpwuid(os.geteuid()).pw_name
-    except KeyError:  # in a container
+    except KeyError:  # this user id has no name, as in many containers
         user = str(os.geteuid())
     return f"python of {user}@{socket.gethostname()}"
 

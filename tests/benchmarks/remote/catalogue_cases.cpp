@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kCommandsOfAComponent = 100;
 
-/// How much of a system there is: processes, and the components of each.
+/// The size of a system: the number of processes, and of components in each process.
 struct Size {
   int processes = 20;
   int components = 50;
@@ -22,7 +22,7 @@ struct Size {
   }
 };
 
-/// The commands a viewer has heard of. They only become more.
+/// Counts the commands that a viewer knows. The number only grows.
 class CommandCounter final : public GcmListener {
  public:
   void OnSnapshot(const Catalogue& catalogue) override {
@@ -51,10 +51,10 @@ class CommandCounter final : public GcmListener {
   std::atomic<std::size_t> commands_ = 0;
 };
 
-/// What a GCM of its own needed to know a large system.
+/// The cost for a new GCM to learn the catalogue of a large system.
 struct Catalogued {
-  double duration = 0;  // ns, until a viewer knows all
-  double memory = 0;    // bytes of the GCM
+  double duration = 0;  // ns, until a viewer knows the whole catalogue
+  double memory = 0;    // bytes used by the GCM
 };
 
 Catalogued LetThemJoin(const RemoteSystem& system, const Size& size) {

@@ -1,6 +1,6 @@
-// One of the processes of a large system: crowd NAME GCM COMPONENTS. Makes ready what it can, stops
-// itself, and joins when it is continued, with components of ten interfaces of ten commands each.
-// Runs until it is killed.
+// One of the processes of a large system: crowd NAME GCM COMPONENTS. Prepares its components, each
+// with ten interfaces of ten commands. Then it stops itself. When it is continued, it joins the
+// GCM. Runs until it is killed.
 
 #include <tendon/base/log.h>
 #include <tendon/ice/ice_middleware.h>
@@ -14,7 +14,7 @@
 namespace {
 
 constexpr int kInterfaces = 10;
-constexpr int kCommands = 10;  // of each
+constexpr int kCommands = 10;  // commands per interface
 
 class Member final : public tendon::Component {
  public:

@@ -14,7 +14,7 @@ double Since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// From nothing to a member of the system.
+/// Measures the time from nothing until the process is a member of the system.
 double Join(RemoteSystem& system) {
   const std::string name = system.NewName();
   const auto start = std::chrono::steady_clock::now();
@@ -23,7 +23,7 @@ double Join(RemoteSystem& system) {
   return Since(start);
 }
 
-/// Of a process that has never called the other one.
+/// Measures the time of the first connection of a process to the other process.
 double Connect(RemoteSystem& system) {
   const std::string name = system.NewName();
   Process process(name, system.Options());
@@ -42,7 +42,7 @@ std::size_t ThreadsOf(int pid) {
   return static_cast<std::size_t>(std::distance(threads, {}));
 }
 
-/// The program lcm without a component, which has joined.
+/// The program lcm without a component; it has joined the GCM.
 class IdleLcm {
  public:
   explicit IdleLcm(RemoteSystem& system)
@@ -59,8 +59,9 @@ class IdleLcm {
 
 double CountThreads(RemoteSystem& system) { return static_cast<double>(IdleLcm(system).threads()); }
 
-/// Of the robot's process, for each of some more that are connected to it: more than its two pools
-/// of Ice may grow by, which happens under load.
+/// Returns the number of additional threads in the robot's process for each further process that
+/// connects to it. The number of processes is larger than the number of threads by which the two
+/// thread pools of Ice may grow under load.
 double CountThreadsOfAConnection(RemoteSystem& system) {
   constexpr std::size_t kMore = 12;
   const std::size_t before = ThreadsOf(system.peer());

@@ -9,7 +9,7 @@
 namespace tendon::benchmark {
 namespace {
 
-/// A line of /proc that is named so, of a process.
+/// Returns the line that begins with `name` in a file of the process in /proc.
 std::string LineOf(int pid, const std::string& file, const std::string& name) {
   std::ifstream lines("/proc/" + std::to_string(pid) + "/" + file);
   for (std::string line; std::getline(lines, line);) {

@@ -9,16 +9,16 @@
 
 namespace tendon::benchmark {
 
-/// A GCM of its own, and processes of equal components that are ready to join it.
+/// Its own GCM, and processes of equal components that are ready to join this GCM.
 class LargeSystem {
  public:
   LargeSystem(const RemoteSystem& system, int processes, int components_of_each);
 
   [[nodiscard]] const std::string& address() const { return address_; }
-  /// Of the GCM, resident; in bytes.
+  /// Returns the resident memory of the GCM in bytes.
   [[nodiscard]] double MemoryOfGcm() const;
 
-  /// All at once; returns while they do.
+  /// Lets all processes join at once. Returns while they are joining.
   void Join();
 
  private:

@@ -2,7 +2,7 @@
 
 namespace tendon::benchmark {
 
-/// They compare with Ice, which is not built in.
+/// For a build without Ice: these cases compare with Ice.
 std::vector<Case> NetworkCases(const Effort& /*effort*/) { return {}; }
 
 }  // namespace tendon::benchmark

@@ -1,6 +1,6 @@
-// The other end of the measurements between processes: the GCM, a process "robot" that has joined
-// it, and raw Ice. Prints where they are reached, in the order of RemoteSystem::Addresses, and runs
-// until it is killed. At SIGUSR1 it begins the middlewares of others and prints where those are.
+// The other process of the measurements. It contains the GCM, a process "robot" that has joined the
+// GCM, and a server of raw Ice. Prints their addresses in the order of RemoteSystem::Addresses, and
+// runs until it is killed. At SIGUSR1 it starts the other middlewares and prints their addresses.
 
 #include <benchmarks/memory.h>
 #include <benchmarks/remote/rivals/rival.h>
@@ -22,7 +22,7 @@ int main() {
   sigset_t begin_rivals;
   sigemptyset(&begin_rivals);
   sigaddset(&begin_rivals, SIGUSR1);
-  pthread_sigmask(SIG_BLOCK, &begin_rivals, nullptr);  // of all threads, which inherit it
+  pthread_sigmask(SIG_BLOCK, &begin_rivals, nullptr);  // all later threads inherit this mask
   const auto gcm =
       GlobalManager::Start(MakeIceMiddleware(Exposure::kLoopbackOnly), {.address = "127.0.0.1:0"});
   if (!gcm) return EXIT_FAILURE;

@@ -24,7 +24,7 @@ class Pipeline {
     }
     begin_([this](bool ok) { OnEnd(ok); });
   }
-  /// Until all have ended: whether none has failed.
+  /// Waits until all calls have ended. Returns true if none has failed.
   bool Wait() {
     std::unique_lock lock(mutex_);
     all_.wait(lock, [this] { return ended_ == calls_; });
@@ -36,7 +36,8 @@ class Pipeline {
     Begin();
     const std::scoped_lock lock(mutex_);
     if (!ok) has_failed_ = true;
-    if (++ended_ == calls_) all_.notify_one();  // with the lock held: the waiter ends us
+    // With the lock held, because the waiter destroys this object.
+    if (++ended_ == calls_) all_.notify_one();
   }
 
   const std::uint64_t calls_;

@@ -9,14 +9,15 @@
 
 namespace tendon::benchmark {
 
-/// Begins something that ends later, in any thread: by `done(ok)`.
+/// Begins a call. The call ends later, in any thread, by `done(ok)`.
 using BeginCall = std::function<void(std::function<void(bool ok)> done)>;
 
-/// Makes `calls` calls, `window` of them at a time: when one ends, the next begins. Returns when
-/// all have ended.
+/// Makes `calls` calls, at most `window` of them at a time: when one call ends, the next one
+/// begins. Returns when all calls have ended.
 void RunPipeline(std::uint64_t calls, std::uint64_t window, const BeginCall& begin);
 
-/// Calls the robot's command Move and waits for it, as a connection does, but many calls at a time.
+/// Calls the robot's command Move like a connection that waits for the execution, but with many
+/// calls at a time.
 class WaitingCalls {
  public:
   WaitingCalls(RemoteSystem& system, std::uint64_t window);
@@ -24,7 +25,7 @@ class WaitingCalls {
   WaitingCalls& operator=(const WaitingCalls&) = delete;
   ~WaitingCalls();
 
-  /// As RunPipeline() says.
+  /// Makes `calls` calls; see RunPipeline().
   void Run(std::uint64_t calls);
 
  private:

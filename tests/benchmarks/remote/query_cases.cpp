@@ -20,7 +20,7 @@ struct Audience {
   int questions = 1000;
 };
 
-/// Is sent what changes, and reads it: a viewer without what it costs to be one.
+/// Receives the changes of the catalogue and decodes them: a viewer without its other costs.
 class Watcher final : public ChannelHandler {
  public:
   explicit Watcher(std::atomic<std::uint64_t>& notices) : notices_(notices) {}
@@ -53,7 +53,7 @@ class Watchers {
     for (const auto& channel : channels_) channel->Close();
   }
 
-  /// Changes that were heard of, by all of them together.
+  /// The total number of changes that all watchers have received.
   [[nodiscard]] std::uint64_t notices() const { return *notices_; }
 
  private:
@@ -63,7 +63,7 @@ class Watchers {
   std::vector<std::shared_ptr<Channel>> channels_;
 };
 
-/// A process in which a component comes and goes, some ten times a second each.
+/// A process in which a component is added and removed about ten times per second.
 class Restless {
  public:
   Restless(const RemoteSystem& system, const std::string& gcm)
@@ -84,7 +84,8 @@ class Restless {
   std::jthread thread_;
 };
 
-/// What 99 of 100 questions to the GCM take at most, while everybody is told what changes.
+/// Returns the 99th percentile of the time of a request to the GCM, while all watchers receive the
+/// changes.
 double AskOften(const RemoteSystem& system, const Audience& audience) {
   LargeSystem large(system, audience.processes, 1);
   large.Join();

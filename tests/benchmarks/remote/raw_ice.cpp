@@ -13,7 +13,7 @@ namespace {
 
 using Range = std::pair<const Ice::Byte*, const Ice::Byte*>;
 
-/// What Ice calls an encapsulation: its size, the version of the encoding, and the bytes.
+/// Makes an encapsulation of Ice: its size, the version of the encoding, and the bytes.
 std::vector<Ice::Byte> Encapsulate(std::span<const std::byte> bytes) {
   constexpr std::size_t kHeader = 6;
   const auto size = static_cast<Ice::Int>(kHeader + bytes.size());
@@ -30,14 +30,15 @@ Range RangeOf(const std::vector<Ice::Byte>& bytes) {
 
 Ice::InitializationData OurSettings() {
   Ice::InitializationData settings = ice::Settings();
-  settings.properties->setProperty("Ice.MessageSizeMax", "2048");  // KiB, for an image in one piece
+  // KiB; an image is sent in one piece
+  settings.properties->setProperty("Ice.MessageSizeMax", "2048");
   settings.properties->setProperty("Growing.ThreadPool.Serialize", "1");
   settings.properties->setProperty("Growing.ThreadPool.Size", "1");
   settings.properties->setProperty("Growing.ThreadPool.SizeMax", "4");
   return settings;
 }
 
-/// Dispatches by hand, like generated code, so that nothing is copied that need not be.
+/// Dispatches by hand, like generated code, but without unnecessary copies.
 class Servant final : public Ice::Object {
  public:
   bool _iceDispatch(IceInternal::Incoming& incoming, const Ice::Current& current) override {
@@ -46,7 +47,7 @@ class Servant final : public Ice::Object {
     incoming.readParamEncaps(parameter, size);
     const auto& answer = AnswerTo(current);
     incoming.writeParamEncaps(answer.data(), static_cast<Ice::Int>(answer.size()), true);
-    return true;  // it is answered
+    return true;  // the request is answered
   }
 
  private:
@@ -60,7 +61,7 @@ class Servant final : public Ice::Object {
 
   const std::vector<Ice::Byte> message_ = Encapsulate(std::vector<std::byte>(sizeof(Message)));
   const std::vector<Ice::Byte> image_ = Encapsulate(std::vector<std::byte>(kImageBytes));
-  std::vector<Ice::Byte> copied_;  // who asks for it does so one at a time
+  std::vector<Ice::Byte> copied_;  // only one request at a time uses this
   const std::vector<Ice::Byte> nothing_ = Encapsulate({});
 };
 

@@ -12,7 +12,7 @@
 namespace tendon::benchmark {
 
 /// The comparison for calls between processes: ZeroC Ice by itself, used as its generated code uses
-/// it. It has the settings of our own communicators and sockets, except for its threads, and no
+/// it. It has the settings of Tendon's communicators and sockets, except for its threads, and no
 /// frames, handles or credits.
 class RawIceServer {
  public:
@@ -21,10 +21,10 @@ class RawIceServer {
   RawIceServer& operator=(const RawIceServer&) = delete;
   ~RawIceServer();
 
-  /// For RawIce: calls are dispatched by a pool of threads that may grow, as raw Ice needs to serve
-  /// others while a call is slow.
+  /// The address of a server with a thread pool that may grow. Raw Ice needs such a pool to serve
+  /// other callers while a call is slow.
   [[nodiscard]] std::string address() const;
-  /// Calls are dispatched by one thread, so a slow call delays all others.
+  /// The address of a server with one thread: a slow call delays all others.
   [[nodiscard]] std::string address_of_one_thread() const;
 
  private:
@@ -46,16 +46,16 @@ class RawIce {
   /// Sends oneway calls, each in a separate message, and waits until the server has dispatched all
   /// of them.
   void Write(std::span<const std::byte> parameter, std::uint64_t times);
-  /// The same, `size` of them in a message.
+  /// Sends the same calls, `size` of them in each message.
   void WriteBatches(std::span<const std::byte> parameter, std::uint64_t times, std::uint64_t size);
-  /// Two-way, without waiting: `done` is called in a thread of Ice.
+  /// Begins a two-way call without waiting: `done` is called in a thread of Ice.
   void BeginRead(std::function<void(bool ok)> done);
-  /// Where the bytes of a large answer are when it is requested: they stay in place, or the servant
-  /// must first copy them into memory that it keeps.
+  /// The memory of a large answer: kThere means that the bytes stay in place; kCopiedFirst means
+  /// that the servant first copies them into memory that it keeps.
   enum class Image { kThere, kCopiedFirst };
   /// A two-way call that is answered with 1 MiB; returns how many bytes came.
   std::size_t ReadImage(Image image);
-  /// Makes a new connection, and one call on it; returns the nanoseconds that took.
+  /// Makes a new connection, and one call on it. Returns the time in nanoseconds.
   double Connect();
 
  private:
@@ -63,7 +63,7 @@ class RawIce {
   std::unique_ptr<Parts> parts_;
 };
 
-/// Of a large answer.
+/// The size of a large answer.
 inline constexpr std::size_t kImageBytes = std::size_t{1} << 20U;
 
 }  // namespace tendon::benchmark

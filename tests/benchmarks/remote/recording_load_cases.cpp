@@ -20,9 +20,9 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr int kProcesses = 3;
-constexpr int kSignals = 100;  // of all processes
+constexpr int kSignals = 100;  // the total of all processes
 
-/// A hundred signals of 1 kHz from three processes, and a recorder here.
+/// Three processes with a hundred signals of 1 kHz in total, and a recorder in this process.
 class SignalSystem {
  public:
   explicit SignalSystem(RemoteSystem& system) : system_(system) {
@@ -34,7 +34,7 @@ class SignalSystem {
           Program::Words{program, names_.back(), system.addresses().gcm, std::to_string(signals)},
           system.environment()));
     }
-    BeginClient();  // once they have joined, they expect the signal of TakeLateness()
+    BeginClient();  // a joined process is ready for the signal of TakeLateness()
   }
 
   struct Recorded {
@@ -61,7 +61,8 @@ class SignalSystem {
     return recorded;
   }
 
-  /// The 99th percentile of the lateness since the last call, of the process where it is greatest.
+  /// Returns the 99th percentile of the lateness since the last call, for the process with the
+  /// greatest lateness.
   double TakeLateness() {
     double worst = 0;
     for (const auto& source : sources_) {
@@ -76,7 +77,7 @@ class SignalSystem {
   }
 
  private:
-  /// An inbox serves one recording, and a client one inbox.
+  /// Makes a new inbox and client. An inbox serves only one recording, and a client only one inbox.
   void BeginClient() {
     inbox_ = std::make_shared<recording::Inbox>();
     client_ = std::make_unique<GcmClient>(
@@ -106,7 +107,7 @@ class SignalSystem {
 std::vector<Case> RecordingLoadCases(const Effort& effort, const TheSystem& system) {
   const auto window = effort.is_tiny ? 50ms : 1000ms;
   const auto duration = effort.is_tiny ? 100ms : 60'000ms;
-  // For these cases alone: the processes would disturb others.
+  // The processes exist only during these cases, because they would disturb other cases.
   const auto signals = std::make_shared<std::unique_ptr<SignalSystem>>();
   const auto begun = [=]() -> SignalSystem& {
     if (!*signals) *signals = std::make_unique<SignalSystem>(system());

@@ -11,12 +11,12 @@ namespace {
 constexpr std::uint64_t kBatch = 100;
 constexpr std::uint64_t kWindow = 64;
 
-// How often is so chosen that a repetition keeps the processor for some 10 ms: real-time threads
-// are let have 95 % of it.
+// The numbers of operations are chosen such that a repetition keeps the processor busy for about 10
+// ms. The kernel allows real-time threads only 95 % of the processor time.
 
 using Run = std::function<double(RemoteSystem&)>;
 
-/// What one takes, where `work` does all that are measured.
+/// Returns the time of one operation. `work` does all `times` operations.
 template <typename Work>
 double NanosecondsEachOf(std::uint64_t times, Work work) {
   return NanosecondsEach(1, [&](std::uint64_t) { work(); }) / static_cast<double>(times);
@@ -30,7 +30,7 @@ double ReadRaw(RawIce& raw, std::uint64_t reads) {
   });
 }
 
-/// Each into the same image, as a component keeps it.
+/// Reads each image into the same object, as a component does.
 double ReadImages(Desk& desk, ReadFunction<Image> Desk::*get, std::uint64_t images) {
   return NanosecondsEach(images, [&](std::uint64_t) {
     const bool is_read = static_cast<bool>((desk.*get)(desk.image));
@@ -52,8 +52,8 @@ double MoveAndWait(RemoteSystem& system, std::uint64_t moves) {
   });
 }
 
-/// Until the robot has executed them. Who finds the mailbox full lets the others have the
-/// processor; who has made a tick's calls does so, too.
+/// Returns when the robot has executed all moves. Yields the processor if the mailbox is full, and
+/// after the calls of each tick.
 double Move(RemoteSystem& system, std::uint64_t moves, std::uint64_t per_tick) {
   Argument goal{};
   return NanosecondsEachOf(moves, [&] {
@@ -66,7 +66,7 @@ double Move(RemoteSystem& system, std::uint64_t moves, std::uint64_t per_tick) {
   });
 }
 
-/// `per_message` of them in each message of Ice.
+/// Writes with raw Ice, with `per_message` writes in each message.
 double WriteRaw(RawIce& raw, std::uint64_t writes, std::uint64_t per_message) {
   const Argument goal{};
   const auto bytes = std::as_bytes(std::span(goal));

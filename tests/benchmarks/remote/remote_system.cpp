@@ -37,7 +37,8 @@ bool RemoteSystem::IsConnected() {
 }
 
 std::map<std::string, std::string> RemoteSystem::environment() const {
-  const std::string folder = folder_.path();  // of both ends: they share a cookie
+  // Both processes use this folder, because they share a cookie.
+  const std::string folder = folder_.path();
   return {{"XDG_RUNTIME_DIR", folder}, {"XDG_STATE_HOME", folder}};
 }
 
@@ -87,7 +88,8 @@ void Require(bool done, const char* what) {
   if (!done) throw std::runtime_error(what);
 }
 
-/// One processor sees all of it, and the last of the cases make it: it disturbs no others.
+/// All measurements run on one processor. The processes of these cases start only when needed,
+/// after all other cases, so that they disturb no others.
 std::vector<Case> NetworkCases(const Effort& effort) {
   const TheSystem system = [made = std::make_shared<std::unique_ptr<RemoteSystem>>()]() -> auto& {
     if (!*made) *made = std::make_unique<RemoteSystem>();

@@ -18,12 +18,12 @@
 
 namespace tendon::benchmark {
 
-/// With whoever answers late on a machine that stalls.
+/// The time limit for answers on a machine that stalls.
 inline constexpr std::chrono::seconds kPatience(30);
 
-/// A robot in a process of its own, and a desk here that is connected to it; and raw Ice between
-/// the same two processes. All threads run on the processor of the thread that created it. On
-/// several processors, the time to wake another processor would hide everything else.
+/// A robot in another process, a desk in this process that is connected to the robot, and raw Ice
+/// between these two processes. All threads run on the processor of the thread that created this
+/// object. On several processors, the time to wake another processor would hide everything else.
 class RemoteSystem {
  public:
   RemoteSystem();
@@ -38,36 +38,37 @@ class RemoteSystem {
 
   [[nodiscard]] Desk& desk() { return *desk_; }
   [[nodiscard]] RawIce& raw() { return *raw_; }
-  /// For a server in which one thread dispatches instead of a pool.
+  /// The client for the server in which one thread dispatches all calls.
   [[nodiscard]] RawIce& raw_of_one_thread() { return *raw_of_one_thread_; }
 
   /// Another middleware, which is started at both ends when it is first used.
   [[nodiscard]] RivalClient& rival(const std::string& id);
 
-  /// How the next process here takes part.
+  /// The options for the next process in this program.
   [[nodiscard]] ProcessOptions Options() const;
-  /// What programs must know that take part.
+  /// The environment for programs that take part in the system.
   [[nodiscard]] std::map<std::string, std::string> environment() const;
-  /// A name that no process had before.
+  /// Returns a name that no process has used before.
   [[nodiscard]] std::string NewName();
 
-  /// The other process.
+  /// The pid of the other process.
   [[nodiscard]] int peer() const { return peer_->pid(); }
-  /// The seconds of processor time that it has used.
+  /// The processor time in seconds that the other process has used.
   [[nodiscard]] double ProcessorTime() const;
 
  private:
   bool IsConnected();
   void BeginRivals();
 
-  const test::Folder folder_;  // what programs keep for their user
+  const test::Folder folder_;  // the state and run-time folder of the programs
   std::unique_ptr<Program> peer_;
   Addresses addresses_;
   std::unique_ptr<Process> process_;
   Desk* desk_ = nullptr;
   std::unique_ptr<RawIce> raw_;
   std::unique_ptr<RawIce> raw_of_one_thread_;
-  std::map<std::string, std::unique_ptr<RivalClient>> rivals_;  // by id, once they are begun
+  // The other middlewares by id; empty until they are started.
+  std::map<std::string, std::unique_ptr<RivalClient>> rivals_;
   int names_ = 0;
 };
 
@@ -77,16 +78,16 @@ Hello NewHello(const std::string& name);
 /// The system that all cases share; created by the first call.
 using TheSystem = std::function<RemoteSystem&()>;
 
-/// What keeps both processes busy.
+/// Makes a subject that keeps both processes busy.
 Subject Between(const TheSystem& system, std::function<double(RemoteSystem&)> run);
 
-/// What one read of the robot takes.
+/// Returns the time of one read from the robot.
 double ReadJoints(RemoteSystem& system, std::uint64_t reads);
 
 /// Throws if `done` is false, because then there is nothing to measure.
 void Require(bool done, const char* what);
 
-// The cases, by what they are about.
+// The cases, by subject.
 std::vector<Case> RemoteCases(const Effort& effort, const TheSystem& system);
 std::vector<Case> RivalCases(const Effort& effort, const TheSystem& system);
 std::vector<Case> StreamCases(const Effort& effort, const TheSystem& system);

@@ -11,12 +11,12 @@
 
 namespace tendon::benchmark {
 
-using Image = std::vector<double>;  // of kImageBytes
+using Image = std::vector<double>;  // an image of kImageBytes
 
 /// The component that is called from another process. Sleeps until a call arrives.
 class Robot final : public SignalTask {
  public:
-  /// Rows that are kept of "state-History".
+  /// The number of rows that "state-History" keeps.
   static constexpr std::size_t kRows = 100'000;
 
   explicit Robot(std::string name);
@@ -37,7 +37,7 @@ class Robot final : public SignalTask {
   StateTable& history_;
 };
 
-/// Who calls it.
+/// The client of the robot.
 class Desk final : public Component {
  public:
   explicit Desk(std::string name);
@@ -48,7 +48,7 @@ class Desk final : public Component {
   ReadFunction<Image> get_image;
   ReadFunction<Image> get_shared_image;
 
-  Image image;  ///< that it read last
+  Image image;  ///< the image that was read last
 };
 
 }  // namespace tendon::benchmark

@@ -1,6 +1,6 @@
 // One of the processes whose signals are recorded: signals NAME GCM COLUMNS. Its task writes a row
-// of that many doubles each millisecond. At SIGUSR1 it prints the 99th percentile of the task's
-// lateness since the signal before, in nanoseconds. Runs until it is killed.
+// of COLUMNS doubles each millisecond. At each SIGUSR1, it prints the 99th percentile of the task's
+// lateness since the previous SIGUSR1, in nanoseconds. Runs until it is killed.
 
 #include <tendon/base/log.h>
 #include <tendon/ice/ice_middleware.h>
@@ -69,14 +69,15 @@ int main(int /*count*/, char** words) {
   sigset_t ask;
   sigemptyset(&ask);
   sigaddset(&ask, SIGUSR1);
-  pthread_sigmask(SIG_BLOCK, &ask, nullptr);  // of all threads, which inherit it
+  pthread_sigmask(SIG_BLOCK, &ask, nullptr);  // all later threads inherit this mask
   Process process(words[1],
                   {.middleware = MakeIceMiddleware(Exposure::kLoopbackOnly), .gcm = words[2]});
   Source& source = process.Add<Source>("source", std::stoi(words[3]));
   if (!process.StartAll()) return 1;
   std::vector<double> lateness;
   while (true) {
-    const timespec often{.tv_sec = 0, .tv_nsec = 200'000'000};  // the table holds a second
+    // Often enough, because the table holds only the last second.
+    const timespec often{.tv_sec = 0, .tv_nsec = 200'000'000};
     const bool is_asked = sigtimedwait(&ask, nullptr, &often) == SIGUSR1;
     source.TakeLateness(lateness);
     if (!is_asked) continue;

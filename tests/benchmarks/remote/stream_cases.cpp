@@ -10,11 +10,11 @@
 namespace tendon::benchmark {
 namespace {
 
-/// Of a row on its way: 7 doubles, tick and time.
+/// The size of a row on the wire: 7 doubles, tick and time.
 constexpr std::size_t kRowBytes = sizeof(Argument) + 2 * sizeof(std::uint64_t);
 constexpr std::uint64_t kRowsInAMessage = 100;
 
-/// Counts rows, and for how long they came.
+/// Counts rows, and measures the time of their arrival.
 class Counter final : public RowSink {
  public:
   void OnSubscribed(const std::vector<Schema>& /*columns*/) override {
@@ -48,8 +48,7 @@ class Counter final : public RowSink {
     const std::scoped_lock lock(mutex_);
     rows_ = lost_ = 0;
   }
-  /// What a row took, between the first batch, which is the only one that was waited for, and the
-  /// last.
+  /// Returns the time per row. The measurement begins when the first batch arrives.
   double Await(std::uint64_t rows) {
     std::unique_lock lock(mutex_);
     Require(changed_.wait_for(lock, kPatience, [&] { return rows_ + lost_ >= rows; }) &&
@@ -70,7 +69,7 @@ class Counter final : public RowSink {
   std::chrono::steady_clock::time_point last_;
 };
 
-/// The rows of a robot's table, subscribed to once.
+/// One subscription to the robot's table.
 class Stream {
  public:
   explicit Stream(RemoteSystem& system)
@@ -107,8 +106,8 @@ double SendRaw(RemoteSystem& system, std::uint64_t rows) {
 }  // namespace
 
 std::vector<Case> StreamCases(const Effort& effort, const TheSystem& system) {
-  constexpr double kMost = 1e9 / 5e6;                           // ns a row
-  const std::uint64_t rows = effort.is_tiny ? 10'000 : 60'000;  // more than one batch
+  constexpr double kMost = 1e9 / 5e6;                           // ns per row
+  const std::uint64_t rows = effort.is_tiny ? 10'000 : 60'000;  // more rows than one batch holds
   const auto stream = std::make_shared<std::unique_ptr<Stream>>();
   const auto run = [=](RemoteSystem& both) {
     if (!*stream) *stream = std::make_unique<Stream>(both);
@@ -116,7 +115,7 @@ std::vector<Case> StreamCases(const Effort& effort, const TheSystem& system) {
   };
   const auto both_ends = [&](auto function) {
     Subject subject = Between(system, function);
-    subject.processors = kSleeps;  // until the next batch is due
+    subject.processors = kSleeps;  // the subject sleeps until the next batch is due
     return subject;
   };
   const auto side_by_side = SideBySide(

@@ -13,7 +13,7 @@ namespace {
 using tendon_test::ArmClient;
 using tendon_test::Stepped;
 
-/// An arm, somebody who moves it, and the supervisor who watches.
+/// An arm, a component that moves the arm, and the supervisor that watches the arm.
 struct Watched {
   Watched() { EXPECT_TRUE(manager.StartAll()); }
   void Connect() {
@@ -48,7 +48,7 @@ TEST(ArmSupervisor, MeasuresTheMotionOfTheArm) {
   posture[0] += 1.0;
 
   EXPECT_TRUE(watched.client.move_to({posture, 2.0}));
-  watched.Run(50);  // half of the way, where minimum jerk has 15/8 of the mean velocity
+  watched.Run(50);  // in the middle of a minimum-jerk motion, the velocity is 15/8 of the mean
 
   const auto activity = watched.supervisor.Read<Activity>("Activity");
   EXPECT_NEAR(activity.speed, 15.0 / 8.0 * 0.5, 0.01);

@@ -7,7 +7,7 @@
 namespace counter {
 namespace {
 
-/// The newest value of a column of the default table.
+/// Returns the newest value of a column of the default table.
 template <typename T>
 T Newest(const tendon::Component& component, const char* column) {
   T value{};
@@ -18,7 +18,7 @@ T Newest(const tendon::Component& component, const char* column) {
   return value;
 }
 
-/// Steers a counter from the test's thread.
+/// A client that controls a counter from the test's thread.
 class Hand : public tendon::Component {
  public:
   explicit Hand(std::string name) : Component(std::move(name)) {

@@ -6,7 +6,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Everything counted so far, `time` after the first sample.
+/// Returns a sample at `time` after the first sample. All its counters have the value `count`.
 CounterSample SampleAt(std::chrono::milliseconds time, std::uint64_t count) {
   return {.time = tendon::SteadyTime(5s) + time,
           .cpu = {.total = {count, 2 * count}, .cores = {{count, 4 * count}, {count, count}}},
@@ -59,7 +59,7 @@ TEST(CounterHistory, AveragesOverOneSecond) {
   std::uint64_t count = 0;
   for (int i = 0; i <= 40; ++i) history.Add(SampleAt(i * 50ms, count += i <= 20 ? 100 : 1));
 
-  EXPECT_DOUBLE_EQ(history.disk().read, 20.0);  // of the quiet second alone
+  EXPECT_DOUBLE_EQ(history.disk().read, 20.0);  // only the quiet second counts
 }
 
 TEST(CounterHistory, BridgesALongGap) {

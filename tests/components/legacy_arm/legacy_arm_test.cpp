@@ -13,7 +13,7 @@ namespace {
 
 using tendon_test::Stepped;
 
-/// A client that counts in degrees as well.
+/// A client that also uses degrees.
 class LegacyClient : public tendon::Component {
  public:
   explicit LegacyClient(std::string name) : Component(std::move(name)) {

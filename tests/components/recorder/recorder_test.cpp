@@ -40,7 +40,7 @@ class Operator final : public tendon::Component {
     recorder.AddEventHandlerWrite(&Operator::OnFailed, this, "Failed");
   }
 
-  /// The texts of all events of this name.
+  /// Returns the texts of all events with this name.
   std::vector<std::string> Texts(const std::string& event) {
     const std::scoped_lock lock(mutex_);
     return texts_[event];
@@ -71,7 +71,7 @@ class RecorderTest : public testing::Test {
  protected:
   void Begin(RecorderConfiguration configuration) {
     if (configuration.folder == ".") configuration.folder = folder_.path().string();
-    operator_ = &process_.Add<Operator>("operator");  // first, so that it misses no event
+    operator_ = &process_.Add<Operator>("operator");  // added first, so that it misses no event
     process_.Add<counter::Counter>("counter");
     recorder_ = &process_.Add<Recorder>("recorder", std::move(configuration));
     const auto connected =
@@ -90,7 +90,7 @@ class RecorderTest : public testing::Test {
   [[nodiscard]] bool EventuallyRows(std::uint64_t rows) const {
     return EventuallyTrue([&] { return State().rows >= rows; });
   }
-  /// The number of messages by topic.
+  /// Returns the number of messages by topic.
   static std::map<std::string, std::size_t> Read(const std::string& file) {
     std::map<std::string, std::size_t> counts;
     const auto reader = tendon::mcap::Reader::Open(std::filesystem::path(file));

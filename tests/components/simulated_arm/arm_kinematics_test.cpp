@@ -19,7 +19,7 @@ void ExpectPosition(const Pose& pose, double x, double y, double z) {
   EXPECT_NEAR(pose.position.z, z, 1e-6);
 }
 
-/// Where the frame's x axis points to.
+/// Returns the direction of the frame's x axis.
 std::array<double, 3> AxisX(const Pose& pose) {
   const auto& [x, y, z, w] = pose.orientation;
   return {1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + z * w), 2.0 * (x * z - y * w)};
@@ -33,7 +33,7 @@ TEST(ArmKinematics, AtZeroTheHandPointsDownFromTheOutstretchedArm) {
   const Pose flange = PoseOf({}, LinkId::kFlange);
 
   ExpectPosition(flange, 0.088, 0.0, 0.333 + 0.316 + 0.384 - 0.107);
-  EXPECT_NEAR(std::abs(flange.orientation.x), 1.0, 1e-9);  // half a turn about x
+  EXPECT_NEAR(std::abs(flange.orientation.x), 1.0, 1e-9);  // a rotation by 180 degrees about x
 }
 
 TEST(ArmKinematics, ReadyPostureMatchesThePandaArm) {
@@ -45,7 +45,7 @@ TEST(ArmKinematics, ReadyPostureMatchesThePandaArm) {
 }
 
 TEST(ArmKinematics, AgreesWithTheProductOfMatricesForAnOddPosture) {
-  // Numbers of a calculation with 4x4 matrices, outside of this program.
+  // The expected numbers come from a calculation with 4x4 matrices outside of this program.
   const Pose flange = PoseOf({0.3, -0.5, 0.2, -1.8, 0.4, 1.7, -0.6}, LinkId::kFlange);
 
   ExpectPosition(flange, 0.313557, 0.250018, 0.766198);

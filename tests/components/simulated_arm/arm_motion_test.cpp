@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kStep = 1e-3;  // s
 
-/// An arm that is watched: each step checks every limit.
+/// An arm that checks every limit after each step.
 struct WatchedArm {
   explicit WatchedArm(const ArmConfiguration& arm = {}) : configuration(arm), motion(arm, kStep) {}
 

@@ -10,7 +10,7 @@ namespace {
 constexpr JointLimits kLimits{-2.9, 2.9, 2.0, 8.0};
 constexpr double kSample = 1e-3;  // s
 
-/// Calls `visit(time, point)` each millisecond from 0 on, a little beyond the end.
+/// Calls `visit(time, point)` for each millisecond from 0 to slightly after the end of the path.
 template <typename Visitor>
 void Follow(const JointPath& path, Visitor visit) {
   const int steps = static_cast<int>(path.duration() / kSample) + 10;
@@ -53,8 +53,8 @@ TEST(JointPath, VelocityAndAccelerationAreTheDerivatives) {
 }
 
 TEST(JointPath, IsMinimumJerkWhenStartingFromRest) {
-  // 10 s^3 - 15 s^4 + 6 s^5 is 0.10352 at a quarter and 0.5 in the middle; its velocity there is
-  // 15/8 of the mean.
+  // The path is 10 s^3 - 15 s^4 + 6 s^5. Its value is 0.10352 at a quarter of the duration and 0.5
+  // in the middle. The velocity in the middle is 15/8 of the mean.
   const JointPath path = JointPath::MoveTo({0.0, 0.0, 0.0}, 2.0, 4.0, kLimits);
 
   EXPECT_NEAR(path.At(1.0).position, 2.0 * 0.103515625, 1e-12);
@@ -63,7 +63,7 @@ TEST(JointPath, IsMinimumJerkWhenStartingFromRest) {
 }
 
 TEST(JointPath, BoundsTheJerkWhenStartingFromRest) {
-  // Minimum jerk has its greatest at both ends: 60 distance / duration^3.
+  // The jerk of a minimum-jerk motion is greatest at both ends: 60 distance / duration^3.
   const JointPath path = JointPath::MoveTo({0.0, 0.0, 0.0}, 2.0, 2.0, kLimits);
   double jerk = 0.0;
   double before = 0.0;

@@ -19,7 +19,7 @@ void ExpectWithinLimits(const Joint& joint) {
   ASSERT_LE(std::abs(joint.point().acceleration), kNarrow.acceleration + 1e-6);
 }
 
-/// So many steps towards a position; how often a limit was entered.
+/// Makes `steps` steps towards a position. Returns how often the joint entered a limit.
 int Drive(Joint& joint, double position, int steps) {
   int entered = 0;
   for (int i = 0; i < steps; ++i) {
@@ -58,7 +58,8 @@ TEST(Joint, KeepsAllLimitsForRandomReferences) {
 }
 
 TEST(Joint, BrakesBeforeItReachesTheLimit) {
-  // The invariant behind the test above: the brakes suffice, so the position is never cut.
+  // Checks the invariant behind the previous test: braking always suffices, so the position is
+  // never clamped.
   Joint joint(kNarrow, kBandwidth, -1.0);
 
   for (int i = 0; i < 3000; ++i) {

@@ -21,7 +21,7 @@ using tendon_test::Stepped;
 
 constexpr JointVector kGoal{0.8, -0.2, 0.3, -1.6, -0.4, 1.9, 0.1};
 
-/// An arm that the test steps, and a client of its Control.
+/// An arm that the test steps, and a client of the arm's Control.
 class SteppedArm : public testing::Test {
  protected:
   explicit SteppedArm(const ArmConfiguration& configuration = {})
@@ -157,7 +157,7 @@ TEST_F(SimulatedArmTest, MovesAtAVelocityWithoutAJerk) {
   double before = 0.0;
 
   EXPECT_TRUE(client_.move_at({velocity}));
-  for (int i = 0; i < 80; ++i) {  // well before it expires
+  for (int i = 0; i < 80; ++i) {  // the command does not expire during these cycles
     arm_.Cycle();
     greatest = std::max(greatest, std::abs(Joints().velocity[0] - before) / 1e-3);
     before = Joints().velocity[0];
@@ -176,7 +176,7 @@ TEST_F(SimulatedArmTest, AnInvalidVelocityStopsTheMotion) {
   arm_.Cycle(80);
   ASSERT_GT(Joints().velocity[0], 0.2);
 
-  for (int i = 0; i < 100; ++i) {  // as often as would keep it in motion
+  for (int i = 0; i < 100; ++i) {  // valid calls at this rate would keep the arm in motion
     EXPECT_TRUE(client_.move_at({wrong}));
     arm_.Cycle(10);
   }

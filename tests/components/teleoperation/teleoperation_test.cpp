@@ -19,7 +19,7 @@ namespace {
 using tendon::AllocationGuard;
 using tendon_test::Stepped;
 
-constexpr int kArmCycles = 20;  // in one of the teleoperation
+constexpr int kArmCycles = 20;  // cycles of the arm per cycle of the teleoperation
 
 double FastestOf(const JointVector& velocities) {
   double fastest = 0.0;
@@ -27,7 +27,8 @@ double FastestOf(const JointVector& velocities) {
   return fastest;
 }
 
-/// Both components in the test's thread, time going on in both alike; not yet connected.
+/// Both components run in the test's thread, and their time advances together. They are not
+/// connected at first.
 class SteppedPair {
  public:
   explicit SteppedPair(const ArmConfiguration& arm_configuration = {},
@@ -84,7 +85,7 @@ TEST(Teleoperation, StartsFromThePositionOfTheArm) {
   }
 }
 
-/// Two arms that stand apart, of which one is led at a time.
+/// Two arms in different postures. The teleoperation leads one of them at a time.
 class SteppedTrio : public SteppedPair {
  public:
   explicit SteppedTrio(const ArmConfiguration& configuration = {})
@@ -95,8 +96,8 @@ class SteppedTrio : public SteppedPair {
     other.Cycle();
   }
 
-  /// The greatest speed, rad/s, and acceleration, rad/s^2, of a joint of either arm. The led arm
-  /// moves at the end: the tour never rests.
+  /// The greatest speed (rad/s) and acceleration (rad/s^2) of any joint of either arm. The led arm
+  /// still moves at the end, because the tour never rests.
   struct Peak {
     double speed = 0.0;
     double acceleration = 0.0;
@@ -146,16 +147,16 @@ class SteppedTrio : public SteppedPair {
   Stepped<SimulatedArm>* led_ = &arm;
 };
 
-/// No more than when it sets out from rest.
+/// Expects that no peak is much higher than in a start from rest.
 void ExpectNoLeap(const SteppedTrio::Peak& peak, const SteppedTrio::Peak& gentle) {
   constexpr double kMargin = 1.2;
   EXPECT_LE(peak.speed, kMargin * gentle.speed);
   EXPECT_LE(peak.acceleration, kMargin * gentle.acceleration);
 }
 
-constexpr double kLong = 6.0;  // s; the tour is joined by then
+constexpr double kLong = 6.0;  // s; the arm has joined the tour by then
 
-/// Of an arm that is connected where it rests.
+/// Returns the peak of an arm that is connected at rest in this posture.
 SteppedTrio::Peak GentleFrom(const JointVector& posture) {
   ArmConfiguration configuration;
   configuration.home = posture;
@@ -201,7 +202,7 @@ TEST(Teleoperation, RestartsGentlyWhenASuspendedArmResumes) {
   for (int i = 0; i < 200; ++i) trio.teleoperation.Cycle();
 
   ASSERT_TRUE(trio.manager.Start("arm"));
-  trio.arm.Cycle();  // its last row is that of a moving arm
+  trio.arm.Cycle();  // the last row of this arm shows a motion
 
   const auto gentle = GentleFrom(trio.position());
   ExpectNoLeap(trio.PeakWithin(kLong), gentle);
@@ -265,9 +266,9 @@ TEST(Teleoperation, ReversesWhenTheArmMeetsALimit) {
     if (pair.limits() > 0) after_limit = std::min(after_limit, pair.position()[0]);
   });
 
-  EXPECT_GE(pair.limits(), 2U);  // once a way, to and fro
-  EXPECT_LE(pair.limits(), 6U);  // and not in every cycle
-  EXPECT_LT(after_limit, -1.0);  // it went back all the way
+  EXPECT_GE(pair.limits(), 2U);  // at least once in each direction
+  EXPECT_LE(pair.limits(), 6U);  // but not in every cycle
+  EXPECT_LT(after_limit, -1.0);  // the arm went all the way back
   EXPECT_LE(pair.position()[0], 0.6);
 }
 
@@ -288,7 +289,7 @@ TEST(Teleoperation, SeveralLimitsAtOnceCauseOneReversal) {
   });
 
   EXPECT_GE(pair.limits(), 4U);
-  EXPECT_GT(moved, 2.0);  // it never got stuck between them
+  EXPECT_GT(moved, 2.0);  // the arm did not stay between the two limits
 }
 
 TEST(Teleoperation, WaitsForASlowArm) {

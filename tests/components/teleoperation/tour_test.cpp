@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kTourTime = 12.0;  // s
 
-/// How alike two joints move over three rounds: 1 or -1 is the same shape.
+/// Returns the correlation of two joints over three rounds; 1 or -1 means the same shape.
 double Correlation(std::size_t one, std::size_t other) {
   const Tour tour(kTourTime, 1.0);
   constexpr int kSamples = 3600;

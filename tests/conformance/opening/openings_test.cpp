@@ -11,9 +11,9 @@
 namespace tendon::conformance {
 namespace {
 
-constexpr auto kMuchLonger = 4 * kPatience;  // than the test waits
+constexpr auto kMuchLonger = 4 * kPatience;  // longer than the test waits
 
-/// Hears what it is asked, and answers nothing.
+/// Receives requests, and never answers.
 class Mute final : public LinkHandler {
  public:
   explicit Mute(std::promise<void> heard) : heard_(std::move(heard)) {}
@@ -44,7 +44,8 @@ TEST_P(ChannelContract, ProgramExitCancelsAPendingHandshake) {
   EXPECT_EQ(opened.error().message, ConnectCancelledError().message);
 }
 
-/// As a process that is stopped: the kernel takes the connection, and nobody reads it.
+/// The listener accepts nothing, like a stopped process: the kernel accepts the connection, but no
+/// program reads it.
 TEST_P(PortContract, ProgramExitCancelsOpeningALinkToAHungPeer) {
   const auto hanging = os::ListenAt("127.0.0.1", 0);
   ASSERT_TRUE(hanging);

@@ -16,10 +16,10 @@ std::uint16_t PortOf(int descriptor) {
   sockaddr_in address{};
   socklen_t size = sizeof(address);
   if (getsockname(descriptor, reinterpret_cast<sockaddr*>(&address), &size) != 0) return 0;
-  return ntohs(address.sin_port);  // of IPv6 it lies there, too
+  return ntohs(address.sin_port);  // the port is at the same position for IPv6
 }
 
-/// How this program's connections from a port are sent: "bbr".
+/// Returns the congestion control of this program's connections from a port: "bbr".
 std::vector<std::string> CongestionControlsAt(const std::string& local) {
   std::vector<std::string> found;
   for (const auto& one : std::filesystem::directory_iterator("/proc/self/fd")) {

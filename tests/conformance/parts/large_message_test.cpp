@@ -21,8 +21,8 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// A body of which no part is like another: they begin at other places of a pattern whose length is
-/// prime.
+/// Returns a body in which no two parts are equal: the pattern has a prime length, so each part
+/// begins at another position of the pattern.
 Bytes Patterned(std::size_t size) {
   constexpr std::size_t kPeriod = 65'521;
   static const std::vector<std::uint32_t> words = [] {
@@ -37,7 +37,8 @@ Bytes Patterned(std::size_t size) {
   return body;
 }
 
-/// Keeps the notices; answers a request with its own body. While it is held it hears nothing more.
+/// Keeps the notices, and answers a request with the request's own body. While Hold() is in effect,
+/// it processes nothing more.
 class Taker final : public ChannelHandler {
  public:
   struct Notice {
@@ -64,7 +65,7 @@ class Taker final : public ChannelHandler {
     changed_.notify_all();
   }
 
-  /// It waits in the first notice until the lock is released.
+  /// The handler blocks in the next notice until the lock is released.
   [[nodiscard]] std::unique_lock<std::mutex> Hold() { return std::unique_lock(mutex_); }
 
   std::vector<Notice> WaitForNotices(std::size_t count) {
@@ -95,7 +96,7 @@ constexpr std::size_t kSmall = 100;
 
 constexpr std::size_t kMost = 1000 * kMaxPayload;
 
-/// Addresses of more bytes than there are: whoever looks at one of them dies.
+/// An address range without accessible memory: reading a byte of it ends the program.
 class NobodysMemory {
  public:
   NobodysMemory()
@@ -115,7 +116,7 @@ class NobodysMemory {
   void* const begin_;
 };
 
-/// What is at the two ends of the channel.
+/// The handlers at both ends of the channel.
 struct Takers {
   std::shared_ptr<Taker> server = std::make_shared<Taker>();
   std::shared_ptr<Taker> client = std::make_shared<Taker>();
@@ -142,7 +143,8 @@ TEST_P(LargeMessageContract, ArrivesCompleteAtAnySize) {
   std::size_t sent = 0;
   std::vector<Taker::Notice> notices;
   for (const std::size_t size : sizes) {
-    if (size > 2 * kLarge && test::IsSanitized()) continue;  // for each byte is looked at
+    // A sanitizer checks each byte, which takes too long.
+    if (size > 2 * kLarge && test::IsSanitized()) continue;
     ++sent;
     ASSERT_EQ(Notify(*channel_, 1, size), Status::kQueued) << size;
     notices = takers.server->WaitForNotices(notices.size() + 1);
@@ -179,7 +181,7 @@ TEST_P(LargeMessageContract, MessagesOfAnotherLaneOvertakeIt) {
   const Lane lane = channel_->NewLane();
   const Lane other = channel_->NewLane();
   auto held = takers.server->Hold();
-  ASSERT_EQ(Notify(*channel_, 0, kSmall), Status::kQueued);  // at which it is held
+  ASSERT_EQ(Notify(*channel_, 0, kSmall), Status::kQueued);  // the handler blocks in this notice
 
   ASSERT_EQ(Notify(*channel_, 1, kMaxPayload, lane), Status::kQueued);
   ASSERT_EQ(Notify(*channel_, 2, kSmall), Status::kQueued);
@@ -236,7 +238,8 @@ TEST_P(LargeMessageContract, MayBeAReply) {
 TEST_P(LargeMessageContract, TravelsInBothDirectionsAtOnce) {
   const Takers takers;
   Connect(takers.server, takers.client);
-  const auto answers = std::make_shared<std::atomic<std::size_t>>(0);  // they may come too late
+  // Shared, because late answers may arrive after the test.
+  const auto answers = std::make_shared<std::atomic<std::size_t>>(0);
   for (int i = 0; i < 2; ++i) {
     channel_->Request(kAsk, 0, Patterned(kLarge), 3 * kLong, [answers](Result<Bytes> answer) {
       if (answer && *answer == Patterned(kLarge)) ++*answers;
@@ -255,7 +258,8 @@ TEST_P(LargeMessageContract, AFullWindowRefusesItButNotSmallMessages) {
   std::uint32_t sent = 0;
   while (sent < 100 && Notify(*channel_, 1 + sent, kLarge, kOwnLane)) ++sent;
   EXPECT_EQ(sent, kSendWindow / kLarge);
-  EXPECT_EQ(Notify(*channel_, 90, kMaxPayload, kOwnLane), Status::kQueued);  // there may be one
+  // One further message may be queued.
+  EXPECT_EQ(Notify(*channel_, 90, kMaxPayload, kOwnLane), Status::kQueued);
   EXPECT_EQ(Notify(*channel_, 91, kMaxPayload, kOwnLane), Status::kQueueFull);
   EXPECT_EQ(Notify(*channel_, 92, kSmall), Status::kQueued);
   held.unlock();

@@ -19,7 +19,7 @@ using testing::IsEmpty;
 constexpr std::size_t kThreeMebibytes = std::size_t{3} << 20U;
 constexpr auto kForbidden = static_cast<MessageType>(0x10f);
 
-/// Takes nothing large of one type, and says what of it has reached it whole.
+/// Refuses large messages of one type, and records the messages of this type that arrive complete.
 class Choosy final : public ChannelHandler {
  public:
   void OnOpen(const std::shared_ptr<Channel>& channel, const Hello& /*peer*/) override {

@@ -13,7 +13,8 @@ constexpr auto kOfSize = static_cast<MessageType>(0x112);
 constexpr auto kTellThenAnswer = static_cast<MessageType>(0x113);
 constexpr auto kAnswerTwice = static_cast<MessageType>(0x114);
 
-/// Answers at once, in a lane of the answer's own, as reads are answered; or keeps the request.
+/// Answers requests of some types at once, in the lane kOwnLane, as reads are answered. Keeps all
+/// other requests.
 class PromptClerk final : public ChannelHandler {
  public:
   void OnOpen(const std::shared_ptr<Channel>& channel, const Hello& /*peer*/) override {
@@ -44,11 +45,11 @@ class PromptClerk final : public ChannelHandler {
   std::promise<std::shared_ptr<Channel>> opened_;
   std::atomic<std::uint32_t> notices_{0};
   std::atomic<int> has_kept_{0};
-  std::mutex gate_;  // while it is locked, whoever is to be kept hangs
+  std::mutex gate_;  // while this is locked, the handler of a kept request blocks
   std::vector<Responder> kept_;
 };
 
-/// Who asks waits for the answer, which may take the direct path.
+/// Sends a request and waits for the answer, which may take the direct path.
 Result<Bytes> AskClerk(Channel& channel, MessageType type, std::uint32_t handle = 0,
                        std::chrono::milliseconds timeout = kLong) {
   auto answer = channel.Call(type, handle, EncodeBody(std::uint32_t{7}), timeout, kOwnLane,
@@ -70,7 +71,7 @@ TEST_P(ChannelContract, ADirectRequestMayBeAnsweredAtOnceOrLater) {
 
   auto answer = AskToBeKept(*channel_, *server);
   EXPECT_EQ(*AskClerk(*channel_, kHowMany),
-            EncodeBody(std::uint32_t{0}));  // others are not held up
+            EncodeBody(std::uint32_t{0}));  // other requests are not blocked
   server->kept_.front().Reply(EncodeBody(std::uint32_t{3}), kOwnLane);
 
   EXPECT_EQ(*answer.get(), EncodeBody(std::uint32_t{3}));
@@ -118,7 +119,8 @@ TEST_P(ChannelContract, DirectRepliesFollowEarlierMessages) {
 TEST_P(ChannelContract, DirectRepliesOfAllSizesArriveComplete) {
   const auto server = std::make_shared<PromptClerk>();
   Connect(server, std::make_shared<PromptClerk>());
-  constexpr std::size_t kLargest = kMaxPieceSize - FrameHeader::kSize;  // in one piece
+  // The largest body that fits into one piece.
+  constexpr std::size_t kLargest = kMaxPieceSize - FrameHeader::kSize;
   for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{253}, kLargest - 1,
                                  kLargest, kLargest + 1, 4 * kLargest}) {
     const auto answer = AskClerk(*channel_, kOfSize, static_cast<std::uint32_t>(size));

@@ -12,8 +12,8 @@
 namespace tendon::conformance {
 namespace {
 
-/// What became of requests that were made one after the other: which were answered in which order,
-/// and how often; an answer is the number of its request.
+/// Records the answers to several requests: their order, and how often each request was answered.
+/// The answer to a request is the number of the request.
 class Outcomes {
  public:
   PendingRequests::Handler Keep(std::uint32_t number) {
@@ -50,7 +50,7 @@ std::vector<std::uint32_t> NumbersUpTo(std::uint32_t count) {
   return numbers;
 }
 
-/// Requests that the oracle keeps; returns when it has them all.
+/// Sends requests that the oracle keeps. Returns when the oracle has received all of them.
 void AskToKeep(Channel& channel, Oracle& oracle, Outcomes& outcomes, std::uint32_t count) {
   for (std::uint32_t i = 0; i < count; ++i) {
     channel.Request(kKeep, 0, EncodeBody(i), kLong, outcomes.Keep(i));
@@ -120,7 +120,7 @@ TEST_P(ChannelContract, AMalformedReplyBatchClosesTheChannel) {
   Outcomes outcomes;
   ASSERT_NO_FATAL_FAILURE(AskToKeep(*channel_, *server, outcomes, 1));
   ReplyBatch batch;
-  ASSERT_TRUE(batch.Add(1, EncodeBody(std::uint32_t{0})));  // the number of that request
+  ASSERT_TRUE(batch.Add(1, EncodeBody(std::uint32_t{0})));  // the number of the first request
   Bytes lie = batch.body();
   lie.push_back(std::byte{1});
 

@@ -14,7 +14,8 @@ std::optional<std::span<std::byte>> Begin(ReplySlot& answer, std::uint32_t numbe
   return answer.Begin(*ReadWholeFrame(FrameOf(number)));
 }
 
-/// False where it came too late: a machine may stand still for half a second.
+/// Writes the answer to a request. Returns false if the answer came too late, because the machine
+/// may stall for half a second.
 bool Leave(ReplySlot& answer, std::uint32_t number) {
   const auto room = Begin(answer, number);
   if (!room) return false;
@@ -68,7 +69,7 @@ TEST_P(LaterAnswerContract, APendingReplyDoesNotDelayTheOpenersClose) {
 
   EXPECT_TRUE(recorder_->WaitForClosed());
   EXPECT_TRUE(keeper_->WaitForClosed());
-  if (Begin(*answer, 1)) answer->End();  // to nobody
+  if (Begin(*answer, 1)) answer->End();  // the caller no longer waits
 }
 
 TEST_P(LaterAnswerContract, APendingReplyDoesNotDelayTheAcceptorsClose) {

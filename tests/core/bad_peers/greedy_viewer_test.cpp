@@ -21,7 +21,7 @@
 
 namespace {
 
-/// Eight of a kind. Of eights of eights there is much to say.
+/// Eight values of one type. Nested several times, it becomes a type with a very long schema.
 template <typename T>
 struct Eight {
   T a{}, b{}, c{}, d{}, e{}, f{}, g{}, h{};
@@ -64,10 +64,10 @@ using testing::HasSubstr;
 namespace message = tendon::message;
 
 constexpr auto kLong = 60s;
-constexpr std::size_t kMostSubscriptions = 2048;  // of one viewer
-constexpr std::size_t kMostReadings = 32;         // of all columns of a table, for one viewer
+constexpr std::size_t kMostSubscriptions = 2048;  // maximum for one viewer
+constexpr std::size_t kMostReadings = 32;  // maximum for one viewer, with all columns of a table
 
-/// Writes a row of two columns each millisecond, and can be mirrored.
+/// Writes a row of two columns each millisecond. Clients can mirror its reads.
 class Meter final : public tendon::PeriodicTask {
  public:
   explicit Meter(std::string name) : PeriodicTask(std::move(name), 1ms) {
@@ -86,7 +86,7 @@ class Meter final : public tendon::PeriodicTask {
   double slope_ = 0.0;
 };
 
-/// So many columns that their schemas fit into no message.
+/// Has so many columns that their schemas do not fit into one message.
 class Library final : public tendon::PeriodicTask {
  public:
   explicit Library(std::string name) : PeriodicTask(std::move(name), 50ms) {
@@ -105,7 +105,7 @@ class Library final : public tendon::PeriodicTask {
   std::array<Book, 800> books_{};
 };
 
-/// Notes down of which subscriptions it hears rows.
+/// Records for which subscriptions rows have arrived.
 class Listener final : public tendon::ChannelHandler {
  public:
   void OnNotice(const std::shared_ptr<Channel>& /*channel*/, const tendon::FrameHeader& header,
@@ -130,7 +130,7 @@ class Listener final : public tendon::ChannelHandler {
   std::size_t batches_ = 0;
 };
 
-/// One that asks for more than it can mean, by a channel of its own.
+/// A viewer that requests more than a viewer could need, over its own channel.
 class Viewer {
  public:
   Viewer(std::shared_ptr<tendon::Middleware> middleware, const std::string& process)
@@ -153,18 +153,18 @@ class Viewer {
   Result<message::MirrorReply> Mirror(const message::Mirror& wanted) {
     return channel_->Call<message::MirrorReply>(message::kMirror, 0, wanted, kLong);
   }
-  /// Does not wait for the answer.
+  /// Sends a subscription, and does not wait for the answer.
   void Ask(const message::Subscribe& wanted,
            const std::function<void(Result<message::SubscribeReply>)>& hear) {
     channel_->Request<message::SubscribeReply>(message::kSubscribe, 0, wanted, kLong, hear);
   }
-  /// Asks for an interface that does not exist. Does not wait for the answer.
+  /// Requests an interface that does not exist, and does not wait for the answer.
   void AskToOpen(const std::function<void(Result<message::OpenInterfaceReply>)>& hear) {
     const message::OpenInterface open{.provided = {"robot", "meter", "None"}};
     channel_->Request<message::OpenInterfaceReply>(message::kOpenInterface, 0, open, kLong, hear);
   }
   [[nodiscard]] bool is_open() const { return channel_->is_open(); }
-  /// Whether it could be sent.
+  /// Returns true if the message could be sent.
   bool CloseAny() { return bool(channel_->Notify(message::kCloseInterface, 0, Bytes())); }
   void Unsubscribe(std::uint32_t handle) {
     EXPECT_TRUE(channel_->Notify(message::kUnsubscribe, handle, Bytes()));
@@ -177,7 +177,7 @@ class Viewer {
   std::shared_ptr<Channel> channel_;
 };
 
-/// While the lock lives, the process comes to no request that has to do with its components.
+/// While the lock exists, the process executes no request that concerns its components.
 std::unique_lock<std::recursive_mutex> HoldUp(const tendon::Process& process) {
   struct Opened : tendon::LocalManager {
     using LocalManager::Lock;
@@ -196,11 +196,12 @@ class GreedyViewer : public ViewingTest {
     return {
         .component = "meter", .table = "state-level", .columns = std::move(columns), .rows = rows};
   }
-  /// The newest row, which is sent once to who does not say that he has taken it.
+  /// Returns a subscription to the newest row. A viewer that acknowledges nothing gets only one
+  /// row.
   static message::Subscribe WantingNewest() {
     return Wanting({"Level"}, {.delivery = RowDelivery::kNewest});
   }
-  /// A number is a period that no other has.
+  /// Returns a subscription with a unique period, determined by the number.
   static message::Subscribe WantingEach(std::size_t period) {
     return Wanting({"Level"}, {.period = 1s + std::chrono::nanoseconds(period)});
   }
@@ -306,7 +307,8 @@ TEST_P(GreedyViewer, AnUnsendableReplyLeavesNoSubscription) {
 
 TEST_P(GreedyViewer, RefusesRequestsFasterThanTheyAreServed) {
   constexpr int kMany = 100'000;
-  const auto refused = std::make_shared<std::atomic<int>>(0);  // answers come until the end
+  // Shared, because answers arrive until the end.
+  const auto refused = std::make_shared<std::atomic<int>>(0);
   const auto hear = [refused](const Result<message::SubscribeReply>& answer) {
     constexpr std::string_view kWhy = "keeps at most 8192 waiting requests";
     if (!answer && answer.error().message.find(kWhy) != std::string::npos) ++*refused;
@@ -322,7 +324,8 @@ TEST_P(GreedyViewer, RefusesRequestsFasterThanTheyAreServed) {
 
 TEST_P(GreedyViewer, RefusesOpeningInterfacesFasterThanServed) {
   constexpr int kMany = 100'000;
-  const auto refused = std::make_shared<std::atomic<int>>(0);  // answers come until the end
+  // Shared, because answers arrive until the end.
+  const auto refused = std::make_shared<std::atomic<int>>(0);
   const auto hear = [refused](const Result<message::OpenInterfaceReply>& answer) {
     constexpr std::string_view kWhy = "keeps at most 8192 waiting requests";
     if (!answer && answer.error().message.find(kWhy) != std::string::npos) ++*refused;
@@ -340,7 +343,8 @@ TEST_P(GreedyViewer, TooManyUnprocessedNoticesCloseTheChannel) {
   constexpr int kMany = 100'000;
 
   const auto held = HoldUp(*robot);
-  greedy.Ask(WantingNewest(), [](const auto& /*answer*/) {});  // the worker waits with this one
+  // The worker waits while it executes this request.
+  greedy.Ask(WantingNewest(), [](const auto& /*answer*/) {});
   for (int sent = 0; sent < kMany && greedy.is_open();) sent += greedy.CloseAny() ? 1 : 0;
 
   EXPECT_TRUE(EventuallyTrue([&] { return !greedy.is_open(); }));
@@ -370,7 +374,7 @@ TEST_P(GreedyViewer, RefusesAFewLongPendingRequests) {
 
   auto held = HoldUp(*robot);
   EXPECT_TRUE(EventuallyTrue([&] {
-    greedy.Ask(Wanting({name}), hear);  // as far as the line takes it
+    greedy.Ask(Wanting({name}), hear);  // until the link is full
     return *refused > 0;
   }));
   held.unlock();

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::chrono::seconds kPatience(20);
 
-/// Sees a cloud of points whenever the test says so.
+/// Raises an event with a point cloud when the test requests it.
 class Camera final : public Component {
  public:
   explicit Camera(std::string name) : Component(std::move(name)) {
@@ -26,7 +26,7 @@ class Camera final : public Component {
   WriteEvent<std::vector<double>> seen;
 };
 
-/// Takes nothing that is sent to it while the gate is locked.
+/// Processes nothing while the gate is locked.
 struct StuckHandler final : ChannelHandler {
   void OnNotice(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& /*header*/,
                 std::span<const std::byte> /*body*/) override {
@@ -35,7 +35,7 @@ struct StuckHandler final : ChannelHandler {
   std::mutex gate;
 };
 
-/// Process robot has a camera, and is asked by programs that are none of ours.
+/// Process robot with a camera. It receives requests from programs that are not of Tendon.
 class HostileListener : public NetworkTest {
  protected:
   void SetUp() override {
@@ -73,7 +73,8 @@ class HostileListener : public NetworkTest {
 TEST_P(HostileListener, AStoppedReaderHoldsABoundedShareOfLargeEvents) {
   constexpr std::uint32_t kMostCapacity = 65536;
   constexpr std::size_t kMebibyte = std::size_t{1} << 20U;
-  constexpr int kShare = 8 + 32;  // MiB that may wait, and what a line may hold
+  // MiB that may wait for a slow receiver, plus the content of a link.
+  constexpr int kShare = 8 + 32;
   const auto stuck = std::make_shared<StuckHandler>();
   const auto channel = Open(stuck);
   ASSERT_TRUE(Listen(*channel, 1, kMostCapacity).ok());

@@ -35,8 +35,8 @@ struct DeafEvents final : EventSink {
   std::atomic<bool> is_listening{false};
 };
 
-/// Frames that were right until some bytes of their bodies, or who they are for, were changed:
-/// always in the same way.
+/// Valid frames in which some bytes of the body or the recipient were changed. The changes are the
+/// same in every run.
 class FrameMutants {
  public:
   explicit FrameMutants(std::vector<Bytes> right) : right_(std::move(right)) {}
@@ -59,8 +59,8 @@ class FrameMutants {
   const std::vector<Bytes> right_;
 };
 
-/// Two processes and a viewer that have done with each other all that they can, and a program that
-/// has listened.
+/// Two processes and a viewer that have exchanged all kinds of messages, and a program that has
+/// recorded the messages.
 class MutantMessages : public RemoteConnection {
  protected:
   void SetUp() override {
@@ -123,7 +123,8 @@ class MutantMessages : public RemoteConnection {
     return answer.ok();
   }
 
-  /// But for what belongs to the channel itself, which ends where that is wrong.
+  /// Returns the recorded messages, except for messages of the channel itself: a channel closes
+  /// after a wrong one.
   std::vector<Bytes> MessagesTo(const std::string& address) const {
     auto frames = recorder->FramesTo(address);
     std::erase_if(frames, [](const Bytes& frame) {
@@ -132,7 +133,8 @@ class MutantMessages : public RemoteConnection {
     return frames;
   }
 
-  /// Over channels of a program that is let in, as many on each as it bears.
+  /// Sends mutants over channels of an admitted program. Each channel sends as many as the peer
+  /// accepts.
   void Say(FrameMutants& mutants, const std::string& address, int count) {
     constexpr int kOnOne = 500;
     while (count > 0) {
@@ -148,7 +150,7 @@ class MutantMessages : public RemoteConnection {
           channel->Request(header.type, header.handle, body, kLongest, [](const auto&) {});
         }
       }
-      // Whatever it is answered: what was said before has been read.
+      // Whatever the answer is, all earlier messages have been read.
       (void)channel->Call(message::kPing, 0, EncodeBody(None{}), kLongest);
       channel->Close();
     }
@@ -162,7 +164,7 @@ class MutantMessages : public RemoteConnection {
     return opened ? *opened : nullptr;
   }
 
-  /// Whatever they were told: the processes are connected, again if need be, and serve a viewer.
+  /// Expects that the processes are connected, if necessary again, and serve a viewer.
   void ExpectSoundness() {
     EXPECT_TRUE(EventuallyTrue([this] {
       if (desk->connections().empty()) (void)desk->Connect(kRobot, kControl);
@@ -181,7 +183,7 @@ class MutantMessages : public RemoteConnection {
 };
 
 const int kMutants = test::IsSanitized() ? 1'000 : 10'000;
-/// Of what is kept after as many again.
+/// The allowed growth of memory when the same number of mutants is sent again.
 constexpr std::size_t kFlat = std::size_t{16} << 20U;
 
 void ExpectTypes(const std::vector<Bytes>& frames, std::size_t least) {

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
 
-/// Keeps which rows it was given, and how many were lost.
+/// Records the ticks of its rows, and the number of lost rows.
 class TickRecord final : public RowSink {
  public:
   void OnSubscribed(const std::vector<Schema>& /*columns*/) override {}
@@ -32,10 +32,10 @@ class TickRecord final : public RowSink {
   LostRows lost;
 };
 
-/// A viewer of a table, and a process that may send it anything.
+/// A viewer of a table, and a process that can send any numbers.
 class RowNumbers : public testing::Test {
  protected:
-  /// Rows of these ticks, `before` having been sent before them.
+  /// Sends rows with these ticks. `before` is the number of rows that were sent earlier.
   void Send(std::uint64_t before, const std::vector<std::uint64_t>& ticks,
             std::uint64_t next_tick) {
     RowBatchWriter writer({});
@@ -55,12 +55,12 @@ class RowNumbers : public testing::Test {
 TEST_F(RowNumbers, BadInput63DeliversNoRowTwice) {
   Send(0, {100, 101, 102}, 103);
 
-  Send(0, {100, 101, 102}, 103);  // all of it again
-  Send(3, {102, 103}, 104);       // or one row of it
-  Send(3, {103, 103}, 104);       // or within itself
+  Send(0, {100, 101, 102}, 103);  // all rows again
+  Send(3, {102, 103}, 104);       // one row again
+  Send(3, {103, 103}, 104);       // the same row twice in one batch
   Send(3, {104, 103}, 105);
-  Send(3, {103}, 103);  // behind its own end
-  Send(2, {103}, 104);  // fewer than there were
+  Send(3, {103}, 103);  // the next tick is not above the last row
+  Send(2, {103}, 104);  // fewer earlier rows than before
 
   EXPECT_EQ(record_->ticks, (std::vector<std::uint64_t>{100, 101, 102}));
   Send(3, {103}, 104);
@@ -152,7 +152,7 @@ TEST(BadInput63, IgnoresAnswersWithAnUnexpectedNumber) {
   EXPECT_FALSE(answer.WaitUntil(SteadyClock().Now()).has_value());
 }
 
-/// Takes all that is sent.
+/// A link that discards everything that is sent.
 class Hole final : public Link {
  public:
   Status Send(std::span<const std::byte> /*frame*/, Delivery /*delivery*/) override {

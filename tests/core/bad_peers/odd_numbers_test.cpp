@@ -11,7 +11,7 @@
 namespace tendon {
 namespace {
 
-/// Keeps numbers for others.
+/// Stores numbers that clients send, and returns them.
 class Keeper final : public Component {
  public:
   explicit Keeper(std::string name) : Component(std::move(name)) {

@@ -11,7 +11,7 @@
 
 namespace tendon::test {
 
-/// Keeps some frames of each type that are sent over the links that it opens, by address.
+/// Records some frames of each type that are sent over the links that it opens, by address.
 class RecordingMiddleware final : public WrappedMiddleware {
  public:
   using WrappedMiddleware::WrappedMiddleware;

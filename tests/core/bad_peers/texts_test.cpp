@@ -8,8 +8,8 @@
 namespace tendon {
 namespace {
 
-/// Renames a terminal, moves its cursor, asks a browser for a picture, goes on for 1 MB, and is no
-/// UTF-8.
+/// Returns a text that renames a terminal, moves its cursor, loads a picture in a browser, is 1 MB
+/// long, and is not UTF-8.
 std::string Poison() {
   return "\x1b]0;owned\x07\x1b[2J\n<img src=x onerror=alert(1)><b>bold</b>\xff" +
          std::string(1'000'000, 'x');
@@ -26,7 +26,7 @@ void ExpectTame(const std::string& text, const std::string& what) {
   EXPECT_NE(text.find("\\x1b"), text.npos) << what << " is not what was said";
 }
 
-/// Whatever may have any text.
+/// Returns a component in which every text is harmful.
 ComponentDescription PoisonedArm() {
   ComponentDescription arm = test::Arm();
   arm.class_name = arm.library = arm.fault = Poison();
@@ -49,7 +49,7 @@ void ExpectTame(const ComponentDescription& arm) {
   ExpectTame(arm.tables[0].columns[0].type, "type of a column");
 }
 
-/// Keeps the records of the log that a client hears.
+/// Records the log that a client receives.
 class LogListener final : public test::Recorder {
  public:
   void OnLog(const LogBatch& batch) override {
@@ -78,7 +78,7 @@ TEST_P(BadInput61, ARefusalOfAHugeNameIsPrintable) {
 TEST_P(BadInput61, DescriptionsOfAMegabyteReachViewersShortAndEscaped) {
   const auto client = Watch();
   const auto robot = Join("robot", {PoisonedArm()});
-  robot->Add(PoisonedArm());  // and as a report
+  robot->Add(PoisonedArm());  // now as a later report
 
   ASSERT_TRUE(
       EventuallyTrue([&] { return client->catalogue().FindComponent("robot", "arm") != nullptr; }));
@@ -118,7 +118,7 @@ TEST_P(BadInput61, LogRecordsReachViewersShortAndEscaped) {
   }
 }
 
-/// Refuses everything in such words.
+/// Refuses every request with a harmful text.
 class Refuser final : public ChannelHandler {
  public:
   void OnRequest(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& /*header*/,

@@ -101,7 +101,7 @@ TEST(AxisPart, IsExactForNeighboursBeyondDoubles) {
   EXPECT_EQ(PartOf(AxisSpan<double>{.low = 1e15, .high = 1e15 + 8}, 1e15 + 2), 0.25);
 }
 
-/// What holds for every axis.
+/// Checks properties that every axis must have.
 template <typename Number, typename Read>
 void CheckAxis(const AxisSpan<Number>& span, int most, Read read) {
   const auto ticks = TicksOf(span, most);
@@ -142,7 +142,8 @@ TEST(AxisTicksProperty, HoldForAnyTwoDoubles) {
     const double one = *test::AnyFinite();
     const double other = *rc::gen::oneOf(test::AnyFinite(), rc::gen::just(one),
                                          rc::gen::map(rc::gen::inRange(-64, 64), [=](int steps) {
-                                           double near = one;  // some of the smallest steps away
+                                           // Differs by a few of the smallest steps.
+                                           double near = one;
                                            const double towards = std::copysign(
                                                std::numeric_limits<double>::infinity(), steps);
                                            for (int i = 0; i < std::abs(steps); ++i)

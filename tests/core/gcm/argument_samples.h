@@ -19,13 +19,13 @@ inline Schema Numbers(std::uint32_t length) {
   return Schema::Array(Schema(Schema::Kind::kFloat64), length);
 }
 
-/// The arguments of the demo arm's commands, with fewer joints.
+/// Returns the argument of the demo arm's MoveTo, with fewer joints.
 inline Schema JointGoalSchema(std::uint32_t joints) {
   return Schema::Structure("arm.JointGoal", {{"position", "rad", Numbers(joints)},
                                              {"duration", "s", Schema(Schema::Kind::kFloat64)}});
 }
 
-/// The result of reading the demo arm's joints.
+/// Returns the result of reading the demo arm's joints.
 inline Schema JointStateSchema(std::uint32_t joints) {
   return Schema::Structure("arm.JointState", {{"position", "rad", Numbers(joints)},
                                               {"velocity", "rad/s", Numbers(joints)}});

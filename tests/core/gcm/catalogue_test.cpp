@@ -9,7 +9,7 @@ namespace {
 
 using Kind = CatalogueChange::Kind;
 
-/// Draws changes that fit a catalogue as it is.
+/// Makes random changes that are valid for the present catalogue.
 class RandomChanges {
  public:
   explicit RandomChanges(std::uint32_t seed) : random_(seed) {}
@@ -154,7 +154,8 @@ TEST(Catalogue, ANewProcessInstanceStartsEmpty) {
   EXPECT_EQ(catalogue.FindComponent("robot", "arm"), nullptr);
 }
 
-/// A process with an arm and a connection, all numbers shifted by `offset`.
+/// Returns a catalogue of a process with an arm and a connection. All numbers are shifted by
+/// `offset`.
 Catalogue System(std::uint64_t offset) {
   Catalogue catalogue = Catalogue::At(offset);
   auto process = test::ProcessNamed("desk", offset);

@@ -75,17 +75,19 @@ TEST_P(Client, FindsTheDifferenceOfTwoTypesWithOneName) {
     return bool(
         Wait<void>(kLong, [this](auto handler) { client_->LearnConflictingTypes(handler); }));
   };
-  // It does not wait long for a process: on a machine that stands still once is not enough.
+  // The client waits only briefly for a process. On a machine that stalls, one attempt is not
+  // enough.
   EXPECT_TRUE(EventuallyTrue([&] {
     return learn() && words().find("float64 in rev/" + GetParam() + " needed") != std::string::npos;
   })) << words();
   const int asked = robot_->schema_requests();
   EXPECT_TRUE(learn());
-  EXPECT_EQ(robot_->schema_requests(), asked);  // all is known
+  EXPECT_EQ(robot_->schema_requests(), asked);  // all types are known already
 }
 
 TEST_P(Client, ConcurrentTypeComparisonsShareTheirRequests) {
-  robot_->Add(test::Mover(test::GoalIn("in/" + GetParam())));  // of which the robot knows no more
+  // A type that the robot does not know.
+  robot_->Add(test::Mover(test::GoalIn("in/" + GetParam())));
   robot_->Add(test::Leader(test::GoalIn("ft/" + GetParam())));
   ASSERT_TRUE(EventuallyTrue([this] {
     const Catalogue catalogue = client_->catalogue();
@@ -120,7 +122,7 @@ TEST_P(Client, ProcessUpdatesKeepAChannelToTheSameInstance) {
   links->WithChannel("robot", [&](const auto& channel) { promise.set_value(*channel); });
   const auto channel = promise.get_future().get();
 
-  // A request may be faster than the snapshot that tells of the process.
+  // The request may be faster than the snapshot that contains the process.
   links->Drop("robot", robot_->description().instance);
   EXPECT_TRUE(channel->is_open());
 

@@ -31,7 +31,7 @@ std::vector<Rect> RectsOf(const ColumnLayout& layout, std::size_t count) {
   return rects;
 }
 
-/// Those of each column stand apart.
+/// Expects that the blocks of each column do not overlap.
 void ExpectApart(std::vector<Rect> rects) {
   std::sort(rects.begin(), rects.end(),
             [](const Rect& a, const Rect& b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); });
@@ -43,7 +43,7 @@ void ExpectApart(std::vector<Rect> rects) {
 
 TEST(ColumnLayout, ANewBlockTakesTheFreePlaceNearestItsPeers) {
   ColumnLayout layout(kSpacing);
-  // 0 -> 1, 2 -> 3, 4 -> 5
+  // The edges are 0 -> 1, 2 -> 3 and 4 -> 5.
   std::vector<Block> blocks = Blocks(6);
   std::vector<LayerEdge> edges{{0, 1}, {2, 3}, {4, 5}};
   ASSERT_TRUE(layout.Arrange(blocks, edges));
@@ -71,7 +71,8 @@ TEST(ColumnLayout, AGrownBlockPushesDownTheBlocksBelow) {
   ExpectApart(RectsOf(layout, 6));
 }
 
-/// What it uses is reported: a thousand are to be placed within one turn of a window.
+/// The time is only reported. A window must place a thousand blocks within one turn of its event
+/// loop.
 TEST(ColumnLayout, AThousandBlocksInAColumnDoNotOverlap) {
   constexpr std::size_t kCount = 1000;
   std::vector<LayerEdge> edges;
@@ -95,7 +96,7 @@ TEST(ColumnLayout, AThousandBlocksInAColumnDoNotOverlap) {
 }
 
 TEST(Layers, AClientIsRightOfAllItsProviders) {
-  // 0 -> 1 -> 3, 0 -> 3, 2 alone
+  // The edges are 0 -> 1 -> 3 and 0 -> 3. Block 2 has none.
   EXPECT_EQ(LayersOf(4, {{0, 1}, {1, 3}, {0, 3}}), (std::vector{0, 1, 0, 2}));
 }
 

@@ -49,7 +49,8 @@ class DiagnosisTest : public testing::Test {
     EXPECT_EQ(diagnosis->steps.size(), 7U);
     return *diagnosis;
   }
-  /// That the steps before `number` are good, it is bad, and those behind were not reached.
+  /// Expects that step `number` has failed, that all earlier steps are good, and that the later
+  /// steps were not checked.
   static void ExpectBad(const Diagnosis& diagnosis, std::size_t number, ErrorCode code,
                         const std::string& text) {
     ASSERT_EQ(diagnosis.steps.size(), 7U);
@@ -66,7 +67,7 @@ class DiagnosisTest : public testing::Test {
     EXPECT_EQ(diagnosis.failure->code, code);
   }
 
-  /// Who has looked.
+  /// Returns the host of the check.
   static std::string FromHere() { return " (seen from host " + os::HostName() + ")"; }
   [[nodiscard]] std::string FromDesk() const { return " (seen from host " + desk_.host + ")"; }
 
@@ -125,7 +126,7 @@ TEST_F(DiagnosisTest, FindsAStoppedComponentOfAnActiveConnection) {
     AddActivity(diagnosis, catalogue_);
     return diagnosis;
   };
-  EXPECT_FALSE(examine().failure);  // it can be connected
+  EXPECT_FALSE(examine().failure);  // the connection can be made
   Connect(ConnectionState::kActive);
 
   const Diagnosis of_provider = examine();
@@ -337,7 +338,7 @@ TEST_F(DiagnosisTest, ARefusedConnectionLeavesNoRemnants) {
             "unknown, because process 'robot' does not report whether it still serves the "
             "connection: no answer");
 
-  Connect(ConnectionState::kActive);  // to another one there
+  Connect(ConnectionState::kActive);  // to another interface in the same process
   AddRemnants(diagnosis, catalogue_, ConnectionCounts{});
   EXPECT_EQ(diagnosis.remnants[0].text,
             "nothing in desk, where teleoperation/Robot is connected to "

@@ -112,7 +112,7 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
     kept.reset();
   }
 
-  /// Keeps the order, where it does, for CatchUp().
+  /// If orders are delayed, stores this order for CatchUp() and returns true.
   bool Delays(std::function<void(Responder)> order, Responder& responder) {
     if (manners != Manners::kDelay) return false;
     delayed.emplace_back(std::move(order), std::move(responder));
@@ -123,7 +123,7 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
     for (auto& [order, responder] : std::exchange(delayed, {})) order(std::move(responder));
   }
 
-  /// Keeps the responder; false when that is all that is to be done.
+  /// Stores the responder, or refuses the order. Returns false if the order must not be executed.
   bool Obeys(Responder responder) {
     if (manners == Manners::kRefuse) {
       responder.Refuse({ErrorCode::kFailed, "teleoperation is busy"});

@@ -17,11 +17,11 @@
 
 namespace tendon::test {
 
-/// A process as a GCM and its viewers see it, made only of channels. It executes its orders, unless
-/// the test sets another behaviour.
+/// A process as a GCM and its viewers see it: only channels. It executes its orders, unless the
+/// test sets another behaviour.
 class FakeProcess {
  public:
-  /// Its behaviour when it receives an order to connect or disconnect.
+  /// Its behaviour when it receives an order to connect or to disconnect.
   enum class Manners {
     kObey,
     kRefuse,
@@ -35,7 +35,7 @@ class FakeProcess {
     kDelayFromConnect,  ///< keeps orders from the next order to connect on
   };
 
-  /// A new instance of the process `name`. It listens for viewers.
+  /// Creates a new instance of the process `name`. It listens for viewers.
   FakeProcess(std::shared_ptr<Middleware> middleware, const std::string& name);
   FakeProcess(const FakeProcess&) = delete;
   FakeProcess& operator=(const FakeProcess&) = delete;
@@ -45,22 +45,22 @@ class FakeProcess {
   /// Adds a component. After Join(), the process reports it.
   void Add(const ComponentDescription& component);
   void Remove(const std::string& component);
-  /// The address that it announces to viewers and other processes, instead of the one at which it
-  /// listens.
+  /// Sets the address that the process announces to viewers and other processes, instead of the
+  /// address at which it listens.
   void Advertise(const std::string& address);
-  /// A type that only this process knows, and that it describes on request.
+  /// Adds a type that only this process knows. The process describes it on request.
   void Know(const Schema& schema);
 
   Result<message::JoinReply> Join(const std::string& gcm);
   Result<None> Renew();
   Result<message::GcmClock> ReportHealth(const message::Health& health);
   Result<None> Leave();
-  /// Breaks the link, but keeps the session for a new one.
+  /// Breaks the link. The process keeps its session for a new link.
   void BreakLink();
   void Report(const std::vector<CatalogueChange>& changes);
   Status SendLog(const message::LogRecords& records);
 
-  /// The time of its steady clock that it reports to listeners to its events.
+  /// Sets by how much the steady clock that it reports to the listeners of its events is ahead.
   void SetClockAhead(std::chrono::nanoseconds ahead);
   /// Sends its first event to the newest listener, with the time `when`.
   void Raise(double value, SteadyTime when);
@@ -71,7 +71,7 @@ class FakeProcess {
   [[nodiscard]] message::PeerList peers() const;
   [[nodiscard]] std::size_t connection_count() const;
   [[nodiscard]] bool is_linked() const;
-  /// The last argument of MoveTo.
+  /// Returns the last argument of MoveTo; empty if there was none.
   [[nodiscard]] std::optional<Joints> goal() const;
   [[nodiscard]] int schema_requests() const;
   [[nodiscard]] int clock_requests() const;

@@ -68,7 +68,7 @@ class Recorder : public GcmListener {
   int holes_ = 0;
 };
 
-/// A GCM, processes and clients, each with its own middleware, of the kind given by the parameter.
+/// A GCM, processes and clients. Each has its own middleware, of the kind given by the parameter.
 class GcmFixture : public testing::TestWithParam<std::string> {
  protected:
   static constexpr std::chrono::milliseconds kLong{20'000};
@@ -90,7 +90,7 @@ class GcmFixture : public testing::TestWithParam<std::string> {
     address_ = gcm_->address();
   }
 
-  /// A process with these components that has joined.
+  /// Creates a process with these components, which joins the GCM.
   std::unique_ptr<FakeProcess> Join(const std::string& name,
                                     const std::vector<ComponentDescription>& components) {
     auto process = std::make_unique<FakeProcess>(NewMiddleware(), name);
@@ -100,7 +100,7 @@ class GcmFixture : public testing::TestWithParam<std::string> {
     return process;
   }
 
-  /// A client that watches.
+  /// Creates a client that has received the catalogue.
   std::unique_ptr<GcmClient> Watch(std::shared_ptr<GcmListener> listener = nullptr,
                                    const std::string& name = "test") {
     auto client = std::make_unique<GcmClient>(
@@ -137,7 +137,7 @@ class GcmFixture : public testing::TestWithParam<std::string> {
     return entry == nullptr ? ProcessState::kLeft : entry->process.state;
   }
 
-  /// Advances the clock by that time, in steps as long as the ticks of a GCM.
+  /// Advances the clock by this time, in steps as long as the ticks of a GCM.
   void Pass(std::chrono::milliseconds time) {
     constexpr std::chrono::milliseconds kStep(50);
     for (auto passed = std::chrono::milliseconds(0); passed < time; passed += kStep) {
@@ -163,7 +163,7 @@ class DeskAndRobot : public GcmFixture {
     client_ = Watch(nullptr, "gcm connect");
   }
 
-  /// Restarts only the GCM; the processes run on and join it again.
+  /// Restarts only the GCM. The processes continue to run, and join the GCM again.
   void RestartGcm() {
     client_.reset();
     gcm_.reset();
@@ -173,7 +173,7 @@ class DeskAndRobot : public GcmFixture {
     client_ = Watch();
   }
 
-  /// The connection of the desk's only required interface.
+  /// Returns the connection of the desk's only required interface; empty if there is none.
   [[nodiscard]] std::optional<ConnectionDescription> Connection() const {
     const Catalogue catalogue = gcm_->catalogue();
     const auto* connection = catalogue.FindConnection(kRobot);

@@ -39,7 +39,7 @@ class Lookup : public testing::Test {
     Apply({.kind = Kind::kConnection, .process = required.process, .connections = {connection}});
   }
 
-  /// "not found: no process ..."
+  /// Returns code and text of the error: "not found: no process ..."
   [[nodiscard]] std::string PlanError(const InterfaceName& required,
                                       const InterfaceName& provided) const {
     const auto plan = PlanConnect(catalogue_, {required, provided});

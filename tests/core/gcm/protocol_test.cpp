@@ -36,12 +36,12 @@ Fingerprint MessagesOfVersion10() {
 }
 
 TEST(Protocol, ChangedMessagesRequireANewVersion) {
-  // Another fingerprint belongs to another version: two programs that know different messages would
-  // otherwise misread each other. Raise FrameHeader::kProtocolVersion, then put both down here.
+  // If this fingerprint changes, programs of the old and the new version would misread each other's
+  // messages. Raise FrameHeader::kProtocolVersion, and write both new values here.
   EXPECT_EQ(FrameHeader::kProtocolVersion, 10);
   EXPECT_EQ(ToString(MessagesOfVersion10()), "bbf7bfcc2fd8e772a5170c660c68b6b2");
-  // Add a message that is new since then here, with a fingerprint of its own: a program that does
-  // not know it refuses it by its number.
+  // Add messages that are newer than this version here, with their own fingerprint. A program that
+  // does not know a message refuses it by its number.
   EXPECT_EQ(ToString(FingerprintOfAll<message::ReadRows, message::ReadRowsReply>()),
             "5910a05dc5cf3af6bca7efc89db06a95");
 }

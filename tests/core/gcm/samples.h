@@ -10,11 +10,11 @@ namespace tendon::test {
 
 using Joints = std::array<double, 7>;
 
-/// The ends of a connection.
+/// The two interfaces of a connection.
 const InterfaceName kRobot("desk", "teleoperation", "Robot");
 const InterfaceName kControl("robot", "arm", "Control");
 
-/// An interface that offers joints to read and to move; it fits Robot() below.
+/// An interface with commands to read and to move the joints. It is compatible with Robot() below.
 inline ProvidedDescription Control() {
   return {.name = "Control",
           .commands = {{.name = "GetJoints",
@@ -60,7 +60,7 @@ inline ComponentDescription Teleoperation(const std::string& name = "teleoperati
           .required = {Robot()}};
 }
 
-/// A component with a suitable name, but another interface.
+/// A component with a suitable name, but with another interface.
 inline ComponentDescription FakeArm() {
   ComponentDescription fake = Arm("fake");
   fake.class_name = "FakeArm";
@@ -68,7 +68,7 @@ inline ComponentDescription FakeArm() {
   return fake;
 }
 
-/// A goal in this unit: a type that no program was built with.
+/// Returns a goal in this unit. No program was built with this type.
 inline Schema GoalIn(const std::string& unit) {
   return Schema::Structure("test.Goal", {{"position", unit, Schema(Schema::Kind::kFloat64)}});
 }
@@ -79,7 +79,8 @@ inline MemberDescription MoveToGoal(const Schema& goal) {
           .in_type = goal.name()};
 }
 
-/// A component with a command that takes such a goal; and one that needs this command.
+/// Returns a component with a command that takes this goal. Leader() returns a component that needs
+/// this command.
 inline ComponentDescription Mover(const Schema& goal) {
   return {.name = "mover", .provided = {{.name = "Control", .commands = {MoveToGoal(goal)}}}};
 }

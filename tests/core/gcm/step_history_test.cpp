@@ -22,7 +22,7 @@ message::HistoryEntry Step(int number) {
           .instance = 0xfedcba9876543210U};
 }
 
-/// Adds the step and waits until it is kept; returns it with its number.
+/// Adds the step, waits until it is saved, and returns it with its number.
 message::HistoryEntry Record(StepHistory& history, message::HistoryEntry step) {
   std::promise<void> kept;
   step.id = history.Record(step, [&] { kept.set_value(); });
@@ -47,7 +47,7 @@ TEST(StepHistory, KeepsItsStepsAcrossARestart) {
     history.MarkPassedOver(steps[58].id, [&kept] { ++kept; });
   }
 
-  EXPECT_EQ(kept, 62);  // an end waits for the disk
+  EXPECT_EQ(kept, 62);  // the last steps wait for the disk
   const StepHistory again(file);
 
   EXPECT_EQ(again.steps().entries, steps);
@@ -62,7 +62,8 @@ TEST(StepHistory, KeepsTheAuthorOfAnUndoAcrossARestart) {
     history.MarkUndone(Record(history, Step(0)).id, [] {}, {.who = "gcm \"undo\"\n", .when = 7});
     history.MarkUndone(Record(history, Step(1)).id, [] {});
   }
-  folder.Write("history.jsonl", folder.Read("history.jsonl") + "{\"id\"");  // so that it is mended
+  // An incomplete line, which is repaired.
+  folder.Write("history.jsonl", folder.Read("history.jsonl") + "{\"id\"");
 
   for (int restart = 0; restart < 2; ++restart) {
     const StepHistory again(file);
@@ -138,7 +139,7 @@ TEST(StepHistory, IgnoresATruncatedLastLine) {
 
     EXPECT_EQ(StepHistory(file).steps().entries, std::vector{first}) << size;
 
-    ASSERT_EQ(folder.Read("history.jsonl"), one) << size;  // as if nothing had been cut
+    ASSERT_EQ(folder.Read("history.jsonl"), one) << size;  // as if the file had never been cut off
   }
   StepHistory torn(file);
   const auto third = Record(torn, Step(2));
@@ -210,7 +211,8 @@ TEST(StepHistory, KeepsNoMoreThanItsBytesOfLargeStepsNorALargerFile) {
 }
 
 TEST(StepHistory, LogsAWriteErrorAndKeepsTheStep) {
-  const auto logged = std::make_shared<std::string>();  // the sink outlives this test
+  // Shared, because the log sink outlives this test.
+  const auto logged = std::make_shared<std::string>();
   AddLogSink([logged](LogLevel, std::string_view, std::string_view text) { *logged += text; });
   StepHistory history("/proc/nowhere/history");
 
@@ -222,7 +224,8 @@ TEST(StepHistory, LogsAWriteErrorAndKeepsTheStep) {
 }
 
 TEST(StepHistory, LogsAnUnwritableFolderAtTheStart) {
-  const auto logged = std::make_shared<std::string>();  // the sink outlives this test
+  // Shared, because the log sink outlives this test.
+  const auto logged = std::make_shared<std::string>();
   const auto mutex = std::make_shared<std::mutex>();
   AddLogSink([logged, mutex](LogLevel, std::string_view, std::string_view text) {
     const std::scoped_lock lock(*mutex);
@@ -245,10 +248,11 @@ TEST(StepHistory, APartialWriteCorruptsNoLaterLine) {
   StepHistory history(file);
   const auto first = Record(history, Step(0));
   std::filesystem::rename(file, folder.path() / "kept");
-  std::filesystem::create_directory(file);  // nobody can append to a folder
+  std::filesystem::create_directory(file);  // a folder, to which nothing can be appended
   Record(history, Step(1));
   std::filesystem::remove(file);
-  folder.Write("h", folder.Read("kept") + "{\"id\":2,\"ve");  // what a full disk took of it
+  // The part of a line that a full disk accepted.
+  folder.Write("h", folder.Read("kept") + "{\"id\":2,\"ve");
 
   const auto third = Record(history, Step(2));
 
@@ -259,7 +263,7 @@ TEST(StepHistory, AStepIsAvailableWhileTheDiskIsSlow) {
   const test::Folder folder;
   const auto file = folder.path() / "h";
   StepHistory history(file);
-  ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);  // whoever opens it waits until it is read
+  ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);  // opening the pipe blocks until it is read
   std::vector<int> done;
   const auto first = history.Record(Step(0), [&] { done.push_back(0); });
   history.Record(Step(1), [&] { done.push_back(1); });

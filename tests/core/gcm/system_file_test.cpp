@@ -24,7 +24,7 @@ const std::string kDemo = R"({
 }
 )";
 
-/// kDemo with `from`, which occurs in it, replaced.
+/// Returns kDemo with `from` replaced by `to`. `from` must occur in kDemo.
 std::string Demo(const std::string& from, const std::string& to) {
   std::string text = kDemo;
   const std::size_t at = text.find(from);
@@ -32,7 +32,7 @@ std::string Demo(const std::string& from, const std::string& to) {
   return text.replace(at, from.size(), to);
 }
 
-/// The error that the text gives, without "demo.json: ".
+/// Returns the error for this text, without "demo.json: ".
 std::string ErrorOf(const std::string& text) {
   const auto system = ParseSystemFile(text, "demo.json");
   if (system) return "no error";
@@ -246,7 +246,7 @@ TEST(SystemFile, KeepsAConfigurationInAsciiButWritesItReadably) {
 }
 
 TEST(SystemFile, ALargeConfigurationIsRefusedWithItsPosition) {
-  const auto of_size = [](std::size_t size) {  // as it is kept
+  const auto of_size = [](std::size_t size) {  // the size in the stored form
     const std::string rest = R"({"gain":"","limits":[1,2]})";
     return Demo("0.5", "\"" + std::string(size - rest.size(), 'x') + "\"");
   };
@@ -259,7 +259,7 @@ TEST(SystemFile, ALargeConfigurationIsRefusedWithItsPosition) {
 }
 
 TEST(SystemFile, ReadsThousandsOfComponents) {
-  constexpr std::size_t kComponents = 10'000;  // half of them in processes of their own
+  constexpr std::size_t kComponents = 10'000;  // half of the components are in separate processes
   std::string processes;
   std::string components;
   std::string connections;
@@ -304,7 +304,7 @@ TEST(SystemFile, RefusesOrKeepsOddNumbersAndTexts) {
   EXPECT_EQ(ErrorOf(Demo("0.5", "NaN")).find("line 8, column 35: invalid literal"), 0U);
   EXPECT_EQ(ErrorOf(Demo("0.5", "9223372036854775808")), "no error");
   EXPECT_EQ(ErrorOf(Demo("0.5", "-0")), "no error");
-  const std::string overlong = "\"de\xc0\xafmo\"";  // a '/' in two bytes
+  const std::string overlong = "\"de\xc0\xafmo\"";  // an overlong encoding: '/' in two bytes
   EXPECT_EQ(ErrorOf(Demo("\"demo\"", overlong)).find("line 3, column "), 0U);
 }
 

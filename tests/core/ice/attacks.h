@@ -15,7 +15,7 @@ inline RawMessage Request(std::string_view operation = "frame", int request = 1)
   return RawMessage(RawMessage::kRequest).Target(operation, request);
 }
 
-/// Parameters whose only sequence claims `size` bytes and has four.
+/// Returns parameters with a sequence that claims `size` bytes but has four.
 inline RawMessage WithSequence(std::int64_t size, int request = 1) {
   return Request("frame", request).Int(15).Byte(1).Byte(1).Size(size).Text("body");
 }
@@ -24,8 +24,8 @@ inline RawMessage WithEncapsulation(std::int64_t size) {
   return Request().Int(size).Byte(1).Byte(1).Byte(0);
 }
 
-/// A proxy as a parameter, which points to another host; a program that called back would connect
-/// there.
+/// Returns a parameter with a proxy for another host. A program that called this proxy back would
+/// connect to that host.
 inline RawMessage WithProxy(std::int64_t endpoints) {
   RawMessage request = Request().Int(32).Byte(1).Byte(1).String("tendon").String("").Byte(0);
   return request.Int(0).Int(0x00010001).Size(endpoints).Text("evil");
@@ -39,12 +39,12 @@ inline constexpr std::string_view kBomb(
     "\x36\x32\x8a\x88\x4d\x2a\x2a\x21\x38\xbb\x92\x29\xc2\x84\x85\x00\xbb\x83\xe8",
     79);
 
-/// A compressed request that claims this uncompressed size.
+/// Returns a compressed request that claims this uncompressed size.
 inline RawMessage Bomb(std::int64_t size) {
   return RawMessage(RawMessage::kRequest, 2).Int(size).Text(kBomb);
 }
 
-/// Malformed requests of every kind that is known to harm programs with Ice, by name.
+/// Returns malformed requests by name: one of every kind that is known to harm programs with Ice.
 inline std::map<std::string, Bytes> Attacks() {
   const auto message = [](RawMessage::Type type) { return RawMessage(type); };
   const auto request = [&] { return message(RawMessage::kRequest).Int(1); };

@@ -22,7 +22,7 @@ using testing::HasSubstr;
 
 constexpr std::chrono::seconds kPatience(20);
 
-/// A GCM and processes, each under TLS with a certificate of its own.
+/// A GCM and processes under TLS. Each program has its own certificate.
 class CertifiedSystem : public AuthorityTest {
  protected:
   Result<std::unique_ptr<GlobalManager>> MakeGcm(std::shared_ptr<Middleware> middleware) const {
@@ -61,12 +61,12 @@ class CertifiedSystem : public AuthorityTest {
     EXPECT_TRUE(made.ok());
     return *std::move(made);
   }
-  /// Who has joined, or not, with nothing but a channel.
+  /// A program that only has a channel, and may have joined.
   struct Member {
     std::shared_ptr<Channel> channel;
     Result<message::JoinReply> joined;
   };
-  /// As an instance that everybody may know, with the token of a membership, or 0.
+  /// Joins with a publicly known instance id. `token` is the token of a membership, or 0.
   [[nodiscard]] Member JoinByHand(const std::shared_ptr<Middleware>& middleware,
                                   const std::string& name, std::uint64_t token) const {
     constexpr std::uint64_t kInstance = 7;
@@ -148,7 +148,7 @@ TEST_F(CertifiedSystem, RefusesAJoinUnderAnothersName) {
   }
 }
 
-/// The token of a membership, which whoever has it may go on with over another link.
+/// The token of a membership allows its holder to continue the membership over another link.
 TEST_F(CertifiedSystem, ASessionTokenIsBoundToItsCertificate) {
   ASSERT_NO_FATAL_FAILURE(StartGcm());
   const auto robot = As("robot", Role::kOperator, Holder::kProcess);

@@ -15,7 +15,8 @@ namespace {
 using conformance::FrameOf;
 using conformance::kPatience;
 
-/// Answers what is asked with a body of as many bytes as the question's handle says, of that value.
+/// Answers a request with a body. The handle of the request is both the number of bytes and the
+/// value of each byte.
 class Filler final : public LinkHandler {
  public:
   explicit Filler(std::shared_ptr<Link> link) : link_(std::move(link)) { link_->Admit(); }
@@ -29,14 +30,14 @@ class Filler final : public LinkHandler {
   }
   void OnClosed(const Error& /*reason*/) override {}
 
-  /// So many are begun and never ended.
+  /// Replies of this size are begun and never ended.
   static constexpr std::uint32_t kBroken = 77'000;
 
  private:
   const std::shared_ptr<Link> link_;
 };
 
-/// Keeps what it is lent, and a copy of what it is not.
+/// Keeps borrowed answers, and copies all other answers.
 class Borrower final : public LinkHandler {
  public:
   struct Heard {

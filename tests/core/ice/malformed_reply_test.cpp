@@ -17,7 +17,7 @@ using conformance::Recorder;
 
 constexpr std::int64_t kHuge = 0x7fffffff;
 
-/// An answer to one request of a connection, the first unless told.
+/// Returns a reply to one request of a connection; by default, to the first one.
 RawMessage Reply(unsigned status, int request = 1) {
   return RawMessage(RawMessage::kReply).Int(request).Byte(status);
 }
@@ -43,19 +43,19 @@ std::map<std::string, Bytes> Replies() {
   return replies;
 }
 
-/// Returns when a request names it; heartbeats may come before.
+/// Returns when a request with this operation has arrived. Heartbeats may come before.
 void AwaitOperation(const os::Socket& socket, const std::string& name) {
   const std::string wanted = static_cast<char>(name.size()) + name;
   std::string last(wanted.size(), '\0');
   while (last != wanted) {
     const Bytes one = ReceiveAll(socket, 1);
-    if (one.empty()) return;  // it has hung up
+    if (one.empty()) return;  // the client has closed the connection
     last = last.substr(1) + static_cast<char>(one[0]);
   }
 }
 
-/// Accepts one connection, says that it speaks Ice, awaits the first request and answers it so;
-/// the first `ask` likewise, where there is another answer.
+/// Accepts one connection as a server of Ice, waits for the first request, and sends the given
+/// reply. If `ask` is given, it is the reply to the first request.
 class LyingServer {
  public:
   explicit LyingServer(Bytes reply, Bytes next = {})
@@ -86,7 +86,8 @@ class LyingServer {
 
 TEST(MalformedReply, TheClientSurvivesWithAnErrorOrALink) {
   const auto client = MakeIceMiddleware(Exposure::kLoopbackOnly);
-  std::vector<std::future<void>> opened;  // all at once, for some replies are waited for in vain
+  // All at once, because some calls wait until their time-out.
+  std::vector<std::future<void>> opened;
   for (const auto& [name, reply] : Replies()) {
     opened.push_back(std::async(std::launch::async, [&client, name = name, reply = reply] {
       LyingServer liar(reply);

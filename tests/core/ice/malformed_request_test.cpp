@@ -35,7 +35,7 @@ class MalformedRequest : public testing::Test {
     listener_ = *std::move(made);
   }
 
-  /// A link that stands, and what both its ends have heard.
+  /// An open link, and the recorders of both ends.
   struct Standing {
     std::shared_ptr<Recorder> recorder;
     std::shared_ptr<Link> link;
@@ -56,7 +56,7 @@ class MalformedRequest : public testing::Test {
     EXPECT_TRUE(standing.recorder->WaitForFrames(1));
   }
 
-  /// A connection on which the server said that it is one.
+  /// Opens a connection. The server has confirmed the connection by its first message.
   os::Socket Connect() {
     const auto place = ParseAddress(listener_->address(), 1);
     auto socket = os::ConnectTo(place->host, place->port, kPatience);
@@ -65,7 +65,7 @@ class MalformedRequest : public testing::Test {
     return *std::move(socket);
   }
 
-  /// The same from another address of this machine, but from the port of `local`.
+  /// Opens a connection from another address of this machine, and from the port of `local`.
   os::Socket ConnectFrom(const std::string& host, const std::string& local) {
     const auto to = ParseAddress(listener_->address(), 1);
     os::Socket socket(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
@@ -121,7 +121,7 @@ TEST_F(MalformedRequest, TheServerRepliesOrClosesAndServesTheNext) {
   EXPECT_LT(conformance::MemoryInUse(), memory + (std::size_t{16} << 20U));
 }
 
-/// A request as long as an unauthenticated peer may make it, of which all is right.
+/// Returns the longest valid request that an unauthenticated peer may send.
 Bytes LongRequest() {
   const Bytes frame = FrameOf(1, kMaxUnauthenticatedFrameSize - FrameHeader::kSize);
   const std::string_view text(reinterpret_cast<const char*>(frame.data()), frame.size());
@@ -129,8 +129,8 @@ Bytes LongRequest() {
   return Request("frame", 0).Int(size + 11).Byte(1).Byte(1).Size(size).Text(text).Finished();
 }
 
-/// Sends a request byte by byte, which would take a minute; the server must close the connection
-/// first.
+/// Sends a request byte by byte, which would take a minute. Expects that the server closes the
+/// connection first.
 void ExpectTurnedAwayWhileSlow(const os::Socket& socket) {
   const Bytes request = LongRequest();
   auto said = request.begin();

@@ -15,18 +15,18 @@
 
 namespace tendon::ice {
 
-/// The number of mutants that are sent to a program; fewer with a sanitizer, which makes each about
-/// ten times slower.
+/// The number of mutants that are sent to a program. With a sanitizer, each mutant takes about ten
+/// times longer, so there are fewer.
 inline const int kMutants = test::IsSanitized() ? 2'000 : 20'000;
 
-/// The number of mutants inside TLS, where most need a handshake: 20,000 if TENDON_FULL_FAULTS is
-/// set.
+/// The number of mutants inside TLS, where most mutants need a new handshake. If TENDON_FULL_FAULTS
+/// is set, 20,000.
 inline int MutantsInTls() {
   if (std::getenv("TENDON_FULL_FAULTS") != nullptr) return 20'000;
   return test::IsSanitized() ? 200 : 4'000;
 }
 
-/// Valid messages of which one to four bytes were changed; the same ones in every run.
+/// Valid messages in which one to four bytes were changed. The changes are the same in every run.
 class Mutants {
  public:
   Bytes Next() {
@@ -79,16 +79,18 @@ struct IceHeader {
   bool is_end = false;        // closes the connection; the other end must hang up
 };
 
-/// Sends messages over one connection until it ends. A connection has Send(), which returns false
-/// on a failure, and Receive(), which waits for some bytes and returns none at the end.
+/// Sends messages over one connection until the connection ends. `Connection` has Send(), which
+/// returns false on a failure, and Receive(), which waits for some bytes and returns none at the
+/// end.
 template <typename Connection>
 class Conversation {
  public:
   explicit Conversation(Connection connection) : connection_(std::move(connection)) {}
 
-  /// Checks that the message was read: a ping sent after it is answered, or the connection ends and
-  /// the result is false. After a message that claims to continue, no ping is sent, because it
-  /// would count as the rest of the message; that message is the last one.
+  /// Sends the message and checks that it was read: a ping sent after it is answered. Returns false
+  /// if the connection has ended. After a message that claims to continue, no ping is sent, because
+  /// the ping would count as a part of the message. Such a message is the last one on its
+  /// connection.
   bool Bears(const Bytes& message) {
     const Bytes ping = Request("ice_ping", kPing).Int(6).Byte(1).Byte(1).Finished();
     const bool claims_more = IceHeader(message).size > message.size();
@@ -116,8 +118,8 @@ class Conversation {
   Bytes heard_;
 };
 
-/// Sends `count` messages over connections made by `connect()`, on each as many as it accepts.
-/// Returns the number of connections used.
+/// Sends `count` messages over connections made by `connect()`. Each connection sends as many
+/// messages as the peer accepts. Returns the number of connections.
 template <typename Connect>
 int SayMutants(Mutants& mutants, int count, Connect connect) {
   int connections = 0;

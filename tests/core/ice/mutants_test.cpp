@@ -13,7 +13,7 @@ using conformance::kPatience;
 
 constexpr std::size_t kMostGrowth = std::size_t{1} << 20U;
 
-/// Under no TLS.
+/// A connection without TLS.
 class PlainConnection {
  public:
   explicit PlainConnection(const HostPort& place) {
@@ -39,10 +39,10 @@ class PlainConnection {
   os::Socket socket_;
 };
 
-/// A server that counts those whose messages it reads, and keeps the first of them.
+/// A server that counts the links whose messages it reads, and keeps the first link.
 class MutantsTest : public TlsTest {
  protected:
-  /// Where it listens.
+  /// Returns the address at which the server listens.
   HostPort Serve(Middleware& middleware) {
     auto listener = middleware.Listen(
         "127.0.0.1:0", [this](const std::shared_ptr<Link>& link) { return Accept(link); });
@@ -51,8 +51,9 @@ class MutantsTest : public TlsTest {
     return *ParseAddress(listener_->address(), 1);
   }
 
-  /// All killers, then so many mutants, measured after the first of them; a good client, whose link
-  /// stood all the time, is then still served, and so is the next.
+  /// Sends all attacks and then `count` mutants; memory is measured after the first mutants.
+  /// Expects that a client with an open link is still served afterwards, and that a new client is
+  /// served.
   template <typename Connect>
   void ExpectSurvives(Middleware& good, int count, Connect connect) {
     const auto recorder = std::make_shared<conformance::Recorder>();
@@ -78,7 +79,7 @@ class MutantsTest : public TlsTest {
     EXPECT_TRUE(good.Open(listener_->address(), recorder, kPatience).ok());
   }
 
-  /// Those of whom a message was read.
+  /// Returns the number of links from which a message was read.
   int heard() const {
     const std::scoped_lock lock(mutex_);
     return heard_;
@@ -124,7 +125,7 @@ TEST_F(MutantsTest, UnencryptedMessagesAreNotRead) {
 TEST_F(MutantsTest, MessagesWithoutACertificateAreNotRead) {
   const HostPort place = Serve(*robot_);
   const TlsClient peer(std::nullopt);
-  const int count = kMutants / 20;  // each takes a handshake
+  const int count = kMutants / 20;  // each mutant needs a handshake
 
   ExpectSurvives(*As({.name = "anna"}), count, [&] { return peer.ConnectTo(place); });
 

@@ -12,7 +12,7 @@
 
 namespace tendon::ice {
 
-/// Messages of the Ice protocol, written by hand so that they can be wrong.
+/// Builds messages of the Ice protocol byte by byte, so that they can be wrong.
 class RawMessage {
  public:
   enum Type : unsigned char { kRequest, kBatch, kReply, kValidate, kClose };
@@ -37,14 +37,14 @@ class RawMessage {
   RawMessage& String(std::string_view text) {
     return Byte(static_cast<unsigned>(text.size())).Text(text);
   }
-  /// A size in its long form, also if it is small enough for the short form.
+  /// Writes a size in its long form, even if the short form would be enough.
   RawMessage& Size(std::int64_t size) { return Byte(255).Int(size); }
-  /// Identity "tendon", no facet, `operation`, mode normal, no context.
+  /// Writes the identity "tendon", no facet, `operation`, mode normal, and no context.
   RawMessage& Target(std::string_view operation, int request = 1) {
     return Int(request).String("tendon").String("").Byte(0).String(operation).Byte(0).Byte(0);
   }
 
-  /// The header claims the true size.
+  /// Returns the message. Its header contains the true size.
   [[nodiscard]] Bytes Finished() const {
     return Claiming(static_cast<std::int64_t>(bytes_.size()));
   }
@@ -61,8 +61,7 @@ class RawMessage {
   Bytes bytes_;
 };
 
-/// Sends everything, and receives until there are `wanted` bytes or the other end closes the
-/// connection.
+/// Sends all bytes.
 inline void SendAll(const os::Socket& socket, std::span<const std::byte> bytes) {
   EventuallyTrue([&] {
     const auto sent = os::SendSome(socket, bytes);
@@ -71,7 +70,8 @@ inline void SendAll(const os::Socket& socket, std::span<const std::byte> bytes) 
   });
 }
 
-/// The received bytes; fewer than wanted if the other end closed the connection.
+/// Receives until there are `wanted` bytes or the other end closes the connection. Returns the
+/// received bytes.
 inline Bytes ReceiveAll(const os::Socket& socket, std::size_t wanted) {
   Bytes all;
   Bytes buffer(4096);

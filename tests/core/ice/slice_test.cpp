@@ -26,7 +26,7 @@ std::vector<Ice::Byte> ForIce(const Bytes& bytes) {
   return {begin, begin + bytes.size()};
 }
 
-/// An endpoint with a generated skeleton, as another language would have it.
+/// An endpoint with the skeleton that Slice generates, as another language would have it.
 class GeneratedEndpoint final : public Endpoint {
  public:
   void frame(FrameBytes frame, const Ice::Current& current) override {
@@ -39,7 +39,7 @@ class GeneratedEndpoint final : public Endpoint {
     const std::scoped_lock lock(mutex_);
     return answer_;
   }
-  /// To whatever is asked from now on.
+  /// Sets the answer to all later requests.
   void SetAnswer(const Bytes& answer) {
     const std::scoped_lock lock(mutex_);
     answer_ = ForIce(answer);
@@ -60,7 +60,7 @@ class GeneratedEndpoint final : public Endpoint {
   std::shared_ptr<Ice::Connection> connection_;
 };
 
-/// Answers a frame with itself, while it is prompt.
+/// While it is prompt, answers each frame with the same frame.
 class Answerer final : public LinkHandler {
  public:
   void OnFrame(std::span<const std::byte> /*frame*/) override {}
@@ -75,7 +75,7 @@ class Answerer final : public LinkHandler {
   std::atomic<bool> is_prompt{true};
 };
 
-/// Keeps the parameters as they came.
+/// Stores the parameters unchanged.
 class Capture final : public Ice::BlobjectArray {
  public:
   bool ice_invoke(std::pair<const Ice::Byte*, const Ice::Byte*> parameters,
@@ -87,7 +87,7 @@ class Capture final : public Ice::BlobjectArray {
   Bytes bytes_;
 };
 
-/// A program that knows nothing of ours but the .ice file.
+/// A program that uses only the .ice file, and no code of Tendon.
 class Slice : public testing::Test {
  protected:
   std::shared_ptr<Ice::ObjectAdapter> Serve(const std::shared_ptr<Ice::Object>& servant,
@@ -194,7 +194,7 @@ TEST_F(Slice, OurClientSendsRequestsToAGeneratedServer) {
   const auto link = client->Open(AddressOf(*adapter), recorder, kPatience);
   ASSERT_TRUE(link) << link.error().message;
 
-  // There is no answer yet.
+  // The server does not answer yet.
   ASSERT_EQ((*link)->Send(FrameOf(5), Delivery::kDirect), Status::kQueued);
   ASSERT_TRUE(EventuallyTrue([&] { return endpoint->frames().size() == 1; }));
   endpoint->SetAnswer(FrameOf(7, 1000));

@@ -38,8 +38,8 @@ class TlsClient {
       is_up_ = SSL_connect(link_.get()) == 1;
     }
 
-    /// True if the handshake has succeeded. With TLS 1.3 the client learns only later that it was
-    /// refused.
+    /// Returns true if the handshake has succeeded at this end. With TLS 1.3, a client learns only
+    /// later that the server has refused it.
     [[nodiscard]] bool is_up() const { return is_up_; }
 
     bool Send(const Bytes& bytes) {
@@ -64,7 +64,7 @@ class TlsClient {
     bool is_up_ = false;
   };
 
-  /// Without a file, the client has no certificate.
+  /// Creates a client; without a file, the client has no certificate.
   explicit TlsClient(const std::optional<std::filesystem::path>& certificate) {
     std::signal(SIGPIPE, SIG_IGN);
     if (!certificate) return;

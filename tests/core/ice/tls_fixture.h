@@ -44,12 +44,12 @@ struct Deaf final : LinkHandler {
   void OnClosed(const Error& /*reason*/) override {}
 };
 
-/// Programs under TLS in this process, whose certificates are of one CA.
+/// Programs under TLS in this process. Their certificates are from one CA.
 class TlsTest : public AuthorityTest {
  protected:
   using Shared = std::shared_ptr<Middleware>;
 
-  /// A middleware with such a certificate.
+  /// Returns a middleware with a certificate for this request.
   [[nodiscard]] Shared As(const Request& request) const {
     return Showing(Issue(request).certificate_file);
   }
@@ -61,7 +61,7 @@ class TlsTest : public AuthorityTest {
     EXPECT_TRUE(made.ok()) << (made.ok() ? "" : made.error().message);
     return made.ok() ? *std::move(made) : nullptr;
   }
-  /// The file of a certificate of the process `old`, which expires at this time from now.
+  /// Returns the file of a certificate of the process `old`, which expires `from_now` from now.
   [[nodiscard]] fs::path Expiring(std::chrono::seconds from_now) const {
     const Request request{.name = "old", .role = Role::kOperator, .holder = kProcess};
     const auto issued = Issue(request);
@@ -72,7 +72,7 @@ class TlsTest : public AuthorityTest {
                                   request, **key, Now() + from_now, {**ca, **ca_key})));
     return issued.certificate_file;
   }
-  /// A copy of the public files, which does not get later lists of revoked certificates.
+  /// Returns a copy of the CA's public files. Later lists of revoked certificates are not copied.
   [[nodiscard]] fs::path CopyOfPublicFiles() const {
     const fs::path copy = home.path() / "copy";
     fs::create_directory(copy);
@@ -103,7 +103,7 @@ class TlsTest : public AuthorityTest {
     EXPECT_FALSE(channel.ok());
     return channel.ok() ? Error() : channel.error();
   }
-  /// The identity under which a peer knows a program that calls itself `name`.
+  /// Returns the Hello that a peer records for a program that calls itself `name`.
   Hello Guest(const Shared& middleware, const std::string& name) {
     const std::size_t before = guestbook_->guests().size();
     const auto channel = Open(middleware, Listen(robot_, "robot"), name);

@@ -7,7 +7,7 @@ using testing::HasSubstr;
 
 class TlsRenewal : public TlsTest {
  protected:
-  /// Puts another certificate where that of `name` was. All that were issued before are revoked.
+  /// Replaces the certificate of `name`, and revokes all its earlier certificates.
   void Renew(const std::string& name) const { Put(Reissued(RequestOf(name)), name); }
   [[nodiscard]] CertificateAuthority::IssuedCertificate Reissued(const Request& request) const {
     EXPECT_TRUE(authority->Revoke(request.name).ok());

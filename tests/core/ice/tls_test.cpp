@@ -193,7 +193,7 @@ TEST_F(TlsTest, NewHandshakesReplaceTheSlowestPendingOnes) {
     slow.push_back(*std::move(one));
   }
   Bytes hello = {std::byte(0x16), std::byte(3), std::byte(1), std::byte(0x40), std::byte(0)};
-  hello.resize(hello.size() + 0x4000);  // of so many bytes, says the head
+  hello.resize(hello.size() + 0x4000);  // the header claims these bytes
   std::size_t said = 0;
   const auto anna = As({.name = "anna"});
 
@@ -204,7 +204,8 @@ TEST_F(TlsTest, NewHandshakesReplaceTheSlowestPendingOnes) {
       Bytes buffer(64);
       return !os::SendSome(one, byte).has_value() || !os::ReceiveSome(one, buffer).has_value();
     };
-    return std::count_if(slow.begin(), slow.end(), is_ended) > 0;  // younger ones may be patient
+    // Connections opened later may remain open longer.
+    return std::count_if(slow.begin(), slow.end(), is_ended) > 0;
   }));
   EXPECT_LT(said, hello.size());
   EXPECT_TRUE(Open(anna, address, "desk").ok());

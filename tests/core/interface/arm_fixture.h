@@ -16,8 +16,8 @@ struct JointGoal {
   bool operator==(const JointGoal&) const = default;
 };
 
-/// The same fields as JointGoal under the same name, but with another layout in memory, as another
-/// plug-in may have it.
+/// Has the same fields as JointGoal and the same name, but another layout in memory. A type of
+/// another plug-in may differ in this way.
 struct PaddedJointGoal {
   double padding = 0.0;
   std::array<double, 7> position{};
@@ -117,7 +117,7 @@ struct Teleoperation {
   void OnStopped() { ++stops_seen; }
 };
 
-/// Connects two interfaces that fit.
+/// Connects two compatible interfaces.
 inline std::unique_ptr<tendon::Connection> ConnectionOf(tendon::RequiredInterface& required,
                                                         tendon::ProvidedInterface& provided) {
   return std::move(*tendon::Connection::Make(required, provided, "client/" + required.name(),

@@ -8,7 +8,8 @@ using namespace std::chrono_literals;
 using tendon::Status;
 using tendon_test::Planner;
 
-/// Calls of a planner's commands that nobody waits for in a thread; the test executes them.
+/// Asynchronous calls of a planner's commands: no thread waits for them. The test executes the
+/// commands.
 class AsynchronousCall : public testing::Test {
  protected:
   tendon::CommandBase* Bind(const std::string& name) {
@@ -30,7 +31,7 @@ class AsynchronousCall : public testing::Test {
 
   Planner planner;
   tendon::Mailbox* mailbox = nullptr;
-  std::unique_ptr<tendon::CommandBase> bound;  // for as long as its calls lie there
+  std::unique_ptr<tendon::CommandBase> bound;  // must exist as long as its calls are in the mailbox
   tendon::Wakeup<> ended;
   std::size_t call = 0;
   std::vector<std::byte> out;

@@ -17,7 +17,7 @@ using tendon::Status;
 
 constexpr std::uint64_t kThreads = 3;
 
-/// Runs `body(thread)` in so many threads at once.
+/// Runs `body(thread)` in several threads at once.
 template <typename Body>
 void InThreads(Body body) {
   std::atomic<std::uint64_t> ready = 0;
@@ -31,7 +31,7 @@ void InThreads(Body body) {
   }
 }
 
-/// A call tells its thread and its number, twice.
+/// The argument of a call: its thread and its number, each twice.
 struct Ticket {
   std::uint64_t thread = 0;
   std::uint64_t number = 0;
@@ -50,7 +50,7 @@ inline constexpr auto tendon::kPayload<tendon_test::Ticket> =
 namespace tendon_test {
 namespace {
 
-/// Counts what arrives out of its thread's order, or torn.
+/// Counts calls that arrive out of order or torn.
 struct Office {
   tendon::Inbox inbox;
   tendon::ProvidedInterface desk{"Desk", &inbox};
@@ -85,7 +85,7 @@ struct Office {
   }
 };
 
-/// A component without a thread, whose functions any thread calls.
+/// A component without a thread. Any thread may call its functions.
 struct Public {
   tendon::RequiredInterface office{"Office", nullptr};
   tendon::WriteFunction<Ticket> take;

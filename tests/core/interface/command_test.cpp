@@ -15,7 +15,7 @@ using tendon::Connection;
 using tendon::Overflow;
 using tendon::Status;
 
-/// Commands beyond the plain ones.
+/// A component with special kinds of commands.
 struct Gripper {
   tendon::Inbox inbox;
   tendon::ProvidedInterface control{"Control", &inbox};

@@ -10,7 +10,7 @@
 namespace tendon_test {
 namespace {
 
-/// A numbered value that shows whether it is whole.
+/// A numbered value that detects tearing.
 struct Parcel {
   std::uint64_t number = 0;
   std::array<std::uint64_t, 5> copies{};
@@ -44,7 +44,7 @@ namespace {
 using tendon::Connection;
 using tendon::Status;
 
-/// One end: receives parcels whose numbers only rise, in the thread of its inbox.
+/// Receives parcels in the thread of its inbox. Their numbers must only increase.
 struct Receiver {
   std::uint64_t received = 0;
   std::uint64_t sum = 0;
@@ -87,7 +87,7 @@ struct Carrier : Receiver {
   }
 };
 
-/// Both ends run, and are connected and disconnected meanwhile.
+/// Both ends run while they are repeatedly connected and disconnected.
 TEST(ConnectionStress, AcceptedCallsSurviveReconnectsCompleteAndInOrder) {
   constexpr int kConnections = 150;
   Depot depot;

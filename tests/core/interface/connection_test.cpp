@@ -20,7 +20,7 @@ using testing::HasSubstr;
 using testing::MatchesRegex;
 using namespace std::chrono_literals;
 
-/// Both ends, connected.
+/// A server and a client that are connected.
 struct Connected {
   Arm arm;
   Teleoperation teleoperation;
@@ -355,7 +355,7 @@ TEST(RequiredInterface, RefusesAMailboxCapacityOutOfRange) {
   EXPECT_THROW(teleoperation.robot.SetMailboxCapacity((1U << 24U) + 1), tendon::ConfigurationError);
 }
 
-/// A pointer and a goal fill one cache line, with a time they need two.
+/// A pointer and a goal fit into one cache line. With a time, they need two.
 TEST(Connection, ReportsTheMemoryOfItsMailboxes) {
   Arm arm;
   Teleoperation teleoperation;

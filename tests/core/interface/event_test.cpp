@@ -17,7 +17,7 @@ using tendon::EventWaiter;
 using tendon::Overflow;
 using tendon::Status;
 
-/// Handles and awaits the events of an Arm in every way there is.
+/// Handles and awaits the events of an Arm in every possible way.
 struct Observer {
   tendon::Inbox inbox;
   tendon::RequiredInterface robot{"Robot", &inbox};

@@ -95,7 +95,8 @@ TEST(Inbox, AFastClientDoesNotStarveTheOthers) {
   EXPECT_EQ(server.fast.stop(), Status::kQueued);
   EXPECT_EQ(server.other.stop(), Status::kQueued);
 
-  // Each call of the fast one posts another: only what waited at the start is executed.
+  // Each call of the fast client posts another call. Only the calls that waited at the start are
+  // executed.
   EXPECT_EQ(server.inbox.ExecuteQueued(), 2U);
 
   EXPECT_EQ(server.executed, 2);
@@ -107,7 +108,7 @@ TEST(Inbox, ChecksNoMailboxWhileIdle) {
   caller.Connect(arm);
   EXPECT_EQ(caller.stop(), Status::kQueued);
   EXPECT_EQ(arm.inbox.ExecuteQueued(), 1U);
-  constexpr int kMany = 1000;  // of idle passes: the flag is down
+  constexpr int kMany = 1000;  // number of passes without calls, in which the flag is not set
   for (int i = 0; i < kMany; ++i) EXPECT_EQ(arm.inbox.ExecuteQueued(), 0U);
   EXPECT_EQ(arm.inbox.size(), 0U);
 
@@ -128,7 +129,7 @@ TEST(Inbox, ChecksNoMailboxWhileIdle) {
   EXPECT_EQ(arm.inbox.size(), 0U) << "a call waits under a flag that is down";
 }
 
-/// A planner whose thread is in a handler that does not return yet.
+/// A planner whose thread is inside a handler that does not return yet.
 struct Stuck : testing::Test {
   Planner planner;
   Operator person;
@@ -150,7 +151,7 @@ struct Stuck : testing::Test {
 using HungHandler = Stuck;
 
 TEST_F(HungHandler, DoesNotBlockADisconnect) {
-  EXPECT_EQ(connection->Close(0ms), 2U);  // the one that runs, and the one behind it
+  EXPECT_EQ(connection->Close(0ms), 2U);  // the running call and the waiting call
   connection.reset();
 
   EXPECT_EQ(person.move(2), Status::kNotConnected);
@@ -183,7 +184,7 @@ TEST_F(HungHandler, DoesNotConfuseConnectionsOfOnePlace) {
   ASSERT_EQ(person.slow(), Status::kQueued);
   ASSERT_TRUE(EventuallyTrue([this] { return planner.slow_begun == 2; }));
 
-  before.reset();  // the thread will still look for its calls
+  before.reset();  // the thread will still look for calls of this interface
   const auto connected = Connect(next, planner);
   EXPECT_EQ(next.move(7), Status::kQueued);
   planner.gate_is_open = true;

@@ -9,7 +9,7 @@
 namespace tendon_test {
 namespace {
 
-/// A value that cannot be copied while memory is short.
+/// A value whose copy throws while memory is short.
 struct Fragile {
   static inline bool is_memory_short = false;
 
@@ -40,7 +40,7 @@ using tendon::CallerThreads;
 using tendon::Overflow;
 using tendon::Status;
 
-/// Memory is short as long as it lives.
+/// Memory is short while this object exists.
 class ShortOfMemory {
  public:
   ShortOfMemory() { Fragile::is_memory_short = true; }
@@ -66,7 +66,7 @@ struct Store {
   void Give(Fragile& value) { value.number = 7; }
 };
 
-/// Its calls, from one thread or from any.
+/// Calls with such values, from one thread or from any thread.
 class ThrowingCopy : public testing::TestWithParam<CallerThreads> {
  protected:
   ThrowingCopy() {
@@ -116,7 +116,7 @@ TEST_P(ThrowingCopy, OfTheLatestValueFailsOnlyThatCall) {
   EXPECT_EQ(store_.taken, std::vector<std::int32_t>{2});
 }
 
-/// There are as many records for answers as slots.
+/// There are as many records for answers as mailbox slots.
 TEST_P(ThrowingCopy, OfAReplyFailsOnlyThatCall) {
   const Executor server(store_.inbox);
   Fragile answer;

@@ -17,12 +17,13 @@ namespace tendon_test {
 
 using namespace std::chrono_literals;
 
-/// A server with commands whose callers wait. The test or a thread executes its inbox.
+/// A server with commands for which the callers wait. The test or another thread executes its
+/// inbox.
 struct Planner {
   tendon::Inbox inbox;
   tendon::ProvidedInterface plans{"Plans", &inbox};
 
-  std::atomic<bool> gate_is_open = true;  ///< Slow() waits until it is open
+  std::atomic<bool> gate_is_open = true;  ///< Slow() waits until this is true
   std::atomic<int> slow_begun = 0;
   std::vector<std::int32_t> moves;
 
@@ -48,7 +49,7 @@ struct Planner {
   void Break() { throw std::runtime_error("broken"); }
 };
 
-/// A client with one function for each command. It has an inbox, so only one thread may call.
+/// A client with one function for each command. Because it has an inbox, only one thread may call.
 struct Operator {
   tendon::Inbox inbox;
   tendon::RequiredInterface planner{"Planner", &inbox};
@@ -72,7 +73,7 @@ inline auto Connect(Operator& client, Planner& server) {
                                   "planner/Plans");
 }
 
-/// Executes an inbox in its own thread, as a task does, and continues after an exception.
+/// Executes an inbox in its own thread, like a task. Continues after an exception.
 class Executor {
  public:
   explicit Executor(tendon::Inbox& inbox)

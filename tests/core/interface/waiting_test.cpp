@@ -10,7 +10,7 @@ using tendon::Connection;
 using tendon::ErrorCode;
 using tendon::Status;
 
-/// Long enough for anything that happens at all.
+/// The time limit of waits; it only limits a failing test.
 constexpr auto kLong = 60s;
 
 struct WaitingPair {

@@ -11,7 +11,7 @@
 namespace tendon::simulation {
 namespace {
 
-/// Two that want some of it, for a while.
+/// Two threads that each take a part of the budget and give it back.
 struct Shared {
   Budget<SimulatedAtomics> budget{3};
 
@@ -36,7 +36,7 @@ TEST(BudgetSimulation, IsCompleteAfterAnyInterleaving) {
   EXPECT_THAT(report, Passes(20));
 }
 
-/// Who gives nothing back: both fit, or one is refused.
+/// The threads give nothing back, so both parts fit, or one thread is refused.
 TEST(BudgetSimulation, NeverGrantsMoreThanItsTotal) {
   const Report report = Explore([](Scenario& scenario) {
     const auto shared = std::make_shared<Shared>();

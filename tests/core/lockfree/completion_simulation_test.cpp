@@ -10,8 +10,8 @@
 namespace tendon::simulation {
 namespace {
 
-/// A call with a result in ordinary memory, and the next call with the same record; the first may
-/// be interrupted at any moment.
+/// A call with a result in plain memory, and the next call with the same record. The caller may
+/// give up the first call at any moment.
 template <typename Atomics>
 struct Call {
   using End = typename Completion<Atomics>::Ending;
@@ -32,7 +32,7 @@ struct Call {
       completion.Free();
     }
     is_dropped = end == End::kNotStarted;
-    if (completion.TryTake()) result.Write(0);  // the next caller's
+    if (completion.TryTake()) result.Write(0);  // the next caller writes here
   }
   void Serve() {
     for (unsigned looks = 0; !posted.Get(); ++looks) Atomics::Pause(looks);

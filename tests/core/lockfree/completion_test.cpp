@@ -37,7 +37,7 @@ TEST(Completion, ExecutingTheCallEndsTheWait) {
   EXPECT_EQ(completion.Await(kNever, In(60s)), Ending::kDone);
 
   EXPECT_EQ(completion.status(), Status::kFailed);
-  EXPECT_FALSE(completion.TryTake());  // until it is freed
+  EXPECT_FALSE(completion.TryTake());  // not available until it is freed
 }
 
 TEST(Completion, ACallAbandonedInTimeIsNeverStarted) {
@@ -46,7 +46,7 @@ TEST(Completion, ACallAbandonedInTimeIsNeverStarted) {
 
   EXPECT_EQ(completion.Await(kNever, In(1ms)), Ending::kNotStarted);
 
-  EXPECT_FALSE(completion.TryTake());  // the server has not seen it yet
+  EXPECT_FALSE(completion.TryTake());  // the server has not seen yet that the call was abandoned
   EXPECT_FALSE(completion.Start());
   EXPECT_TRUE(completion.TryTake());
 }

@@ -11,7 +11,7 @@
 namespace tendon::simulation {
 namespace {
 
-/// Two objects of ordinary memory; the one replaced is overwritten at once.
+/// Two objects in plain memory. The replaced object is overwritten at once.
 template <typename Guarded>
 struct Replacement {
   using Object = Plain<int>;
@@ -63,8 +63,8 @@ Report ExploreTwoCallers() {
   });
 }
 
-/// A pointer that its calling thread sets itself, to what another thread announces and withdraws:
-/// as a component admits its peer.
+/// A pointer that its calling thread sets, to an object that another thread announces and
+/// withdraws. A component admits its peer in this way.
 template <typename Atomics>
 struct Admission {
   Plain<int> object{1};

@@ -15,7 +15,7 @@
 namespace tendon {
 namespace {
 
-/// What holds for one calling thread and for several.
+/// Tests that apply to one calling thread and to several.
 template <typename Guarded>
 class AnyGuardedPointer : public testing::Test {};
 
@@ -40,7 +40,7 @@ TYPED_TEST(AnyGuardedPointer, ExchangeReturnsTheOldObject) {
   EXPECT_EQ(call.get(), &second);
 }
 
-/// Between the two steps of an exchange, somebody calls.
+/// Makes a call between the two steps of an exchange.
 struct WithACallBetween : StdAtomics {
   static inline std::function<void()> call;
 
@@ -54,7 +54,8 @@ struct WithACallBetween : StdAtomics {
   }
 };
 
-/// The call is still under way when the exchange returns.
+/// Returns the object of a call that begins during the exchange and is still running when the
+/// exchange returns.
 template <typename Guarded>
 int* ObjectOfACallThatBeginsMeanwhile(Guarded& guarded, int& next) {
   std::optional<typename Guarded::Call> call;
@@ -163,7 +164,7 @@ TYPED_TEST(AnyGuardedPointer, ACallAllocatesNothing) {
   EXPECT_EQ(call.get(), &object);
 }
 
-/// The callers never rest; the objects are freed as soon as the exchange returns.
+/// Several threads call without a pause. Each object is freed as soon as the exchange returns.
 template <template <typename, typename> typename Guarded>
 int WrongValuesSeen(std::size_t callers) {
   constexpr int kExchanges = 2'000;

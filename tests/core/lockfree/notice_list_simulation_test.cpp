@@ -11,7 +11,7 @@
 namespace tendon::simulation {
 namespace {
 
-/// Points to ordinary memory, which is overwritten when the notice is freed.
+/// A notice that points to plain memory, which is overwritten when the notice is freed.
 class Notice {
  public:
   explicit Notice(Plain<int>& memory) : memory_(&memory) { memory.Write(1); }

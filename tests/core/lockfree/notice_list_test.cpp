@@ -29,7 +29,7 @@ TEST(NoticeList, TakingNeitherAllocatesNorFrees) {
     const tendon::AllocationGuard guard;
     list.Take([](const auto& /*notice*/) {});
   }
-  EXPECT_EQ(notice.use_count(), 2);  // the sender frees it
+  EXPECT_EQ(notice.use_count(), 2);  // the sender still has to free it
 
   list.Send(nullptr);
 

@@ -7,7 +7,7 @@
 
 namespace tendon::simulation {
 
-/// For simulations: a sleeper that waits for this number of posts by any threads.
+/// For simulations: a sleeper that waits for a number of posts by any threads.
 template <typename Atomics>
 struct Posting {
   Wakeup<Atomics> wakeup;
@@ -17,7 +17,7 @@ struct Posting {
     posted.fetch_add(1, std::memory_order_release);
     wakeup.Notify();
   }
-  /// Posts without urgency: the sleeper need not wake up before `when`.
+  /// Posts without urgency: the sleeper may sleep until `when`.
   void PostBy(SteadyTime when) {
     posted.fetch_add(1, std::memory_order_release);
     wakeup.NotifyBy(when);

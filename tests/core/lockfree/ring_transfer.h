@@ -8,8 +8,8 @@
 
 namespace tendon::simulation {
 
-/// For simulations: passes three messages through a ring of two slots, whose content is plain
-/// memory.
+/// For simulations: passes three messages through a ring of two slots. The content of the slots is
+/// plain memory.
 template <typename Atomics>
 struct RingTransfer {
   SlotRing<Atomics> ring{2, 8, 8};

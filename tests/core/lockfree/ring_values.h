@@ -6,10 +6,10 @@
 
 namespace tendon::test {
 
-/// The result of Pop() if the ring is empty.
+/// The result of the pop function below if the ring is empty.
 inline constexpr std::uint64_t kNothing = ~std::uint64_t{0};
 
-/// Puts a number into a ring of slots; false when it is full.
+/// Puts a number into a ring of slots. Returns false if the ring is full.
 template <typename Ring>
 bool Push(Ring& ring, std::uint64_t value) {
   std::byte* const slot = ring.Claim();
@@ -23,7 +23,7 @@ bool Push(Ring& ring, std::uint64_t value) {
   return true;
 }
 
-/// The oldest number in a ring.
+/// Removes and returns the oldest number in a ring; kNothing if the ring is empty.
 template <typename Ring>
 std::uint64_t Pop(Ring& ring) {
   const std::byte* const slot = ring.Front();

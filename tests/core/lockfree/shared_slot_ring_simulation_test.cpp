@@ -10,7 +10,7 @@
 namespace tendon::simulation {
 namespace {
 
-/// Two producers of a message each, twice through a ring of one slot.
+/// Two producers with one message each. Both messages pass through a ring of one slot.
 template <typename Atomics>
 struct Transfer {
   SharedSlotRing<Atomics> ring{1, 8, 8};

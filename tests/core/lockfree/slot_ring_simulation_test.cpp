@@ -31,7 +31,7 @@ TEST(SlotRingSimulation, NeedsItsAcquires) {
   EXPECT_THAT(ExploreTransfer<WithoutAcquire>(), FailsWith("races"));
 }
 
-/// The fault of the reference system: indices without any order.
+/// cisst has this fault: it reads the two indices without any memory order.
 TEST(SlotRingSimulation, ASizeReadByAThirdThreadNeverExceedsTheCapacity) {
   const Report report = Explore([](Scenario& scenario) {
     const auto transfer = std::make_shared<RingTransfer<SimulatedAtomics>>();

@@ -118,7 +118,7 @@ TEST(SlotRing, CountsWaitingSlots) {
   EXPECT_EQ(ring.released(), 1U);
 }
 
-/// Size, alignment and the stride that follows.
+/// Parameters: size, alignment, and the resulting stride.
 class SlotRingShape
     : public testing::TestWithParam<std::tuple<std::size_t, std::size_t, std::size_t>> {};
 

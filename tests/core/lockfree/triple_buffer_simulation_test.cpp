@@ -10,7 +10,7 @@
 namespace tendon::simulation {
 namespace {
 
-/// A value of ordinary memory that is assigned.
+/// A value in plain memory that can be assigned.
 struct Cell {
   Cell() = default;
   Cell(int value) : plain(value) {}  // NOLINT(google-explicit-constructor)

@@ -23,7 +23,7 @@ Report ExplorePosting() {
   });
 }
 
-/// The sleeper does not wake by itself.
+/// The sleeper wakes up only by a post.
 template <typename Atomics>
 Report ExplorePostingBy() {
   return Explore([](Scenario& scenario) {

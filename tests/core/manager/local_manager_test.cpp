@@ -21,7 +21,7 @@ using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::SizeIs;
 
-/// Components without threads: commands run in the caller's.
+/// A component without a thread: commands run in the caller's thread.
 class Arm final : public tendon::Component {
  public:
   explicit Arm(std::string name) : Component(std::move(name)) {
@@ -116,7 +116,7 @@ TEST(LocalManager, ListsConvertedFunctionsOfAConnection) {
   EXPECT_THAT(manager.connections()[0].converted, testing::ElementsAre("MoveTo"));
 }
 
-/// A server that executes nothing, for nobody drives it.
+/// A connection to a task that executes nothing, because no thread runs its cycles.
 struct ConnectionToAnIdleTask : testing::Test {
   const tendon::InterfaceName required{"client", "Server"};
   tendon::LocalManager manager;

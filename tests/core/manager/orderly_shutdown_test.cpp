@@ -27,7 +27,7 @@ using namespace std::chrono_literals;
 
 using Task = leading::Leading<tendon::PeriodicTask>;
 
-/// Two tasks, the first of which leads the second.
+/// Two tasks; the first one leads the second.
 class OrderlyShutdownTest : public testing::Test {
  protected:
   void Lead(const std::string& first, const std::string& second) {
@@ -35,7 +35,7 @@ class OrderlyShutdownTest : public testing::Test {
     ASSERT_TRUE(connected) << connected.error().message;
   }
   Task& Add(const std::string& name) { return manager->Add<Task>(name, story); }
-  /// Both run, and the queue between them is full again and again.
+  /// Starts both tasks, and waits until the mailbox between them was full several times.
   void Flood() {
     Lead("client", "server");
     client.floods = true;

@@ -17,7 +17,7 @@ using tendon_test::Script;
 using testing::HasSubstr;
 using namespace std::chrono_literals;
 
-/// Is asked to start, and does not come out of its Configure().
+/// A component that is being started, and that blocks in its Configure().
 struct BusyComponent : testing::Test {
   void SetUp() override {
     slow.blocks = Script::kConfigure;
@@ -26,7 +26,8 @@ struct BusyComponent : testing::Test {
   }
   void TearDown() override { Release(); }
   void Release() {
-    if (!starting.joinable()) return;  // it was done, and the component may be gone
+    // The start has ended, and the component may not exist any more.
+    if (!starting.joinable()) return;
     slow.blocks = Script::kNone;
     starting.join();
   }
@@ -34,7 +35,7 @@ struct BusyComponent : testing::Test {
   tendon::LocalManager manager;
   Periodic& arm = manager.Add<Periodic>("arm", 1ms);
   Periodic& slow = manager.Add<Periodic>("slow", 1ms);
-  tendon::Result<void> started;  // once it was released
+  tendon::Result<void> started;  // set after the release
   std::thread starting;
 };
 
@@ -107,7 +108,7 @@ TEST_F(BusyComponent, KeepsItsLeader) {
   Release();
   ASSERT_TRUE(manager.Stop("slow").ok());
   ASSERT_TRUE(manager.RunAfter("slow", "arm").ok());
-  slow.throws = Script::kStartup;  // so that it is configured anew
+  slow.throws = Script::kStartup;  // the component must then be configured again
   ASSERT_TRUE(manager.Start("arm").ok());
   EXPECT_FALSE(manager.Start("slow").ok());
   slow.throws = Script::kNone;

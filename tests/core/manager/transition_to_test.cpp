@@ -12,7 +12,7 @@ using testing::HasSubstr;
 constexpr Patience kShort = std::chrono::milliseconds(20);
 constexpr Patience kLater = std::chrono::seconds(1);
 
-/// Goes on where it is to rest.
+/// A component that continues to run when it is told to suspend.
 class Restless final : public Component {
  public:
   using Component::Component;
@@ -21,7 +21,7 @@ class Restless final : public Component {
   void Pause() override {}
 };
 
-/// Is active when somebody has waited for that in vain.
+/// A component that becomes active only after a wait for this has timed out.
 class Slow final : public Component {
  public:
   using Component::Component;

@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 TEST(Watchdog, ATaskIsOverdueAfterThreePeriodsAndAGrace) {
   EXPECT_FALSE(Watchdog::IsOverdue(10ms, 30ms + Watchdog::kGrace));
   EXPECT_TRUE(Watchdog::IsOverdue(10ms, 31ms + Watchdog::kGrace));
-  EXPECT_FALSE(Watchdog::IsOverdue(0s, 1h));  // has no period
+  EXPECT_FALSE(Watchdog::IsOverdue(0s, 1h));  // without a period
 }
 
 TEST(Watchdog, OnlyAnActiveTaskCanBeOverdue) {

@@ -15,7 +15,7 @@ namespace {
 constexpr std::chrono::seconds kVeryLong(60);
 constexpr auto kOfSoManyBytes = static_cast<MessageType>(0x101);
 
-/// Answers at once, with as many bytes as it is asked for.
+/// Answers at once. The request contains the number of bytes of the answer.
 class Filler final : public ChannelHandler {
  public:
   void OnRequest(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& /*header*/,
@@ -25,7 +25,7 @@ class Filler final : public ChannelHandler {
   }
 };
 
-/// Answers that go back with their questions, from a server to a client.
+/// Replies that return on the path of their request, from a server to a client.
 class DirectReplies : public testing::Test {
  protected:
   DirectReplies() {
@@ -45,7 +45,7 @@ class DirectReplies : public testing::Test {
     return *Channel::Open(client_, listener_->address(), hello_, std::make_shared<ChannelHandler>(),
                           kVeryLong);
   }
-  /// As what the answer has come.
+  /// Returns the types of the messages in which an answer has arrived.
   std::set<MessageType> WayOf(Channel& channel, std::size_t size) {
     {
       const std::scoped_lock lock(mutex_);
@@ -58,7 +58,8 @@ class DirectReplies : public testing::Test {
     const std::scoped_lock lock(mutex_);
     return large_;
   }
-  /// What was found of the line holds for a second: so several times, where the machine is slow.
+  /// Returns true if an answer returns directly at least once. The result of a measurement of the
+  /// line is used for a second, so on a slow machine several tries are needed.
   bool IsOnceReturned(Channel& channel, std::size_t size) {
     for (int i = 0; i < 20; ++i) {
       if (WayOf(channel, size) == Ways{MessageType::kReply}) return true;

@@ -31,7 +31,7 @@ FrameHeader HeaderOf(MessageType type, std::uint16_t version = kOurs) {
   return header;
 }
 
-/// The two ends of a link, and what they say to each other.
+/// Both ends of a link, and the messages between them.
 struct Talk {
   explicit Talk(Hello one = HelloOf("desk"), Hello other = HelloOf("robot"),
                 UnauthenticatedPeers unauthenticated = UnauthenticatedPeers::kRefused,
@@ -46,7 +46,7 @@ struct Talk {
   Result<Handshake::Step> Answer(const Handshake::Step& step) {
     return opener.Take(HeaderOf(step.type), step.body);
   }
-  /// Whom the acceptor lets in.
+  /// Returns the Hello of the peer that the acceptor admits.
   Result<Hello> Run() {
     const auto challenge = Hear(MessageType::kHello, opener.Greet());
     if (!challenge) return challenge.error();
@@ -62,7 +62,7 @@ struct Talk {
 
   Handshake opener;
   Handshake acceptor;
-  Hello robot;  // as the opener knows it
+  Hello robot;  // the peer as the opener knows it
 };
 
 TEST(Handshake, BothEndsLearnThePeersIdentity) {

@@ -20,7 +20,7 @@ TEST(ReadRefusal, AnUnreadableReasonIsStillARefusal) {
                    "robot refused the request, but the reason that it sent cannot be read"}));
 }
 
-/// A runtime folder of its own for each test.
+/// A test with its own run-time folder.
 class LoopbackCookieTest : public testing::Test {
  protected:
   void SetUp() override { setenv("XDG_RUNTIME_DIR", base_.c_str(), 1); }

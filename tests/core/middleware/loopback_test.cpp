@@ -12,7 +12,7 @@ using conformance::Host;
 using conformance::kPatience;
 using conformance::Recorder;
 
-/// A server, a client of it, and the faults of the network in between.
+/// A server, a client, and a network with faults between them.
 class FaultyLoopback : public testing::Test {
  protected:
   FaultyLoopback() {
@@ -98,7 +98,7 @@ TEST_F(FaultyLoopback, HoldsFramesUntilTheyAreReleased) {
   SendToServer(1, 3);
   ASSERT_TRUE(guest.recorder->WaitForFrames(1));
   ASSERT_EQ(guest.link->Send(FrameOf(7)), Status::kQueued);
-  ASSERT_TRUE(recorder_->WaitForFrames(1));  // the other way is open
+  ASSERT_TRUE(recorder_->WaitForFrames(1));  // the other direction still works
   EXPECT_EQ(guest.recorder->numbers(), Numbers{1});
 
   network_->ReleaseHeld();
@@ -137,7 +137,7 @@ TEST_F(FaultyLoopback, ASuccessorMayReuseTheAddress) {
   Host host;
   const auto listener = successor.Listen(address_, host.accept());
   ASSERT_TRUE(listener);
-  listener_.reset();  // of the dead
+  listener_.reset();  // the listener of the dead server
 
   const auto link = client_.Open(address_, std::make_shared<Recorder>(), kPatience);
 

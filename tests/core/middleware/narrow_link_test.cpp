@@ -14,7 +14,7 @@
 namespace tendon {
 namespace {
 
-/// A link that refuses what is sent while it has no room.
+/// A link that refuses frames while it has no room.
 class NarrowLink final : public test::WrappedLink {
  public:
   using WrappedLink::WrappedLink;
@@ -27,7 +27,7 @@ class NarrowLink final : public test::WrappedLink {
   }
 
   std::atomic<bool> has_room{true};
-  std::atomic<bool> is_memory_short{false};  // at the next frame
+  std::atomic<bool> is_memory_short{false};  // true: memory is exhausted at the next frame
   std::atomic<std::size_t> refused{0};
 };
 
@@ -45,7 +45,7 @@ class NarrowMiddleware final : public test::WrappedMiddleware {
     return std::shared_ptr<Link>(link);
   }
 
-  std::shared_ptr<NarrowLink> link;  // the last that was opened
+  std::shared_ptr<NarrowLink> link;  // the last link that was opened
 };
 
 /// Counts the notices, and answers requests.
@@ -140,7 +140,7 @@ TEST_F(NarrowLinkTest, AFailedReplyIsRefusedAtOnce) {
 }
 
 TEST_F(NarrowLinkTest, AcknowledgesPartsAsSoonAsThereIsRoom) {
-  constexpr std::size_t kAhead = PartSender::kPartsAhead + 1;  // parts
+  constexpr std::size_t kAhead = PartSender::kPartsAhead + 1;  // number of parts
   client_.link->has_room = false;
   ASSERT_EQ(Tell(*server_channel_, 2 * kAhead * kPartSize), Status::kQueued);
   ASSERT_TRUE(EventuallyTrue([&] { return client_.link->refused >= kAhead; }));

@@ -9,7 +9,7 @@ namespace {
 
 constexpr auto kNews = static_cast<MessageType>(0x100);
 
-/// A body of `size` bytes behind room for the header of its frame.
+/// Returns a frame with a body of `size` bytes. The header is left empty.
 Bytes FrameWith(std::size_t size, int fill) {
   Bytes frame(FrameHeader::kSize);
   frame.resize(FrameHeader::kSize + size, static_cast<std::byte>(fill));

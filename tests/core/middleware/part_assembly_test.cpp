@@ -9,7 +9,7 @@ namespace {
 
 using Progress = PartAssembly::Progress;
 
-/// A frame of so many bytes.
+/// Returns a frame of `size` bytes.
 Bytes FrameOfSize(std::size_t size, std::byte fill = std::byte{1},
                   MessageType type = static_cast<MessageType>(0x100)) {
   FrameHeader header;
@@ -22,13 +22,13 @@ Bytes FrameOfSize(std::size_t size, std::byte fill = std::byte{1},
 
 Bytes BodyOf(const Bytes& frame) { return {frame.begin() + FrameHeader::kSize, frame.end()}; }
 
-/// The part of `frame` at that place.
+/// Returns the part of `frame` with this index.
 std::span<const std::byte> PartOf(const Bytes& frame, std::size_t place) {
   const auto rest = std::span(frame).subspan(place * kPartSize);
   return rest.first(std::min(kPartSize, rest.size()));
 }
 
-/// Whether it has become the frame that was sent.
+/// Expects that the assembled frame is equal to the sent frame.
 void ExpectSame(const PartAssembly::Frame& whole, const Bytes& frame) {
   const auto sent = ReadWholeFrame(frame);
   ASSERT_TRUE(sent);

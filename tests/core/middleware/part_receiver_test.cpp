@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 
 class PartReceiverTest : public testing::Test {
  protected:
-  /// A frame of three parts.
+  /// Returns a frame of three parts.
   static Bytes LargeFrame() {
     FrameHeader header;
     header.type = static_cast<MessageType>(0x100);

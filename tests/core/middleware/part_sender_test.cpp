@@ -10,7 +10,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Keeps what is sent while it has room.
+/// Stores the sent frames while it has room.
 class FakeLink final : public Link {
  public:
   Status Send(std::span<const std::byte> frame, Delivery /*delivery*/) override {
@@ -28,15 +28,16 @@ class FakeLink final : public Link {
   [[nodiscard]] std::string local() const override { return "local"; }
 
   bool has_room = true;
-  std::vector<std::uint32_t> sent;  // by frame
-  std::vector<std::size_t> sizes;   // of the parts
+  std::vector<std::uint32_t> sent;  // for each part, the frame to which it belongs
+  std::vector<std::size_t> sizes;   // sizes of the parts
   std::uint64_t bytes = 0;
 };
 
-constexpr std::size_t kAhead = PartSender::kPartsAhead + 1;  // parts: their headers count too
+// Number of parts; the headers of the parts count, too.
+constexpr std::size_t kAhead = PartSender::kPartsAhead + 1;
 constexpr std::chrono::nanoseconds kPartTime = PartSender::kPartTime;
 
-/// On a line that was found to be quick.
+/// A sender on a line that was measured as fast.
 class PartSenderTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -50,9 +51,9 @@ class PartSenderTest : public testing::Test {
     link.sent.clear();
     link.sizes.clear();
   }
-  /// The peer has taken so many bytes since.
+  /// Reports that the peer has taken this number of bytes since `begun`.
   bool Take(std::uint64_t bytes) { return sender.OnTaken(link, begun + bytes); }
-  /// Takes all there is, as slowly, until a frame of so many bytes has come.
+  /// Lets the peer take everything slowly, until a frame of this size has arrived.
   void TakeSlowly(std::size_t size, std::size_t bytes_in_part_time) {
     FrameHeader header;
     header.size = static_cast<std::uint32_t>(size - FrameHeader::kSize);
@@ -64,7 +65,7 @@ class PartSenderTest : public testing::Test {
     }
   }
 
-  /// A frame of so many parts.
+  /// Adds a frame of this number of parts.
   Status Add(Lane lane, std::size_t parts) {
     FrameHeader header;
     header.type = static_cast<MessageType>(0x100);
@@ -76,7 +77,7 @@ class PartSenderTest : public testing::Test {
   ManualClock clock;
   PartSender sender{clock};
   FakeLink link;
-  std::uint64_t begun = 0;  // bytes that had been sent
+  std::uint64_t begun = 0;  // number of bytes that had been sent before the test
   std::uint64_t taken = 0;
 };
 
@@ -142,7 +143,7 @@ TEST_F(PartSenderTest, StartsWithSmallParts) {
 }
 
 TEST_F(PartSenderTest, SlowLinksGetSmallParts) {
-  constexpr std::size_t kCarried = 100'000;  // bytes in the time of a part
+  constexpr std::size_t kCarried = 100'000;  // bytes that the line carries in the time of a part
   TakeSlowly(std::size_t{8} << 20U, kCarried);
   EXPECT_LE(sender.part_size(), kCarried);
   EXPECT_GE(sender.part_size(), kCarried / 4);

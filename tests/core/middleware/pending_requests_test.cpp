@@ -12,7 +12,7 @@ namespace {
 
 using std::chrono::hours;
 
-/// Keeps what became of each request.
+/// Records the outcome of each request.
 struct Outcomes {
   PendingRequests::Handler Keep() {
     return [this](Result<Bytes> outcome) { all.push_back(std::move(outcome)); };

@@ -24,7 +24,7 @@ std::vector<Reply> RepliesIn(std::span<const std::byte> body) {
   return all;
 }
 
-/// Two answers, of two bytes and of none.
+/// Returns a batch of two replies: one of two bytes, and an empty one.
 Bytes TwoReplies() {
   ReplyBatch batch;
   EXPECT_TRUE(batch.Add(7, Bytes(2, std::byte{5})));
@@ -83,7 +83,7 @@ TEST(ReplyBatch, RefusesFalseSizes) {
   Bytes longer = whole;
   longer.push_back(std::byte{0});
   EXPECT_FALSE(IsReplyBatch(longer));
-  for (std::size_t i = 8; i < 12; ++i) {  // of the first one's size
+  for (std::size_t i = 8; i < 12; ++i) {  // the bytes of the first reply's size
     Bytes claims_more = whole;
     claims_more[i] = std::byte{255};
     EXPECT_FALSE(IsReplyBatch(claims_more)) << "byte " << i;
@@ -103,7 +103,7 @@ TEST(ReplyBatch, RefusesTooManyOrTooLargeReplies) {
 constexpr std::chrono::seconds kLongEnough(20);
 constexpr auto kKept = static_cast<MessageType>(0x101);
 
-/// Keeps the requests of its peers until it is told to answer.
+/// Stores the requests of its peers until Answer() is called.
 class Keeper final : public ChannelHandler {
  public:
   void OnRequest(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& /*header*/,
@@ -115,7 +115,7 @@ class Keeper final : public ChannelHandler {
     const std::scoped_lock lock(mutex_);
     return kept_.size();
   }
-  /// The oldest, which is answered with so many bytes.
+  /// Answers the oldest request with this number of bytes.
   void Answer(std::size_t size = 1) {
     const std::scoped_lock lock(mutex_);
     kept_.front().Reply(Bytes(size), kOwnLane);
@@ -127,7 +127,7 @@ class Keeper final : public ChannelHandler {
   std::deque<Responder> kept_;
 };
 
-/// Two peers of one server, and the answers that go to them, message by message.
+/// Two peers of one server. The replies to each peer are recorded message by message.
 class ReplyBatcherTest : public testing::Test {
  protected:
   ReplyBatcherTest() {

@@ -23,7 +23,7 @@ using testing::HasSubstr;
 
 constexpr std::size_t kLarge = std::size_t{100} << 10U;
 
-/// A listener with one link that stands, and the socket of another that does.
+/// A listener with an open link, and the socket of a second open link.
 class LowMemory : public testing::Test {
  protected:
   void SetUp() override {
@@ -125,7 +125,7 @@ TEST_F(LowMemory, SendsNothingAfterAPartialFrame) {
   EXPECT_TRUE(next || recorder->WaitForClosed());
 }
 
-/// Has no memory for the end of its link.
+/// Its OnClosed() throws, because memory is exhausted.
 class Overwhelmed final : public LinkHandler {
  public:
   void OnFrame(std::span<const std::byte> /*frame*/) override {}
@@ -153,7 +153,7 @@ TEST(TcpLowMemory, StoppingClosesAllLinksDespiteThrowingHandlers) {
   for (const auto& recorder : recorders) EXPECT_TRUE(recorder->WaitForClosed());
 }
 
-/// Answers with so many bytes, which it has.
+/// Answers with this number of bytes, which are allocated already.
 class Answerer final : public ChannelHandler {
  public:
   void OnRequest(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& /*header*/,

@@ -19,7 +19,7 @@ using conformance::kPatience;
 using conformance::Recorder;
 using testing::HasSubstr;
 
-/// What TCP has warned of since this was first asked.
+/// Returns the warnings of TCP since the first call.
 std::vector<std::string> Warnings() {
   static test::Record<std::string> lines;
   static const bool listening = [] {
@@ -152,7 +152,8 @@ TEST(Tcp, OutOfDescriptorsOldLinksStayAndNewOnesWait) {
   const int lowest_free = dup(0);
   close(lowest_free);
   rlimit tight = before;
-  tight.rlim_cur = static_cast<rlim_t>(lowest_free + 1);  // for the opener, none for the acceptor
+  // One free descriptor for the opener, and none for the acceptor.
+  tight.rlim_cur = static_cast<rlim_t>(lowest_free + 1);
   setrlimit(RLIMIT_NOFILE, &tight);
   const os::Socket last = wire.Connect();
 

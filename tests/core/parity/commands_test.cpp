@@ -39,7 +39,7 @@ TEST_P(Commands, ReadsGiveTheNewestRow) {
 
     pair.InClient([&](auto& port) {
       PayloadIn<decltype(port)> value;
-      EXPECT_TRUE(EventuallyTrue([&] {  // a continuous task writes a row a millisecond at most
+      EXPECT_TRUE(EventuallyTrue([&] {  // a continuous task writes at most one row per millisecond
         return port.read(value) == Status::kDone && IsSample(value, seed);
       }));
     });

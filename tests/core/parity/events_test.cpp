@@ -123,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(Parity, BusyClient,
                                           testing::ValuesIn(AllKinds())),
                          NameOfPair);
 
-/// Texts for people.
+/// Events with texts for people.
 using MessageEvents = AnyPair;
 
 TEST_P(MessageEvents, ReachTheClientAndTheLog) {
@@ -139,9 +139,9 @@ TEST_P(MessageEvents, ReachTheClientAndTheLog) {
               (std::vector<std::string>{"status: homed", "warning: warm", "error: hot"}));
   });
   const std::vector<std::string> sent{"homed", "warm", "hot"};
-  EXPECT_TRUE(EventuallyTrue([&] {  // what a cycle logs is put aside for another thread
+  EXPECT_TRUE(EventuallyTrue([&] {  // a cycle passes its log records to another thread
     std::vector<std::string> said = log.texts();
-    std::erase_if(said, [&](const auto& text) {  // of a loaded machine the watchdog speaks, too
+    std::erase_if(said, [&](const auto& text) {  // on a busy machine, the watchdog also logs
       return std::find(sent.begin(), sent.end(), text) == sent.end();
     });
     return said == sent;

@@ -59,7 +59,7 @@ TEST_P(Interfaces, ReconnectWhileBothRun) {
       EXPECT_EQ(port.write(Sample<P>(round)), pair.queued());
     });
     const bool is_complete = pair.Disconnect();
-    pair.InServer([&](auto& port) {  // it has happened: what was accepted is executed
+    pair.InServer([&](auto& port) {  // all accepted commands were executed
       if (is_complete) {
         EXPECT_EQ(port.received.size(), static_cast<std::size_t>(round));
       }
@@ -83,7 +83,7 @@ TEST_P(Interfaces, ReconnectWhileBothRun) {
 
 INSTANTIATE_TEST_SUITE_P(Parity, Interfaces, AllPairs(), NameOfPair);
 
-/// Mailboxes of servers that are busy.
+/// Full mailboxes of busy servers.
 using FullMailbox = AnyPair;
 
 TEST_P(FullMailbox, Of64Holds64AndRefusesTheRest) {
@@ -94,7 +94,8 @@ TEST_P(FullMailbox, Of64Holds64AndRefusesTheRest) {
     for (int i = 1; i <= 64; ++i) EXPECT_EQ(port.write(Sample<P>(i)), Status::kQueued) << i;
     for (int i = 65; i <= 640; ++i) EXPECT_EQ(port.write(Sample<P>(i)), Status::kQueueFull) << i;
     EXPECT_EQ(port.reset(), Status::kQueueFull);
-    EXPECT_EQ(port.keep(Sample<P>(1)), Status::kQueued);  // keeps the latest only: has a reserve
+    // Keeps only the latest call, so it has a reserved slot.
+    EXPECT_EQ(port.keep(Sample<P>(1)), Status::kQueued);
   });
 
   pair.Release();

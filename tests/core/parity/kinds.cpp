@@ -21,7 +21,8 @@ constexpr std::size_t kHistoryLength = 7;
 template <typename Base>
 constexpr bool kIsTask = std::derived_from<Base, tendon::Task>;
 
-/// A component of some kind and one of the two parts: what depends on the kind alone.
+/// A component of some kind that is also a server or a client. Contains the code that depends on
+/// the kind.
 template <typename Base, typename SomePart>
 class Stage : public Base, public SomePart {
  public:
@@ -47,7 +48,7 @@ class Stage : public Base, public SomePart {
   }
 };
 
-/// The tables of a server: a task's own, or those of a component without cycles.
+/// The tables of a server, which is a task or a component without cycles.
 template <typename Base>
 struct Tables {
   tendon::StateTable table;

@@ -16,7 +16,7 @@
 
 namespace tendon_test {
 
-/// Every kind of component: its cycles differ in the thread that makes them.
+/// Every kind of component. The kinds differ in the thread that runs their cycles.
 enum class Kind {
   kPeriodic,
   kContinuous,
@@ -28,7 +28,7 @@ enum class Kind {
 };
 [[nodiscard]] std::string_view NameOf(Kind kind);
 [[nodiscard]] std::vector<Kind> AllKinds();
-/// All kinds but kThreadless.
+/// Returns all kinds except kThreadless.
 [[nodiscard]] std::vector<Kind> TaskKinds();
 
 /// The common part of servers and clients of any kind: their interface `Desk` executes jobs of the
@@ -41,12 +41,12 @@ class Part {
   virtual ~Part() = default;
 
   [[nodiscard]] virtual tendon::Component& component() = 0;
-  /// Makes a cycle, for kinds that run in the calling thread.
+  /// Runs a cycle, for kinds that run in the calling thread.
   virtual void Drive() {}
 
-  std::function<void()> job;  // set before the command Step
+  std::function<void()> job;  // set before the command Step is called
   std::atomic<std::uint64_t> runs = 0;
-  std::atomic<std::thread::id> run_thread;  // of the last cycle
+  std::atomic<std::thread::id> run_thread;  // the thread of the last cycle
   std::atomic<bool> throws_in_run = false;
 
  protected:
@@ -55,7 +55,8 @@ class Part {
 
  private:
   void Step() {
-    const std::function<void()> now = job;  // the next may be set while this one runs
+    // A copy, because the test may set the next job while this one runs.
+    const std::function<void()> now = job;
     now();
   }
 };
@@ -65,27 +66,27 @@ class ServerPart : public Part {
  public:
   ServerPorts ports;
   std::unique_ptr<tendon::StatusMessages> messages;
-  /// The history of the ports' goals, and of a number and its double. The test makes its rows.
+  /// A history of the goals of all ports, and of a number and twice that number. The test writes
+  /// its rows.
   tendon::StateTable* history = nullptr;
   int number = 0;
   int doubled = 0;
   /// The table with the ports' columns.
   tendon::StateTable* table = nullptr;
 
-  /// Makes a row of the values written so far, for kinds without cycles. Called in the server's
-  /// thread.
+  /// Writes a row with the present values, for kinds without cycles. Called in the server's thread.
   virtual void Publish() {}
 
  protected:
   void FillHistory(tendon::StateTable& history_table);
 };
 
-/// Requires an interface for each payload, and the messages; may also require one that stays
-/// unconnected.
+/// The client's part: requires an interface for each payload, and the messages. May also require an
+/// interface that stays unconnected.
 class ClientPart : public Part {
  public:
   ClientPorts ports;
-  std::vector<std::string> heard;  // messages, in the client's thread
+  std::vector<std::string> heard;  // the received messages; used in the client's thread
   tendon::VoidFunction optional;
 
  protected:
@@ -97,8 +98,8 @@ class ClientPart : public Part {
   void OnError(const std::string& text) { heard.push_back("error: " + text); }
 };
 
-/// Adds a component of this kind, made from the same source as all others, and for kFollower the
-/// task it runs after.
+/// Adds a server of this kind. All kinds use the same source. For kFollower, also adds the task
+/// after which the server runs.
 ServerPart& AddServer(tendon::LocalManager& manager, Kind kind);
 ClientPart& AddClient(tendon::LocalManager& manager, Kind kind);
 

@@ -16,7 +16,7 @@ class OneManager final : public Ground {
   tendon::LocalManager manager_;
 };
 
-/// Through which the test has jobs executed.
+/// A component through which the test executes its jobs.
 class Director final : public tendon::Component {
  public:
   explicit Director(std::string name) : Component(std::move(name)) {
@@ -36,7 +36,7 @@ std::jthread Lend(Part& part) {
   return std::jthread([&part](const std::stop_token& stop) {
     while (!stop.stop_requested()) {
       part.Drive();
-      std::this_thread::sleep_for(100us);  // as a device that calls back does
+      std::this_thread::sleep_for(100us);  // like a device that calls back
     }
   });
 }
@@ -95,7 +95,7 @@ void Pair::AwaitConnections() {
       return one.state == tendon::ConnectionState::kActive;
     });
   }));
-  InClient([](auto& port) {  // that the server runs now is heard a little later
+  InClient([](auto& port) {  // the client learns a moment later that the server runs
     const auto value = Sample<PayloadIn<decltype(port)>>(0);
     EXPECT_TRUE(EventuallyTrue([&] { return bool(port.write_direct(value)); }));
   });
@@ -143,8 +143,8 @@ void Pair::Remove(Part& part) {
 }
 
 void Pair::Execute(tendon::VoidFunction& step, Part& part, const std::function<void()>& job) {
-  // A component looks into its mailboxes one after the other: what was queued before this call has
-  // been executed when it has looked into that of the director twice.
+  // A component checks its mailboxes one after the other. When it has checked the mailbox of the
+  // director twice, all calls that were queued before this function have been executed.
   part.job = [] {};
   EXPECT_EQ(step.Wait(kLong), tendon::Status::kDone);
   part.job = job;
@@ -164,7 +164,7 @@ void Pair::Hold(tendon::VoidFunction& step, Part& part) {
 
 void Pair::Release() {
   is_held_ = false;
-  if (manager.Find("server") == nullptr) return;  // removed by the test
+  if (manager.Find("server") == nullptr) return;  // the test has removed it
   ForEachPort(server.ports, [](auto& port) { port.blocks = false; });
 }
 

@@ -22,15 +22,15 @@ namespace tendon_test {
 /// The longest time that a call of a test waits; it only limits a failing test.
 inline constexpr std::chrono::seconds kLong(60);
 
-/// The managers of a server and of a client; they belong to two processes if the server's process
-/// has a name.
+/// The managers of a server and of a client. They are in two processes if the server's process has
+/// a name.
 class Ground {
  public:
   virtual ~Ground() = default;
   [[nodiscard]] virtual tendon::LocalManager& server() = 0;
   [[nodiscard]] virtual tendon::LocalManager& client() = 0;
   [[nodiscard]] virtual std::string server_process() const { return {}; }
-  /// Called after a pair has ended: removes everything of it from the objects that are used again.
+  /// Called after a pair has ended. Removes its components from objects that later pairs use again.
   virtual void Clear() {}
 };
 
@@ -42,8 +42,8 @@ struct Place {
 inline void PrintTo(const Place& place, std::ostream* out) { *out << place.name; }
 [[nodiscard]] Place OneProcess();
 
-/// A server and a client, connected and running. A test accesses a component only by jobs, which
-/// the component's thread executes as commands.
+/// A server and a client that are connected and running. A test accesses a component only by jobs.
+/// The component's thread executes a job as a command.
 class Pair {
  public:
   Pair(Kind client_kind, Kind server_kind, const Place& place = OneProcess());
@@ -55,12 +55,12 @@ class Pair {
   const std::unique_ptr<Ground> ground_;
 
  public:
-  tendon::LocalManager& manager;  ///< of the server; in one process, also of the client
+  tendon::LocalManager& manager;  ///< the manager of the server; in one process, also of the client
   ServerPart& server;
   ClientPart& client;
 
-  /// Calls `body(port)` for the port of each payload, in the server's thread, after all calls that
-  /// wait there already. Returns when this is done.
+  /// Calls `body(port)` for the port of each payload, in the server's thread, after all waiting
+  /// calls. Returns after the last call of `body`.
   template <typename Body>
   void InServer(Body body) {
     OnceInServer([&] { ForEachPort(server.ports, body); });
@@ -69,31 +69,31 @@ class Pair {
   void InClient(Body body) {
     OnceInClient([&] { ForEachPort(client.ports, body); });
   }
-  /// Calls `job` once, in the same way.
+  /// Calls `job` once in the server's thread, after all waiting calls. Returns after the call.
   void OnceInServer(const std::function<void()>& job) { Execute(step_server_, server, job); }
   void OnceInClient(const std::function<void()>& job) { Execute(step_client_, client, job); }
 
-  /// Keeps the thread of a task busy in a command until Release().
+  /// Blocks the thread of a task in a command until Release().
   void HoldServer() { Hold(step_server_, server); }
   void HoldClient() { Hold(step_client_, client); }
   void Release();
 
-  /// True if there is a network between the two.
+  /// Returns true if there is a network between server and client.
   [[nodiscard]] bool is_remote() const { return !ground_->server_process().empty(); }
-  /// The status of a queued call: a server without a thread in the same process executes it at
-  /// once.
+  /// Returns the status of a queued call. A server without a thread in the same process executes
+  /// the call at once.
   [[nodiscard]] tendon::Status queued() const {
     return has_thread_ || is_remote() ? tendon::Status::kQueued : tendon::Status::kDone;
   }
-  /// The status of a direct call.
+  /// Returns the status of a direct call.
   [[nodiscard]] tendon::Status direct() const {
     return is_remote() ? tendon::Status::kQueued : tendon::Status::kDone;
   }
-  /// With a network, waits until all earlier calls and events were executed, or wait in their
+  /// Over a network, waits until all earlier calls and events were executed, or wait in their
   /// mailbox at the other end. Executes `take`, and raises `settled`.
   void Deliver();
-  /// Checks where direct code runs: in the thread that calls or raises it or, from another process,
-  /// in a thread that belongs to neither component.
+  /// Checks the thread in which direct code runs: the thread of the caller. For a caller in another
+  /// process, it is a thread that belongs to neither component.
   void ExpectInThreadOf(std::thread::id caller, std::thread::id thread) const;
 
   /// Connects all ports, by their names.
@@ -114,7 +114,8 @@ class Pair {
   tendon::VoidFunction& step_server_;
   tendon::VoidFunction& step_client_;
   std::atomic<bool> is_held_ = false;
-  std::map<const Part*, std::jthread> lent_;  // make the cycles of what has no thread of its own
+  // The threads that run the cycles of components without their own thread.
+  std::map<const Part*, std::jthread> lent_;
 };
 
 /// Every kind of client with every kind of server.
@@ -130,7 +131,7 @@ inline std::string NameOfPair(const testing::TestParamInfo<Kinds>& info) {
          std::string(NameOf(std::get<1>(info.param)));
 }
 
-/// The same, with the place of the pair.
+/// Every kind of client with every kind of server, in every place.
 using PlacedKinds = std::tuple<Kind, Kind, Place>;
 struct AnyPlacedPair : testing::TestWithParam<PlacedKinds> {
   Pair pair{std::get<0>(GetParam()), std::get<1>(GetParam()), std::get<2>(GetParam())};
@@ -144,8 +145,7 @@ inline std::string NameOfPlacedPair(const testing::TestParamInfo<PlacedKinds>& i
          std::string(NameOf(std::get<1>(info.param))) + std::get<2>(info.param).name;
 }
 
-/// Every kind of server with a client that has no thread, so that the test's thread makes its
-/// calls.
+/// Every kind of server with a client without a thread. The test's thread makes the client's calls.
 struct AnyServer : testing::TestWithParam<Kind> {
   Pair pair{Kind::kThreadless, GetParam()};
 };

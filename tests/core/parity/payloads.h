@@ -28,7 +28,7 @@ struct Scan {
   std::vector<Pose> poses;
 };
 
-/// The result of a filter: the size of the payload, and the thread in which the filter ran.
+/// The result of a filter: the size of its payload, and the thread in which the filter ran.
 struct Filtered {
   std::uint64_t bytes = 0;
   std::uint64_t thread = 0;
@@ -90,10 +90,10 @@ P Sample(int seed) {
   return value;
 }
 
-/// Room for every sample of a dynamic payload.
+/// The maximum size of a sample of a dynamic payload.
 inline constexpr std::size_t kColumnCapacity = 512;
 
-/// Eigen compares no vectors of two sizes; bytes can always be compared.
+/// Compares the encoded bytes, because Eigen cannot compare vectors of different sizes.
 template <typename P>
 std::vector<std::byte> BytesOf(const P& value) {
   std::vector<std::byte> bytes;
@@ -105,7 +105,7 @@ bool IsSample(const P& value, int seed) {
   return BytesOf(value) == BytesOf(Sample<P>(seed));
 }
 
-/// A list of all payloads of the replays: fixed ones, then dynamic ones.
+/// A list of all payloads of these tests: first the fixed ones, then the dynamic ones.
 template <template <typename...> typename List>
 using ForPayloads =
     List<Joints, Eigen::Vector3d, Pose, std::string, std::vector<double>, Eigen::VectorXd, Scan>;

@@ -16,8 +16,8 @@
 
 namespace tendon_test {
 
-/// The server's members for one payload: every kind of command, the events, a column. Fields that
-/// are not atomic are used only in the server's thread.
+/// The server's members for one payload: every kind of command, the events, and a column. Members
+/// that are not atomic are used only in the server's thread.
 template <tendon::Payload P>
 class ServerPort {
  public:
@@ -28,22 +28,22 @@ class ServerPort {
              const std::string& name);
   void AddGoalTo(tendon::StateTable& table, const std::string& name) const;
 
-  P goal{};                 // a column
+  P goal{};                 // recorded in a column
   std::vector<P> received;  // arguments of the write command, in order
   std::vector<P> kept;      // arguments of the write command that keeps only the latest call
   std::vector<Filtered> filtered;
   int resets = 0;
-  std::thread::id thread;                // of the last queued command
-  std::thread::id direct_thread;         // of the last direct one
-  std::atomic<bool> is_blocked = false;  // in the command Block
+  std::thread::id thread;                // the thread of the last queued command
+  std::thread::id direct_thread;         // the thread of the last direct command
+  std::atomic<bool> is_blocked = false;  // true while the command Block waits
   std::atomic<bool> blocks = true;
-  std::atomic<int> executed = 0;  // queued commands that have ended
+  std::atomic<int> executed = 0;  // number of queued commands that have ended
 
   tendon::VoidEvent done;
   tendon::WriteEvent<P> reached;
   tendon::WriteEvent<P> passed;
   tendon::WriteEvent<P> settled;
-  tendon::Offer* write = nullptr;  // the command, to switch it off
+  tendon::Offer* write = nullptr;  // the write command; a test can switch it off
 
  private:
   void Reset();
@@ -79,14 +79,14 @@ class ClientPort {
   tendon::VoidReturnFunction<P> take;
   tendon::WriteReturnFunction<P, P> swap;
   tendon::VoidFunction block;
-  tendon::VoidFunction missing;  // optional, and not offered
+  tendon::VoidFunction missing;  // an optional function whose command is not offered
 
-  // In the client's thread.
+  // The following members are used in the client's thread.
   int dones = 0;
   std::vector<P> reached;
-  std::thread::id thread;  // of the last queued handler
-  int strange = 0;         // handled events that are not offered
-  // In the server's.
+  std::thread::id thread;  // the thread of the last queued handler
+  int strange = 0;         // calls of handlers for events that are not offered
+  // The following members are used in the server's thread.
   std::vector<P> passed;
   std::thread::id direct_thread;
 
@@ -106,7 +106,7 @@ using ClientPortsOf = std::tuple<ClientPort<P>...>;
 using ServerPorts = ForPayloads<ServerPortsOf>;
 using ClientPorts = ForPayloads<ClientPortsOf>;
 
-/// The names of the interfaces and of the columns, in the order of the payloads.
+/// The names of the interfaces and columns, in the order of the payloads.
 inline constexpr std::array kPortNames = {"Joints",  "Vector3", "Pose", "Text",
                                           "Numbers", "VectorX", "Scan"};
 

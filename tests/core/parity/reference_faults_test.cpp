@@ -16,7 +16,7 @@
 #include "support/allocation_guard.h"
 #include "support/log/log_record.h"
 
-// What the reference system gets wrong; the README of this folder names the tests of the rest.
+// Tests of the faults of cisst. The README of this folder names the tests of the other faults.
 
 namespace tendon_test {
 namespace {
@@ -53,7 +53,7 @@ TEST(ReferenceFault, AFullQueueIsCountedButNotLogged) {
   EXPECT_TRUE(log.texts().empty());
 }
 
-/// Adds a column to its table in the middle of its life.
+/// Adds a column to its table while it runs.
 class Growing final : public tendon::CallbackTask {
  public:
   explicit Growing(std::string name) : CallbackTask(std::move(name)) {
@@ -89,7 +89,8 @@ TEST(ReferenceFault, ATableWithRowsIsNotGrownAndStaysIntact) {
   EXPECT_EQ(value, 2U);
 }
 
-/// A value that has no place on the wire: a text beyond its column, an enum without a name.
+/// Values that cannot be encoded: a text that is too long for its column, and an enumerator without
+/// a name.
 using Unserialisable = AnyPair;
 
 TEST_P(Unserialisable, ValuesStopNoInterface) {
@@ -130,7 +131,7 @@ TEST_P(Unserialisable, ValuesStopNoInterface) {
 
 INSTANTIATE_TEST_SUITE_P(Parity, Unserialisable, AllPairs(), NameOfPair);
 
-/// A command that cannot be bound: there is no memory for it.
+/// A command that cannot be bound, because its binding throws for lack of memory.
 class Unbindable final : public tendon::Offer {
  public:
   Unbindable()
@@ -176,7 +177,7 @@ TEST(ReferenceFault, AFailedConnectIsRolledBack) {
   EXPECT_TRUE(Connection::Make(required, provided, "client/Pose", "server/Pose").ok());
 }
 
-/// A client that does not stop calling while it is disconnected.
+/// A client that continues to call while it is disconnected.
 using DisconnectUnderLoad = AnyPair;
 
 TEST_P(DisconnectUnderLoad, IsCompleteWhenItReturns) {
@@ -220,7 +221,7 @@ TEST(ReferenceFault, AConnectionNeedsNoThread) {
 
   pair.Connect();
 
-  EXPECT_LE(threads(), before);  // one that has ended may have been counted still
+  EXPECT_LE(threads(), before);  // an ended thread may still have been counted
 }
 
 TEST(ReferenceFault, SeveralManagersLiveInOneProcess) {
@@ -248,7 +249,8 @@ TEST(ReferenceFault, SeveralManagersLiveInOneProcess) {
   call(second, 3);
 }
 
-/// A periodic task, in a thread of its own or of the test, that ends after some cycles.
+/// A periodic task that ends after some cycles. It runs in its own thread or in a thread of the
+/// test.
 template <typename Base>
 class Counted final : public Base {
  public:
@@ -264,7 +266,7 @@ class Counted final : public Base {
   std::uint64_t cycles_ = 0;
 };
 
-/// Every row's time, less how late it was, is a point of one grid.
+/// Expects that the time of every row, minus its lateness, is on one grid.
 void ExpectNoDrift(const tendon::StateTable& table, std::uint64_t rows) {
   ASSERT_EQ(table.next_tick(), rows);
   tendon::RowCopy row(table);

@@ -6,8 +6,8 @@
 
 #include "core/process/connections/remote_connection.h"
 
-// What the reference system gets wrong between processes, as far as no other test shows that it is
-// right here; see the README of this folder.
+// Tests of the faults of cisst between processes, as far as no other test covers them. See the
+// README of this folder.
 
 namespace {
 
@@ -30,7 +30,8 @@ TEST_P(RemoteFault, FurtherConnectionsOfTwoProcessesNeedNoThreads) {
     return std::distance(begin(entries), end(entries));
   };
   constexpr int kFurther = 16;
-  constexpr int kPoolsMayGrow = 9;  // those of Ice, with their load: three ends, by three each
+  // The thread pools of Ice may grow under load: three ends, by three threads each.
+  constexpr int kPoolsMayGrow = 9;
   const auto name_of = [](int i) { return "further" + std::to_string(i); };
   StartRobot();
   StartDesk();
@@ -49,7 +50,7 @@ TEST_P(RemoteFault, FurtherConnectionsOfTwoProcessesNeedNoThreads) {
 
 INSTANTIATE_TEST_SUITE_P(Over, RemoteFault, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
 
-/// A network on which nothing arrives any more, once it is told so.
+/// A network on which, on request, nothing arrives any more.
 std::shared_ptr<tendon::LoopbackNetwork>& TheNetwork() {
   static auto network = std::make_shared<tendon::LoopbackNetwork>();
   return network;
@@ -71,7 +72,8 @@ struct FrozenPeer : RemoteConnection {
 TEST_P(FrozenPeer, AQueuedCallWaitsForNoAnswer) {
   Freeze();
 
-  constexpr int kRoom = 64 + 64;  // in the mailbox here, and on the way by the other side's credit
+  // Calls in the mailbox here, and calls that the credit of the other end allows.
+  constexpr int kRoom = 64 + 64;
   int accepted = 0;
   EXPECT_TRUE(EventuallyTrue([&] {
     if (user->move_to({}) == Status(Status::kQueued)) ++accepted;

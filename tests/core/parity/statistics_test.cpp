@@ -10,7 +10,7 @@ using tendon::CycleSummary;
 using tendon::Status;
 using tendon::TimeStatistics;
 
-/// Reads the statistics of a server through its interface `state`, as any client can.
+/// Reads the statistics of a server through its interface `state`, like any client.
 class Observer final : public tendon::Component {
  public:
   explicit Observer(std::string name) : Component(std::move(name)) {

@@ -13,7 +13,7 @@ using tendon::Status;
 using tendon::SteadyTime;
 using namespace std::chrono_literals;
 
-constexpr std::size_t kKept = 7;  // rows of the table `history`
+constexpr std::size_t kKept = 7;  // number of rows of the table `history`
 
 /// State tables of every kind of component, read by the test's thread.
 struct Tables : AnyServer {
@@ -21,7 +21,8 @@ struct Tables : AnyServer {
 
   static SteadyTime TimeOf(int row) { return SteadyTime(1s * row); }
 
-  /// In the server's thread: rows `first` to `last`, each with the samples of its number.
+  /// Writes the rows `first` to `last` in the server's thread. Each row has the samples of its
+  /// number.
   void Write(int first, int last) {
     pair.OnceInServer([&] {
       for (int row = first; row <= last; ++row) {
@@ -31,7 +32,7 @@ struct Tables : AnyServer {
       }
     });
   }
-  /// `body(column, value)` for the column of each payload.
+  /// Calls `body(column, value)` for the column of each payload.
   template <typename Body>
   void ForEachColumn(Body body) {
     ForEachPort(pair.server.ports, [&](auto& port) {
@@ -163,7 +164,7 @@ TEST_P(TaskTables, GetOneRowPerCycleUnlessAdvancedByHand) {
   if (GetParam() != Kind::kContinuous) {
     EXPECT_EQ(table.next_tick(), pair.server.runs);
   } else {
-    EXPECT_LE(table.next_tick(), pair.server.runs);  // one a millisecond at most
+    EXPECT_LE(table.next_tick(), pair.server.runs);  // at most one row per millisecond
   }
   EXPECT_EQ(pair.server.history->next_tick(), 0U);
 }

@@ -14,7 +14,7 @@
 namespace tendon_test {
 namespace {
 
-/// Process robot for servers, process desk for clients, and their GCM.
+/// The process robot for servers, the process desk for clients, and their GCM.
 class TwoProcesses {
  public:
   explicit TwoProcesses(const NetworkKind& kind) : join_(kind.make()) {
@@ -46,8 +46,8 @@ class TwoProcesses {
   std::unique_ptr<tendon::Process> desk_;
 };
 
-/// Those of every network, begun when they are first asked for: all pairs live there, one after the
-/// other.
+/// The processes of every network. They are started when first needed, and all pairs use them one
+/// after the other.
 class Processes final : public testing::Environment {
  public:
   void TearDown() override { all_.clear(); }
@@ -63,7 +63,7 @@ class Processes final : public testing::Environment {
 };
 
 Processes& TheProcesses() {
-  static auto& processes = static_cast<Processes&>(  // which GoogleTest owns
+  static auto& processes = static_cast<Processes&>(  // GoogleTest owns this object
       *testing::AddGlobalTestEnvironment(std::make_unique<Processes>().release()));
   return processes;
 }

@@ -6,7 +6,7 @@ namespace {
 using tendon::Status;
 using namespace std::chrono_literals;
 
-/// Calls that are waited for: with a deadline, always.
+/// Calls with a deadline that wait for the execution.
 using Waiting = AnyPlacedPair;
 
 TEST_P(Waiting, ReturnsAfterTheServerHasExecutedTheCall) {
@@ -57,7 +57,8 @@ TEST_P(BusyServer, ACallStartedByItsDeadlineHasAnUnknownOutcome) {
   pair.OnceInClient([&] {
     auto& client = std::get<ClientPort<Scan>>(pair.client.ports);
     Status outcome = Status::kTimeout;
-    EXPECT_TRUE(EventuallyTrue([&] {  // until a deadline comes when it has started
+    // Repeats until a deadline passes after the start of the command.
+    EXPECT_TRUE(EventuallyTrue([&] {
       outcome = client.block.Wait(1ms);
       return outcome != Status::kTimeout;
     }));

@@ -11,13 +11,13 @@
 
 namespace {
 
-/// How often anybody has asked for the time of day; each time another day comes.
+/// The number of reads of the wall clock. While it jumps, each read returns another day.
 std::atomic<int> the_days = 0;
 std::atomic<bool> the_clock_jumps = false;
 
 }  // namespace
 
-/// Stands before that of the C library, in this program and in the libraries it uses.
+/// Replaces the function of the C library, in this program and in its libraries.
 extern "C" int clock_gettime(clockid_t clock, timespec* time) noexcept {
   const auto result = static_cast<int>(syscall(SYS_clock_gettime, clock, time));
   if (clock == CLOCK_REALTIME && the_clock_jumps) {
@@ -57,7 +57,7 @@ TEST_P(JumpingWallClock, AffectsNeitherRowsNorDeadlines) {
   tendon::RowCopy row(table);
   const std::uint64_t end = table.next_tick();
   for (std::uint64_t tick = table.oldest_tick(); tick < end; ++tick) {
-    if (row.ReadAt(tick) != tendon::RowResult::kDone) continue;  // overtaken meanwhile
+    if (row.ReadAt(tick) != tendon::RowResult::kDone) continue;  // the row was replaced meanwhile
     EXPECT_GE(row.stamp().time, last);
     last = row.stamp().time;
   }

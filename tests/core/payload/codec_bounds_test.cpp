@@ -12,7 +12,8 @@ namespace {
 
 using test::Encoded;
 
-/// Decodes from memory that ends where the body ends, so that a sanitizer sees one byte too many.
+/// Decodes from a buffer that is exactly as long as the body, so that a sanitizer detects reads
+/// beyond the end.
 template <typename T>
 bool DecodeExactly(std::span<const std::byte> body, T& value) {
   const std::vector<std::byte> memory(body.begin(), body.end());
@@ -118,7 +119,7 @@ TEST(Decode, ASecondHasLessThanABillionNanoseconds) {
 TEST(Decode, AnExcessiveLengthAllocatesNothing) {
   for (const std::uint32_t length : {2U, 0x7fffffffU, 0x80000000U, 0xffffffffU}) {
     auto body = Encoded(length);
-    body.resize(4 + 8 + 4);  // aligned, and one double
+    body.resize(4 + 8 + 4);  // padding and one double
     std::vector<double> doubles;
     EXPECT_FALSE(DecodeExactly(body, doubles)) << length;
     EXPECT_EQ(doubles.capacity(), 0U) << length;

@@ -95,7 +95,7 @@ TEST(Codec, ADurationIsTruncatedToTheReceiversUnit) {
   EXPECT_FALSE(Decode(Encoded(std::chrono::seconds(33)), decoded));
 }
 
-/// What is no number, or hardly one, arrives bit by bit as it was.
+/// Unusual numbers, such as NaN, must arrive with the same bits.
 template <typename Number, typename Word>
 void ExpectEveryBitKept() {
   using Limits = std::numeric_limits<Number>;

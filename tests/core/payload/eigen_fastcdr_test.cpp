@@ -5,8 +5,8 @@
 
 #include "core/payload/fast_cdr.h"
 
-/// Types that travel as another one, against Fast CDR: a byte before each makes their alignment
-/// show.
+/// Compares types that are encoded as another type with Fast CDR. A byte before each value tests
+/// the alignment.
 namespace tendon {
 namespace {
 

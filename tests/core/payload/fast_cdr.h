@@ -8,10 +8,11 @@
 
 namespace tendon::test {
 
-/// The bytes that Fast CDR writes in `write(Cdr&)`, as DDS and ROS 2 would send them.
+/// Returns the bytes that Fast CDR writes in `write(Cdr&)`. DDS and ROS 2 would send the same
+/// bytes.
 template <typename Writer>
 std::vector<std::byte> WrittenByFastCdr(Writer write) {
-  std::vector<char> memory(65536);  // zero, since Fast CDR leaves padding as it finds it
+  std::vector<char> memory(65536);  // zeros, because Fast CDR does not write padding
   eprosima::fastcdr::FastBuffer buffer(memory.data(), memory.size());
   eprosima::fastcdr::Cdr cdr(buffer, eprosima::fastcdr::Cdr::LITTLE_ENDIANNESS,
                              eprosima::fastcdr::Cdr::DDS_CDR);

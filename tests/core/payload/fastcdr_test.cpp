@@ -12,8 +12,8 @@ namespace {
 
 using eprosima::fastcdr::Cdr;
 
-/// Hands a value to Fast CDR as generated code of DDS would: field by field, whole lists of numbers
-/// at once.
+/// Passes a value to Fast CDR like generated code of DDS: field by field, and lists of numbers at
+/// once.
 template <typename T>
 void Serialize(Cdr& cdr, const T& value) {
   if constexpr (std::same_as<T, std::byte>) {

@@ -38,7 +38,7 @@ TEST(Fingerprint, IdentifiesTheSchema) {
   EXPECT_FALSE(FindSchema(Fingerprint{1, 2}));
 }
 
-/// A change of this number breaks every process and recording in the field.
+/// If this number changes, existing processes and recordings are no longer compatible.
 TEST(Fingerprint, NeverChanges) {
   EXPECT_EQ(ToString(FingerprintOf<sample::JointState>()), "13783836e5e54e87009e0ac59d5509af");
   EXPECT_EQ(ToString(FingerprintOf<None>()), "0a54fef99433da665ae59fe784501e58");

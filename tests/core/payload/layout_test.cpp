@@ -11,8 +11,8 @@ using std::chrono::duration;
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
-/// Two types that other processes cannot tell apart, yet no pointer may be taken from one for the
-/// other.
+/// The two types have the same fingerprint but another layout, so a pointer to one must not be used
+/// for the other.
 template <typename A, typename B>
 void ExpectAnotherLayout() {
   EXPECT_EQ(FingerprintOf<A>(), FingerprintOf<B>());

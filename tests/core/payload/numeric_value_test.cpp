@@ -26,7 +26,8 @@ std::string TextOf(const T& number) {
   return ToString(SchemaOf<T>(), ValueOf(number));
 }
 
-constexpr std::int64_t kExact = std::int64_t{1} << 53;  // from there on doubles skip integers
+// Above this limit, doubles cannot represent every integer.
+constexpr std::int64_t kExact = std::int64_t{1} << 53;
 
 TEST(NumericValue, IntegersKeepAllDigits) {
   EXPECT_EQ(TextOf(kExact + 1), "9007199254740993");

@@ -9,7 +9,7 @@
 
 namespace sample {
 
-/// Fills a payload of any type with values that differ from call to call, the same in every run.
+/// Fills a payload of any type with random values. The values are the same in every run.
 template <typename T>
 void Randomise(std::mt19937& random, T& value) {
   namespace payload = tendon::payload;

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/// Payloads that together have every kind of field, and alignments that are easy to get wrong.
+/// Payloads that together have every kind of field, and difficult alignments.
 namespace sample {
 
 enum class Mode : std::int8_t { kOff = 0, kTracking = 5, kFault = -1 };
@@ -30,7 +30,7 @@ struct Point {
   bool operator==(const Point&) const = default;
 };
 
-/// Every field here has an offset that differs from the sum of the sizes before it.
+/// The offset of every field differs from the sum of the sizes before it.
 struct Ragged {
   bool first = false;
   double wide = 0;
@@ -60,7 +60,7 @@ struct Numbers {
   bool operator==(const Numbers&) const = default;
 };
 
-/// Fixed in size, with structures whose own size depends on where they begin.
+/// A type of fixed size, with structures whose encoded size depends on their position.
 struct Fixed {
   bool flag = false;
   std::array<Ragged, 3> ragged{};

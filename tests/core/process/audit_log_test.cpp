@@ -11,7 +11,7 @@ namespace {
 
 using tendon::LogLevel;
 
-/// What all audit logs of this program have written.
+/// Records the audit log of this program.
 class AuditRecords {
  public:
   using Record = std::pair<LogLevel, std::string>;
@@ -29,7 +29,8 @@ class AuditRecords {
     });
   }
   static AuditRecords& The() {
-    static AuditRecords& records = *new AuditRecords;  // sinks are for ever
+    // Never destroyed, because a log sink lives as long as the process.
+    static AuditRecords& records = *new AuditRecords;
     return records;
   }
 

@@ -10,12 +10,13 @@ using std::chrono::nanoseconds;
 using tendon::ClockOffset;
 using tendon::SteadyTime;
 
-/// Our clock, another that is `offset` ahead and gains `drift` (of 1), and the ways between.
+/// Our clock, and another clock that is `offset` ahead and gains `drift` (relative); and the delays
+/// of messages between them.
 class TwoHosts {
  public:
   explicit TwoHosts(nanoseconds offset, double drift = 0.0) : offset_(offset), drift_(drift) {}
 
-  /// A question that takes so long to get there, and its answer back.
+  /// Sends a request. `there` and `back` are the delays of the request and of its answer.
   void Ask(nanoseconds there, nanoseconds back) {
     const SteadyTime sent = now_;
     const SteadyTime answered = Theirs(now_ + there);
@@ -95,7 +96,7 @@ TEST(ClockOffset, UncertaintyGrowsWithTheAgeOfTheLastAnswer) {
 TEST(ClockOffset, TracksADriftingClockForHours) {
   for (const double drift : {-9e-5, -1e-6, 0.0, 3e-5, 9e-5}) {
     std::mt19937 random(7);
-    std::exponential_distribution<double> delay(1.0 / 300.0);  // us
+    std::exponential_distribution<double> delay(1.0 / 300.0);  // us; mean delay of 300
     TwoHosts hosts(77min, drift);
     const auto way = [&] { return 20us + nanoseconds(static_cast<int>(1000 * delay(random))); };
 

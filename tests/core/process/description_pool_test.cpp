@@ -9,7 +9,7 @@ namespace {
 using tendon::ComponentDescription;
 using tendon::DescriptionPool;
 
-/// With one interface of one command.
+/// Returns a component with one interface that has one command.
 ComponentDescription ComponentWith(const std::string& name, const std::string& command) {
   return {.name = name, .provided = {{.name = "Control", .commands = {{.name = command}}}}};
 }

@@ -31,7 +31,7 @@ using testing::Not;
 
 constexpr std::chrono::seconds kPatience(20);
 
-/// What the audit log says of "looker".
+/// Records the entries about "looker" in the audit log.
 class AuditLog {
  public:
   [[nodiscard]] std::vector<std::string> lines() const {
@@ -69,7 +69,7 @@ class GuardedTest : public NetworkTest {
     return client;
   }
 
-  /// A channel to robot that has said these bytes of kLowerRole.
+  /// Returns a channel to robot that has sent these bytes as kLowerRole.
   [[nodiscard]] std::shared_ptr<Channel> Lowered(const std::vector<tendon::Bytes>& said) {
     return Lowered(said, *middleware);
   }

@@ -13,7 +13,7 @@ using tendon::Channel;
 using tendon::ViewerMonitor;
 namespace message = tendon::message;
 
-/// A viewer's channel to a process, which watches over it.
+/// The channel of a viewer to a process. The process monitors the channel.
 struct Watched {
   explicit Watched(const std::shared_ptr<tendon::Worker>& worker)
       : watch(std::make_shared<ViewerMonitor>(worker)) {
@@ -27,7 +27,7 @@ struct Watched {
 
 TEST(ViewerMonitor, ClosesOnlyPeersThatPingedAndFellSilent) {
   const auto worker = std::make_shared<tendon::Worker>("watch");
-  const Watched other(worker);  // of another kind, that never asks
+  const Watched other(worker);  // a channel of another kind, which never sends pings
   Watched silent(worker);
 
   silent.watch->OnPing();
@@ -37,7 +37,7 @@ TEST(ViewerMonitor, ClosesOnlyPeersThatPingedAndFellSilent) {
   worker->Stop();
 }
 
-/// A process that has a plant.
+/// A process with a plant, and a viewer that may become silent.
 class SilentViewer : public ViewingTest {};
 
 TEST_P(SilentViewer, IsDisconnectedDespiteASubscription) {

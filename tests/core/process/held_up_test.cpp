@@ -36,11 +36,11 @@ using tendon::Worker;
 
 constexpr std::chrono::seconds kLongEnough(20);
 constexpr std::size_t kLarge = std::size_t{5} << 20U;
-// So many take much longer than anybody may be silent.
+// Enough questions and renewals to take much longer than the silence limit.
 constexpr int kQuestions = 6;
 constexpr int kRenewals = 10;
 
-/// Answers pings; can be held up in the notices that it hears.
+/// Answers pings. A test can block it in the handler of a notice.
 class Answering final : public tendon::ChannelHandler {
  public:
   void OnRequest(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& /*header*/,
@@ -53,7 +53,7 @@ class Answering final : public tendon::ChannelHandler {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return !is_held_; });
   }
-  /// Notices.
+  /// Returns the number of received notices.
   [[nodiscard]] int heard() const { return heard_; }
   void SetHeld(bool is_held) {
     const std::scoped_lock lock(mutex_);
@@ -68,7 +68,7 @@ class Answering final : public tendon::ChannelHandler {
   std::atomic<int> heard_ = 0;
 };
 
-/// A channel that is watched over; what is asked on it is counted, and lost where that is wanted.
+/// A monitored channel. Its pings are counted, and can be dropped.
 class MonitorPeer : public testing::Test {
  protected:
   MonitorPeer() {
@@ -93,7 +93,7 @@ class MonitorPeer : public testing::Test {
   }
   ~MonitorPeer() override { handler_->SetHeld(false); }
 
-  /// So often again, while it is open.
+  /// Waits for `times` further pings while the channel is open.
   bool EventuallyAsked(
       int times, const std::function<void()>& meanwhile = [] {}) {
     const int before = asked_;
@@ -103,12 +103,13 @@ class MonitorPeer : public testing::Test {
     });
   }
 
-  /// As a line of 100 kB a second does; who sends stands for all that waits behind it.
+  /// Takes as long as a line of 100 kB/s. The sending thread blocks like all frames behind it.
   static void Carry(std::size_t bytes) {
     std::this_thread::sleep_for(bytes * std::chrono::microseconds(10));
   }
 
-  /// Not closed, as far as this machine lets anybody show signs of life in time.
+  /// Succeeds if the channel is open, or if the machine stalled so long that the channel may have
+  /// been closed.
   testing::AssertionResult IsKept() const {
     return channel_->is_open() || stalls_.has_stood_still() ? testing::AssertionSuccess()
                                                             : testing::AssertionFailure();
@@ -215,7 +216,8 @@ TEST(LargeMessageInProgress, ExcusesNothingIfItIsShort) {
   EXPECT_TRUE(EventuallyTrue(leaves_no_trace)) << "unless this machine took its time";
 }
 
-/// A process without components; or with one that has always got another large configuration.
+/// A process without components, or with a component that repeatedly gets another large
+/// configuration.
 class Empty final : public EmptyProcess, public tendon::MembershipDelegate {
  public:
   [[nodiscard]] tendon::ProcessContent content() const override {
@@ -252,7 +254,7 @@ class Empty final : public EmptyProcess, public tendon::MembershipDelegate {
   mutable std::atomic<int> asked = 0;
 };
 
-/// Takes all of its thread's time until it is told to go on.
+/// Blocks its thread until it is released.
 class Idler final : public tendon::NetworkJob {
  public:
   bool Work(tendon::SteadyTime /*now*/, tendon::SteadyTime& /*next*/) override {
@@ -279,7 +281,7 @@ class Idler final : public tendon::NetworkJob {
   bool is_over_ = false;
 };
 
-/// A member of a GCM, whose renewals are counted, and their answers lost where that is wanted.
+/// A member of a GCM. Its lease renewals are counted, and their answers can be dropped.
 class Lease : public testing::Test {
  protected:
   Lease() {
@@ -312,7 +314,7 @@ class Lease : public testing::Test {
     const int before = renewals_;
     return EventuallyTrue([&] { return renewals_ >= before + times; });
   }
-  /// The GCM's word.
+  /// Returns the state of the process in the GCM's catalogue.
   [[nodiscard]] tendon::ProcessState state() const {
     return gcm_->catalogue().FindProcess("robot")->process.state;
   }

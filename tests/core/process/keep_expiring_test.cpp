@@ -16,7 +16,7 @@ using tendon::Hello;
 
 constexpr std::chrono::seconds kPatience(20);
 
-/// Keeps each request.
+/// Stores each request.
 class Silent final : public ChannelHandler {
  public:
   void OnRequest(const std::shared_ptr<Channel>& /*channel*/, const tendon::FrameHeader& /*header*/,

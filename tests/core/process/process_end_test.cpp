@@ -43,7 +43,7 @@ class ProcessEnd : public NetworkTest {
     ASSERT_TRUE(EventuallyActive(*desk, 1)) << desk->connections().front().reason;
     ASSERT_TRUE(desk->StartAll());
   }
-  /// Both run, and the queue between them is full again and again.
+  /// Waits until both run and the mailbox between them was full several times.
   void Flood() {
     const std::uint64_t before = client->refused;
     client->floods = true;

@@ -16,7 +16,7 @@ namespace {
 
 using Types = std::set<MessageType>;
 
-/// What a viewer may send.
+/// The messages that a viewer may send.
 const Types kLooks = {
     message::kPing,      message::kGetSchemas, message::kSubscribe, message::kUnsubscribe,
     message::kRowTaken,  message::kRenew,      message::kWatch,     message::kHistory,
@@ -24,7 +24,7 @@ const Types kLooks = {
     message::kHealth,    message::kGetCounts,  message::kGetFill,   message::kJoinTopic,
     message::kGetBroker, message::kGetProgram, message::kReadRows,  message::kGetChildren};
 
-/// What an operator may send besides.
+/// The further messages that an operator may send.
 const Types kActs = {
     message::kOpenInterface,  message::kCommands,   message::kRead,       message::kWait,
     message::kEventsLost,     message::kCallMember, message::kJoin,       message::kReport,
@@ -33,7 +33,7 @@ const Types kActs = {
     message::kLifecycleOrder, message::kPassOver,   message::kBeginOrder, message::kReportHealth,
     message::kProcess,        message::kMirror,     message::kPlanLock};
 
-/// By name: a number in the table that belongs to another message would show here.
+/// Compares names, so that a wrong number in the table is noticed.
 TEST(Rights, CoverEveryMessage) {
   for (unsigned number = 0; number <= UINT16_MAX; ++number) {
     const auto type = static_cast<MessageType>(number);
@@ -51,8 +51,8 @@ TEST(Rights, CoverEveryMessage) {
 }
 
 TEST(Rights, AuditEveryChangeOfTheSystem) {
-  // Who may open an interface, or join, tries until it can: that it could is written down by
-  // others.
+  // A program tries to open an interface or to join until it succeeds. Other records report the
+  // success, so these messages are not audited.
   const Types written = {message::kCallMember, message::kLeave,       message::kConnect,
                          message::kDisconnect, message::kUndo,        message::kForget,
                          message::kReplace,    message::kSetLogLevel, message::kLifecycleOrder,

@@ -13,14 +13,14 @@ using tendon::LogLevel;
 using tendon::Schema;
 using tendon::SchemaCache;
 
-/// One that no other test learns.
+/// Returns a type that no other test uses.
 Schema Type(const std::string& name) {
   const auto parsed = Schema::Parse("struct " + name + " {\n  value: float64\n}\n");
   EXPECT_TRUE(parsed.ok()) << parsed.error().message;
   return parsed ? *parsed : Schema();
 }
 
-/// What is said of types from now on.
+/// Records the warnings about types from now on.
 tendon::test::Record<std::string>& Listen() {
   static tendon::test::Record<std::string> warnings;
   static const bool is_added = [] {

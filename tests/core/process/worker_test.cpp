@@ -61,7 +61,7 @@ TEST(Worker, ATaskMayPostTheNext) {
   EXPECT_EQ(done.get_future().get(), 100);
 }
 
-/// The errors of robot since this was last asked.
+/// Returns the errors of robot since the first call.
 std::vector<std::string> ErrorsOfRobot() {
   static test::Record<std::string> errors;
   static const bool listening = [] {
@@ -103,7 +103,7 @@ TEST(Worker, StopWaitsForTheRunningTaskAndDropsTheOthers) {
   worker.Post([&ran_second, dropped] { ran_second = true; });
   running.wait();
   auto stopped = std::async(std::launch::async, [&] { worker.Stop(); });
-  EXPECT_TRUE(EventuallyTrue([&] {  // what is posted is dropped at once from then on
+  EXPECT_TRUE(EventuallyTrue([&] {  // from then on, posted jobs are dropped at once
     const auto late = std::make_shared<int>(0);
     worker.Post([late] {});
     return late.use_count() == 1;

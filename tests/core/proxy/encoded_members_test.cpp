@@ -11,7 +11,7 @@
 
 namespace {
 
-/// Counts its copies.
+/// A payload that counts its copies.
 struct Picture {
   Picture() = default;
   Picture(const Picture& other) : pixels(other.pixels) { ++copies; }
@@ -135,7 +135,7 @@ TEST(EventProxy, DeliversEncodedValuesToTypedHandlers) {
                     tendon::DescribeMember<double, tendon::None>("Counted", CommandKind::kWrite));
   tendon::RequiredInterface required("Listener", nullptr);
   required.AddEventHandlerWrite(&Counter::Add, &counter, "Counted");
-  event.Raise(EncodeBody(1.0));  // nobody listens
+  event.Raise(EncodeBody(1.0));  // no handler is connected
   {
     const auto connection = tendon::Connection::Make(required, provided, "listener", "source");
     ASSERT_TRUE(connection.ok()) << connection.error().message;

@@ -6,7 +6,7 @@
 namespace tendon {
 namespace {
 
-/// A handler without room.
+/// A handler that refuses every event, because it has no room.
 class Refusing final : public CommandBase {
  public:
   Refusing() : CommandBase(layout::kNone, layout::kNone) {}

@@ -42,8 +42,8 @@ struct ClientEnd final : ChannelHandler {
     const std::scoped_lock lock(mutex_);
     return why_closed_;
   }
-  std::atomic<bool> is_deaf{false};        // ignores credit
-  std::atomic<std::uint64_t> executed{0};  // in the newest credit
+  std::atomic<bool> is_deaf{false};        // true: ignores credit
+  std::atomic<std::uint64_t> executed{0};  // the count in the newest credit
   std::shared_ptr<ProvidedInterfaceProxy> proxy;
 
  private:
@@ -82,7 +82,7 @@ struct ServerEnd final : ChannelHandler {
     }
     proxy->OnWait(function, body, std::move(responder));
   }
-  std::mutex gate;  // while it is locked no more frames are taken from the link
+  std::mutex gate;  // while this is locked, no more frames are read from the link
   std::atomic<bool> is_silent{false};
   std::atomic<int> heard{0};
   std::vector<Responder> unanswered;
@@ -90,7 +90,7 @@ struct ServerEnd final : ChannelHandler {
   std::shared_ptr<RequiredInterfaceProxy> proxy;
 };
 
-/// A read that requests room for its answer, and fails before it has written the answer.
+/// A read that requests room for its answer, and then fails before it writes the answer.
 class TornRead final : public Offer {
  public:
   using Offer::Offer;
@@ -110,8 +110,8 @@ class TornRead final : public Offer {
   };
 };
 
-/// A required and a provided interface, and between them the two proxies and a channel. The test
-/// executes what waits in the inboxes.
+/// A required interface, a provided interface, and two proxies and a channel between them. The test
+/// executes the calls in the inboxes.
 class InterfaceProxies : public testing::Test {
  protected:
   InterfaceProxies() {
@@ -120,7 +120,7 @@ class InterfaceProxies : public testing::Test {
     provided.AddCommandWrite(&InterfaceProxies::Push, this, "Push");
     provided.AddCommandWrite(&InterfaceProxies::Load, this, "Load");
     provided.AddCommandRead(&InterfaceProxies::Count, this, "Count", kThreadSafe)
-        .SetOverflow(Overflow::kLatestOnly);  // which it disregards
+        .SetOverflow(Overflow::kLatestOnly);  // has no effect
     provided.AddCommandWrite(&InterfaceProxies::Follow, this, "Follow")
         .SetOverflow(Overflow::kLatestOnly);
     provided.AddOffer(
@@ -202,9 +202,9 @@ class InterfaceProxies : public testing::Test {
 
   std::vector<int> numbers;
   std::vector<std::size_t> loads;
-  std::vector<int> followed;  // the latest only
+  std::vector<int> followed;  // only the latest values
   std::vector<int> heard;
-  std::vector<int> seen;  // the latest only
+  std::vector<int> seen;  // only the latest values
 
   Inbox server_inbox;
   ProvidedInterface provided{"Control", &server_inbox};

@@ -16,7 +16,7 @@ TEST_F(InterfaceProxies, SendOnlyWhatFitsTheServersMailbox) {
   int accepted = 0;
   const bool is_full = EventuallyTrue([&] {
     while (push(accepted)) ++accepted;
-    return accepted == 8;  // four in each mailbox
+    return accepted == 8;  // four calls in each mailbox
   });
   ASSERT_TRUE(is_full) << accepted;
   EXPECT_TRUE(EventuallyTrue([&] { return server_inbox.size() == 4; }));
@@ -42,7 +42,7 @@ TEST_F(InterfaceProxies, ReportWhetherTheServerExecutesCalls) {
 }
 
 TEST_F(InterfaceProxies, CountARefusedCallAsDone) {
-  server_inbox.SetAccepting(false);  // not yet known to the client
+  server_inbox.SetAccepting(false);  // the client does not know this yet
   for (int i = 0; i < 100; ++i) {
     ASSERT_TRUE(EventuallyTrue([&] {
       const Status status = push(i);
@@ -77,7 +77,7 @@ TEST_F(InterfaceProxies, RefuseTooLargeArguments) {
 }
 
 TEST_F(InterfaceProxies, KeepCallsForAFullLink) {
-  const std::vector<double> big(700'000);  // more than half of what may wait on a link
+  const std::vector<double> big(700'000);  // more than half of the bytes that may wait on a link
   int accepted = 0;
   EXPECT_TRUE(EventuallyTrue([&] {
     if (accepted < 30 && load(big)) ++accepted;
@@ -98,12 +98,13 @@ TEST_F(InterfaceProxies, SendInTheirOwnLanes) {
 
 TEST_F(InterfaceProxies, SendKeptCallsWhenTheConnectionEnds) {
   const std::vector<double> big(700'000);
-  std::unique_lock closed(server_end->gate);  // holds up the first; the second fills the link
+  // Blocks the first call; the second call fills the link.
+  std::unique_lock closed(server_end->gate);
   for (int i = 0; i < 3; ++i) EXPECT_EQ(load(big), Status(Status::kQueued));
   EXPECT_TRUE(EventuallyTrue([&] { return client_connection->waiting() == 0; }));
   thread->Remove(*client_end->proxy);
 
-  client_end->proxy->SendRest(std::chrono::milliseconds(0));  // there still is no room
+  client_end->proxy->SendRest(std::chrono::milliseconds(0));  // the link still has no room
   closed.unlock();
   client_end->proxy->SendRest(std::chrono::seconds(20));
 
@@ -202,7 +203,7 @@ TEST_F(InterfaceProxies, AWaitFollowsEarlierCalls) {
 }
 
 TEST_F(InterfaceProxies, AWaitIsSentByItsCallerIfNothingIsQueued) {
-  thread->Remove(*client_end->proxy);  // it sends nothing any more
+  thread->Remove(*client_end->proxy);  // the proxy sends nothing any more
   auto status =
       std::async(std::launch::async, [this] { return push.Wait(1, std::chrono::seconds(20)); });
   ASSERT_TRUE(EventuallyTrue([this] { return server_inbox.size() == 1; }));
@@ -233,7 +234,7 @@ TEST_F(InterfaceProxies, WaitsAlwaysNeedCredit) {
   thread->Remove(*client_end->proxy);
   server_end->is_silent = true;
   for (int number = 0; number < 4; ++number) {
-    // Long enough to be sent; nobody answers.
+    // The time limit is long enough to send the call. The server does not answer.
     EXPECT_EQ(push.Wait(number, std::chrono::milliseconds(500)), Status(Status::kOutcomeUnknown));
   }
   ASSERT_TRUE(EventuallyTrue([this] { return server_end->heard == 4; }));
@@ -243,7 +244,7 @@ TEST_F(InterfaceProxies, WaitsAlwaysNeedCredit) {
   EXPECT_EQ(server_end->heard, 4);
   client_end->proxy->OnCredit({.executed = 1, .accepting = true, .fault = {}});
   server_end->is_silent = false;
-  thread->Add(*client_end->proxy);  // drops what was not sent in time
+  thread->Add(*client_end->proxy);  // drops calls that were not sent in time
   ASSERT_TRUE(EventuallyTrue([this] { return client_connection->waiting() == 0; }));
   auto status =
       std::async(std::launch::async, [this] { return push.Wait(5, std::chrono::seconds(20)); });
@@ -253,11 +254,11 @@ TEST_F(InterfaceProxies, WaitsAlwaysNeedCredit) {
 
 TEST_F(InterfaceProxies, AnAnsweredWaitReturnsCreditForEarlierCalls) {
   client_end->is_deaf = true;
-  for (int i = 0; i < 5; ++i) {  // rounds of three, of four that may be under way
+  for (int i = 0; i < 5; ++i) {  // each round has three calls; four may be under way
     EXPECT_EQ(push(1), Status(Status::kQueued));
     EXPECT_EQ(push(2), Status(Status::kQueued));
     ASSERT_TRUE(EventuallyTrue([this] { return server_inbox.size() == 2; })) << i;
-    thread->Remove(*client_end->proxy);  // its caller sends the next
+    thread->Remove(*client_end->proxy);  // the caller sends the next call itself
     auto status =
         std::async(std::launch::async, [this] { return push.Wait(3, std::chrono::seconds(20)); });
     ASSERT_TRUE(EventuallyTrue([this] { return server_inbox.size() == 3; })) << i;
@@ -269,7 +270,7 @@ TEST_F(InterfaceProxies, AnAnsweredWaitReturnsCreditForEarlierCalls) {
   EXPECT_EQ(numbers.size(), 15U);
 }
 
-/// A server that is done soon, until it is destroyed.
+/// A server that executes quickly, until it is destroyed.
 class Executor {
  public:
   explicit Executor(Inbox& inbox)
@@ -362,7 +363,7 @@ TEST_F(InterfaceProxies, AWaitRefusedByTheLinkEndsAtOnce) {
 TEST_F(InterfaceProxies, AnUnansweredWaitEndsAtItsDeadline) {
   server_end->is_silent = true;
 
-  Status first = Status::kTimeout;  // and not sent: the machine stood still
+  Status first = Status::kTimeout;  // a time-out before sending means that the machine stalled
   EXPECT_TRUE(EventuallyTrue([&] {
     first = push.Wait(1, std::chrono::milliseconds(300));
     return first != Status(Status::kTimeout);
@@ -371,7 +372,7 @@ TEST_F(InterfaceProxies, AnUnansweredWaitEndsAtItsDeadline) {
   EXPECT_EQ(first, Status(Status::kOutcomeUnknown));
   ASSERT_TRUE(EventuallyTrue([this] { return server_end->heard == 1; }));
   server_end->is_silent = false;
-  server_end->unanswered.clear();  // refusals that nobody waits for any more
+  server_end->unanswered.clear();  // refusals for which nobody waits any more
   auto status =
       std::async(std::launch::async, [this] { return push.Wait(2, std::chrono::seconds(20)); });
   ASSERT_TRUE(EventuallyTrue([this] { return server_inbox.ExecuteQueued() == 1; }));
@@ -405,7 +406,7 @@ TEST_F(InterfaceProxies, AReplyOfQueuedIsInvalidForAWait) {
 }
 
 TEST_F(InterfaceProxies, AWaitForAFullLinkIsSentOnceThereIsRoom) {
-  client_end->is_deaf = true;  // to credit for what it has not sent itself
+  client_end->is_deaf = true;  // ignores credit for calls that were not sent
   Wakeup<> wakeup;
   Outbox outbox(channel, message::kCommands, wakeup, "server");
   const QueuedOfferProxy offer(provided.description().commands[1], outbox, kServerHandle + 2);
@@ -414,7 +415,8 @@ TEST_F(InterfaceProxies, AWaitForAFullLinkIsSentOnceThereIsRoom) {
   const Bytes big = EncodeBody(std::vector<double>(700'000));
   Bytes bytes;
   BytesSink nothing(bytes);
-  std::unique_lock closed(server_end->gate);  // holds up the first; the second fills the link
+  // Blocks the first call; the second call fills the link.
+  std::unique_lock closed(server_end->gate);
   EXPECT_TRUE(command->ExecuteEncoded(big, nothing));
   EXPECT_TRUE(command->ExecuteEncoded(big, nothing));
   auto status = std::async(std::launch::async, [&] {

@@ -55,7 +55,7 @@ TEST_F(LatestOnly, ACallIsRefusedOnceTheProxyIsSevered) {
 }
 
 TEST_F(LatestOnly, AnEventIsNotLostForLackOfRoom) {
-  thread->Remove(*server_end->proxy);  // it sends nothing for now
+  thread->Remove(*server_end->proxy);  // the proxy sends nothing for now
   for (int i = 0; i < 100; ++i) moved(i);
   EXPECT_EQ(moved.lost(), 0U);
 

@@ -4,7 +4,8 @@
 namespace tendon {
 namespace {
 
-/// Raises events that cannot be sent: four wait, for the network thread works for nobody.
+/// Raises events that cannot be sent. Four events wait, because the network thread does not serve
+/// the proxy.
 class LostEvents : public InterfaceProxies {
  protected:
   void LoseThere(int events) {
@@ -35,7 +36,7 @@ TEST_F(LostEvents, AreCountedInAnyNumber) {
 
 TEST_F(LostEvents, OnArrivalAreCountedAtBothEnds) {
   LoseThere(0);
-  for (int i = 0; i < 3; ++i) {  // one after the other, so that each is sent
+  for (int i = 0; i < 3; ++i) {  // separately, so that each event is sent
     pushed(i);
     EXPECT_TRUE(EventuallyTrue([&] { return required.lost_events() == 1U + i; }));
   }

@@ -57,7 +57,7 @@ TEST(NetworkThread, RunsAgainAtTheRequestedTime) {
 TEST(NetworkThread, DoesNotRunARemovedJob) {
   NetworkThread thread;
   CountingJob other;
-  other.more = 1'000'000'000;  // never rests
+  other.more = 1'000'000'000;  // always has more to do
   thread.Add(other);
   for (int round = 0; round < 100; ++round) {
     auto job = std::make_unique<CountingJob>();

@@ -9,14 +9,14 @@
 namespace tendon {
 namespace {
 
-/// Bytes of what is loaded, and how many may wait.
+/// The size of an argument of Load, and the number of bytes that may wait.
 constexpr std::size_t kLoad = 1000;
 constexpr std::uint64_t kMost = 3 * kLoad;
 
-/// An outbox in which little may wait, and a command that goes there.
+/// An outbox with little room, and a command that uses it.
 class NarrowOutbox : public InterfaceProxies {
  protected:
-  NarrowOutbox() { client_end->is_deaf = true; }  // to credit for what it has not sent itself
+  NarrowOutbox() { client_end->is_deaf = true; }  // ignores credit for calls that were not sent
 
   Status Post(std::size_t size) { return command->ExecuteEncoded(Bytes(size), nothing); }
 
@@ -58,7 +58,7 @@ TEST_F(NarrowOutbox, ReleasesTheRoomOfDroppedCalls) {
   for (int i = 0; i < 3; ++i) EXPECT_EQ(Post(kLoad), Status(Status::kQueued)) << i;
 }
 
-/// An outbox with one command, on a channel that notes where frames lie.
+/// An outbox with one command, on a channel that records the addresses of frames.
 struct TracedOutbox {
   TracedOutbox(const test::TracedChannel& channel, std::uint32_t handle)
       : outbox(channel.get(), message::kCommands, wakeup, "server"),

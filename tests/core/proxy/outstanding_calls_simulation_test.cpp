@@ -26,7 +26,7 @@ class Mutex {
   SimulatedAtomics::Atomic<std::uint32_t> held_{0};
 };
 
-/// One record, which all calls share one after the other.
+/// One record that all calls use one after the other.
 struct Records {
   Completion<SimulatedAtomics> record;
 
@@ -34,11 +34,11 @@ struct Records {
   [[nodiscard]] static std::size_t size() { return 1; }
 };
 
-/// What the network thread finds between it and the peer.
+/// The state of the link and the peer when the network thread sends a call.
 enum class Peer { kAnswers, kIsSilent, kIsGone, kHasNoRoom };
 
-/// Two calls of one thread: the first may be left at any moment; the second has the same record,
-/// and is waited for.
+/// Two calls of one thread. The caller may give up the first call at any moment. The second call
+/// uses the same record, and the caller waits for it.
 class Link {
  public:
   explicit Link(Peer first) : first_(first) {}
@@ -64,7 +64,7 @@ class Link {
  private:
   using Ending = Completion<SimulatedAtomics>::Ending;
 
-  /// Whether it may be executed, for all that the caller knows.
+  /// Returns true if the caller must assume that the call may be executed.
   bool WaitFor(std::size_t slot, bool is_hasty) {
     if (!records_.record.TryTake()) {
       for (unsigned looks = 0; !is_first_over_.Get(); ++looks) SimulatedAtomics::Pause(looks);

@@ -11,7 +11,7 @@
 namespace tendon {
 namespace {
 
-/// An argument of some size, each byte of which is `fill`. Notes where it is written.
+/// An argument whose bytes all have the value `fill`. Records the address to which it is written.
 class TracedArgument final : public ArgumentWriter {
  public:
   explicit TracedArgument(std::size_t size, std::byte fill = {}) : size_(size), fill_(fill) {}
@@ -30,7 +30,7 @@ class TracedArgument final : public ArgumentWriter {
   }
 
   bool throws = false;
-  bool changes = false;  ///< its size, between size() and WriteTo()
+  bool changes = false;  ///< true: the size changes between size() and WriteTo()
   mutable std::vector<const std::byte*> places;
 
  private:
@@ -38,14 +38,14 @@ class TracedArgument final : public ArgumentWriter {
   std::byte fill_;
 };
 
-/// The command "Load" of another process, which has an outbox to itself.
+/// The command "Load" of another process, with its own outbox.
 class RemoteCommand : public InterfaceProxies, public testing::WithParamInterface<Overflow> {
  protected:
   static constexpr std::size_t kCapacity = 4;
   static constexpr std::size_t kSize = 1000;
 
   RemoteCommand() {
-    client_end->is_deaf = true;  // to credit for what it has not sent itself
+    client_end->is_deaf = true;  // ignores credit for calls that were not sent
     offer.SetOverflow(GetParam());
     mailbox = &outbox.inbox().Open(kCapacity, offer.shape(), CallerThreads::kManyThreads);
     command = offer.Bind(mailbox);
@@ -158,7 +158,7 @@ INSTANTIATE_TEST_SUITE_P(, RemoteCommand, testing::Values(Overflow::kRefuse, Ove
                            return overflow.param == Overflow::kRefuse ? "Queued" : "LatestOnly";
                          });
 
-/// Has a slot for each call that waits.
+/// A command with a slot for each waiting call.
 class QueuedRemoteCommand : public RemoteCommand {};
 
 TEST_P(QueuedRemoteCommand, WritesEachArgumentIntoItsSlotsBuffer) {

@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 
 constexpr std::size_t kMany = 1000;
 
-/// What is called there waits until it is opened.
+/// Calls wait at the barrier until it is opened.
 class Barrier {
  public:
   void Enter() {
@@ -38,7 +38,7 @@ SteadyTime Later() { return SteadyClock().Now() + 30s; }
 TEST(WorkerPool, RunsTheCallsOfALineSequentially) {
   WorkerPool threads("test");
   const auto line = threads.MakeLine(kMany);
-  std::vector<std::size_t> executed;  // a race, unless it is one at a time
+  std::vector<std::size_t> executed;  // a data race, unless only one thread runs at a time
 
   for (std::size_t i = 0; i < kMany; ++i) {
     ASSERT_TRUE(line->Post([&executed, i] { executed.push_back(i); }));

@@ -44,7 +44,7 @@ std::vector<std::byte> BodyOf(const Dashboard& dashboard) {
   return body;
 }
 
-/// The sentence of a condition that is refused; empty if it is accepted.
+/// Returns the error for a condition; empty if the condition is accepted.
 std::string RefusalOf(const std::string& text) {
   const auto condition = ParseCondition(text);
   if (!condition) return condition.error().message;

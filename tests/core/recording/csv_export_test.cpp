@@ -43,7 +43,7 @@ std::shared_ptr<const Source> CartTable() {
   return source;
 }
 
-/// One row.
+/// Returns a batch of one row.
 Rows RowOf(std::uint64_t tick, const Wheel& wheel, std::uint64_t epoch = 1) {
   Rows rows{.source = CartTable(), .epoch = epoch};
   rows.ticks = {tick};
@@ -69,7 +69,7 @@ class CsvExport : public testing::Test {
     reader = *mcap::Reader::Open(file);
     return ExportCsv(*reader, query, folder.path() / "csv");
   }
-  /// The lines of a file, without the two times, of which a test does not know one.
+  /// Returns the lines of a file without the two times, because the test knows only one of them.
   std::vector<std::string> Lines(const std::string& name) const {
     std::istringstream all(folder.Read("csv/" + name));
     std::vector<std::string> lines;

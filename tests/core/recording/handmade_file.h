@@ -9,7 +9,7 @@
 
 namespace tendon::mcap {
 
-/// Builds files record by record, also such as our writer never writes.
+/// Builds files record by record, including files that Tendon never writes.
 class HandmadeFile {
  public:
   HandmadeFile() {
@@ -30,7 +30,7 @@ class HandmadeFile {
     bytes.insert(bytes.end(), text.begin(), text.end());
     return *this;
   }
-  /// Returns the index of the chunk, without message indexes.
+  /// Adds a chunk. Returns its index, without message indexes.
   ChunkIndex AddChunk(const Buffer& records, Timestamp start, Timestamp end,
                       Compression compression = Compression::kNone) {
     Compressor compressor(compression);
@@ -49,7 +49,7 @@ class HandmadeFile {
             .compressed_size = head.records_size,
             .uncompressed_size = head.uncompressed_size};
   }
-  /// Ends the data section; the records of `summary` follow, then the footer.
+  /// Ends the data section. Then adds the records of `summary` and the footer.
   Buffer End(const Buffer& summary = {}, std::optional<std::uint64_t> start = std::nullopt) {
     Append(bytes, DataEnd{});
     const std::uint64_t begin = summary.empty() ? 0 : bytes.size();

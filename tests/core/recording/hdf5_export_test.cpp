@@ -18,7 +18,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// What is in the files is tested with h5py, by tests/python/hdf5_test.py.
+/// The contents of the files are tested with h5py, by tests/python/hdf5_test.py.
 class Hdf5Export : public testing::Test {
  protected:
   void SetUp() override {
@@ -42,7 +42,7 @@ class Hdf5Export : public testing::Test {
     reader = *mcap::Reader::Open(file);
     return ExportHdf5(*reader, {}, output);
   }
-  /// Tendon also builds without HDF5.
+  /// Returns true if Tendon was built without HDF5.
   static bool IsMissing(const Result<Hdf5Report>& report) {
     return !report && report.error().code == ErrorCode::kNotFound;
   }

@@ -29,12 +29,12 @@ using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
 using testing::Contains;
 using testing::HasSubstr;
 
-/// Writes the number of its cycle, and raises it as an event.
+/// Writes the number of its cycle to a column, and raises it as an event.
 class Pedometer final : public PeriodicTask {
  public:
   explicit Pedometer(std::string name) : PeriodicTask(std::move(name), 1ms) {
     state_table().Add(steps_, "Steps");
-    state_table().SetLength(8192);  // no loss on a busy machine
+    state_table().SetLength(8192);  // long enough for a busy machine
     AddProvidedInterface("Control").AddEvent(stepped_, "Stepped");
   }
   ~Pedometer() override { Join(); }
@@ -46,7 +46,7 @@ class Pedometer final : public PeriodicTask {
   WriteEvent<std::uint64_t> stepped_;
 };
 
-/// A process without a GCM, and a recorder in it.
+/// A process without a GCM, and a recorder in this process.
 class LocalSystemTest : public testing::Test {
  protected:
   LocalSystemTest() {

@@ -12,8 +12,8 @@
 
 #include "recordings.h"
 
-/// Files that are cut off or damaged: each complete chunk is read, nothing is read wrong, and
-/// something says what is missing.
+/// Files that are cut off or damaged. Every complete chunk must be read, nothing must be read
+/// wrong, and missing parts must be reported.
 namespace tendon::mcap {
 namespace {
 
@@ -30,7 +30,7 @@ INSTANTIATE_TEST_SUITE_P(, DamageTest,
                          testing::Values(Compression::kNone, Compression::kLz4, Compression::kZstd),
                          NameOfParameter);
 
-/// The messages of the chunks that end by `size`.
+/// Returns the number of messages in the chunks that end at or before `size`.
 std::uint64_t CompleteMessages(const std::vector<MessageBlock>& blocks,
                                const std::vector<std::size_t>& counts, std::size_t size) {
   std::uint64_t messages = 0;
@@ -41,25 +41,25 @@ std::uint64_t CompleteMessages(const std::vector<MessageBlock>& blocks,
   return messages;
 }
 
-/// A small file with all that a large one has: several chunks, and records between them. Each byte
-/// of it can be tried.
+/// A small file with all features of a large one: several chunks, and records between them. It is
+/// so small that every byte can be tried.
 Sample SmallSample(Compression compression) {
   return {compression, {.messages = 48, .messages_in_chunk = 12}};
 }
 
-/// True at full size, which takes many minutes: with TENDON_FULL_FAULTS in the environment.
+/// Returns true at full size: if TENDON_FULL_FAULTS is set. The tests then take many minutes.
 bool IsFullSize() { return std::getenv("TENDON_FULL_FAULTS") != nullptr; }
 
-/// The messages that are read of a damaged file.
+/// The messages that are read from a damaged file.
 struct Found {
   std::size_t messages = 0;
-  bool are_the_first = true;  ///< of those written, in order
-  std::string mistake;        ///< set if one was never written, or is there twice
+  bool are_the_first = true;  ///< true if they are the first written messages, in order
+  std::string mistake;        ///< set if a message was never written or was read twice
 };
 
 Found FindIn(Reader& reader, const Sample& sample) {
   Found found;
-  std::vector<bool> seen(sample.messages.size());  // by sequence
+  std::vector<bool> seen(sample.messages.size());  // by sequence number
   MessageStream messages = reader.Messages();
   while (const auto message = messages.Next()) {
     const Channel* channel = reader.FindChannel(message->channel_id);
@@ -110,7 +110,7 @@ TEST_P(DamageTest, AFileCutAtAnyByteGivesItsCompleteChunks) {
   ExpectEveryCutReads(SmallSample(GetParam()), 1);
 }
 
-/// At full size: at each byte.
+/// At full size, the file is cut at each byte.
 TEST_P(DamageTest, AFileOfAMegabyteCutAnywhereGivesItsCompleteChunks) {
   const Sample sample(GetParam(), {.messages = 1'000, .message_size = 1'000});
   ASSERT_GT(sample.bytes.size(), 1'000'000U);
@@ -134,7 +134,7 @@ TEST(CutFile, SaysWhatIsMissing) {
                 std::to_string(last.chunk_start_offset) + ": the last 100 bytes are incomplete\n");
 }
 
-/// True if what was read is right, and if any is missing, something says so.
+/// Succeeds if everything that was read is correct, and if missing messages are reported.
 testing::AssertionResult IsRightOrTold(Reader& reader, const Sample& sample, const Found& found) {
   if (!found.mistake.empty()) return testing::AssertionFailure() << found.mistake;
   if (found.messages < sample.messages.size() && reader.problems().count() == 0 &&
@@ -150,8 +150,8 @@ testing::AssertionResult IsRightOrTold(Reader& reader, const Sample& sample, con
   return testing::AssertionSuccess();
 }
 
-/// Calls `check(reader, place)` for files in each of which one byte differs: each byte in turn, and
-/// at full size each in every way.
+/// Calls `check(reader, place)` for files in which one byte is changed: each byte in turn. At full
+/// size, each byte gets every other value.
 template <typename Check>
 void ForEachFlip(const Sample& sample, const Check& check) {
   std::mt19937 random(36);
@@ -188,14 +188,15 @@ TEST_P(DamageTest, NoFlippedByteIsReadInSilence) {
   EXPECT_GT(complete, sample.bytes.size() / 100) << "most are not in a chunk's records";
 }
 
-/// Without a summary, all is found by a scan, and lengths are all there is.
+/// Without a summary, everything is found by a scan. Then only the lengths of records detect
+/// damage.
 TEST_P(DamageTest, NoFlippedByteOfAFileWithoutSummaryIsReadInSilence) {
   Sample sample = SmallSample(GetParam());
   const auto whole = Open(sample.bytes);
   const ChunkIndex last = whole->blocks().back().index;
   sample.bytes.resize(last.chunk_start_offset + last.chunk_length + last.message_index_length);
-  // A flip of the opcode or a length of one record costs at most the chunk that it belongs to;
-  // one in the first chunk also the channels, and with them all messages.
+  // A wrong opcode or length of a record costs at most the chunk of the record. In the first chunk,
+  // it may cost the channels, and thereby all messages.
   const std::size_t first_end = whole->blocks()[1].index.chunk_start_offset;
   const std::size_t fewest = sample.messages.size() / 3;
 
@@ -213,8 +214,8 @@ TEST_P(DamageTest, ChunksBehindADamagedLengthAreFound) {
   const auto whole = Open(sample.bytes);
   const ChunkIndex first = whole->blocks()[0].index;
   const ChunkIndex second = whole->blocks()[1].index;
-  sample.bytes[second.chunk_start_offset + 6] = std::byte{0x77};  // of its length
-  sample.bytes.resize(sample.bytes.size() - 10);                  // no footer
+  sample.bytes[second.chunk_start_offset + 6] = std::byte{0x77};  // a byte of its length
+  sample.bytes.resize(sample.bytes.size() - 10);                  // removes the footer
   std::size_t lost = 0;
   for (const StoredMessage& message : sample.messages) {
     if (message.log_time > first.message_end_time && message.log_time <= second.message_end_time) {
@@ -245,7 +246,7 @@ TEST_P(DamageTest, AWrongChecksumNamesTheChunkAndTheRestIsRead) {
               HasSubstr("the chunk at " + std::to_string(bad.chunk_start_offset) + " is skipped"));
 }
 
-/// The number of messages behind the first chunk.
+/// Returns the number of messages after the first chunk.
 std::size_t MessagesBehindTheFirstChunk(const Sample& sample) {
   const auto whole = Open(sample.bytes);
   const ChunkIndex& first = whole->blocks()[0].index;

@@ -78,7 +78,8 @@ TEST(Reader, MessagesOfCrossedChunksAreInOrderOfTime) {
   std::vector<Timestamp> times;
   const std::string data(100, 'x');
   for (Timestamp i = 0; i < 1000; ++i) {
-    const Timestamp time = i % 2 == 0 ? i : 1'000 - i;  // each chunk spans those before it
+    // The time span of each chunk contains those of the previous chunks.
+    const Timestamp time = i % 2 == 0 ? i : 1'000 - i;
     times.push_back(time);
     ASSERT_TRUE(recording.writer->Write(
         {.channel_id = channel, .log_time = time, .publish_time = time, .data = BytesOf(data)}));
@@ -277,7 +278,8 @@ TEST(Reader, RecordsOfUnknownKindsAreSkippedAndCounted) {
 }
 
 TEST(Reader, LengthsThatClaimTooMuchTakeNoMemory) {
-  // Each would need 2^60 bytes; a sanitizer or the allocator would end the test.
+  // Each file claims to need 2^60 bytes. If the reader allocated them, the allocator or a sanitizer
+  // would end the test.
   for (int place = 0; place < 4; ++place) {
     HandmadeFile file;
     file.Add(ChannelWith(1));
@@ -285,7 +287,7 @@ TEST(Reader, LengthsThatClaimTooMuchTakeNoMemory) {
     ChunkHead head{0, 0, place == 0 ? kHuge : 10, 1, "zstd", place == 1 ? kHuge : 10};
     AppendChunkHead(file.bytes, head);
     file.bytes.resize(file.bytes.size() + 10);
-    if (place >= 1) {  // a right length of the record, but of place 2 a huge one
+    if (place >= 1) {  // a valid length of the record; for place 2, a huge length
       for (std::size_t i = 0; i < 8; ++i) {
         const std::uint64_t length =
             place == 2 ? kHuge : file.bytes.size() - begin - kRecordHeadSize;
@@ -378,7 +380,7 @@ TEST(Reader, AMessageBehindAChunkIsNotTakenFromARecordOfAnotherKind) {
   const std::size_t index = chunk.chunk_start_offset + chunk.chunk_length;
   ASSERT_EQ(sample.bytes[index], static_cast<std::byte>(Opcode::kMessageIndex));
   sample.bytes[index] = static_cast<std::byte>(Opcode::kMessage);
-  sample.bytes.resize(sample.bytes.size() - 10);  // no footer
+  sample.bytes.resize(sample.bytes.size() - 10);  // removes the footer
 
   const auto reader = Open(sample.bytes);
 

@@ -9,7 +9,7 @@ namespace {
 
 Bytes ContentOf(const Buffer& record) { return Bytes(record).subspan(kRecordHeadSize); }
 
-/// Writes the record, and reads it: whole, longer, and cut at each byte.
+/// Writes the record, and reads it complete, with additional bytes, and cut at each byte.
 template <typename Record>
 void ExpectRoundTrip(Opcode opcode, const Record& record) {
   Buffer bytes;
@@ -111,7 +111,7 @@ TEST(McapRecords, TheBytesAreThoseOfTheSpecification) {
 }
 
 TEST(McapRecords, ALengthThatClaimsMoreThanThereIsIsMalformed) {
-  for (const std::size_t place : {0U, 4U + 4U}) {  // of either string
+  for (const std::size_t place : {0U, 4U + 4U}) {  // the lengths of the two strings
     Buffer bytes;
     Append(bytes, Header{"ros2", "tendon"});
     for (std::size_t i = 0; i < 4; ++i) bytes[kRecordHeadSize + place + i] = std::byte{0xff};
@@ -123,7 +123,7 @@ TEST(McapRecords, ALengthThatClaimsMoreThanThereIsIsMalformed) {
 TEST(McapRecords, AKeyThatOccursTwiceKeepsItsFirstValue) {
   Buffer bytes;
   Append(bytes, Metadata{"m", {{"a", "1"}, {"b", "2"}}});
-  bytes[bytes.size() - 6] = std::byte{'a'};  // the key "b"
+  bytes[bytes.size() - 6] = std::byte{'a'};  // changes the key "b"
 
   Metadata read;
   ASSERT_EQ(Parse(ContentOf(bytes), read), Fit::kExact);

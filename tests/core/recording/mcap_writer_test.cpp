@@ -209,7 +209,8 @@ TEST(Writer, AnIndexThatIsFullIsAnErrorAndTheFileIsCompleted) {
   EXPECT_EQ(ReadAll(*Open(recording.disk->bytes)).size(), count);
 }
 
-/// Writes until the disk refuses; returns the error and checks that all before it can be read.
+/// Writes until the disk refuses. Returns the error, and checks that everything before it can be
+/// read.
 std::string FillTheDisk(MemoryRecording& recording) {
   Writer& writer = *recording.writer;
   const ChannelId channel = *writer.AddChannel(0, "a", "cdr");
@@ -259,7 +260,7 @@ TEST(Writer, AFileOnAFullDiskStillGetsItsIndex) {
 
 TEST(Writer, AFileOnADiskWithoutReservationsEndsAtItsLastChunk) {
   MemoryRecording recording({.compression = Compression::kNone, .chunk_size = kSmallChunk});
-  recording.disk->capacity = 46'700;  // too little for an index behind the last chunk
+  recording.disk->capacity = 46'700;  // too small for an index after the last chunk
   recording.disk->can_reserve = false;
 
   FillTheDisk(recording);
@@ -309,7 +310,7 @@ TEST(WriterOnDisk, AReaderSeesThatAFileIsBeingWritten) {
   EXPECT_FALSE((*opened)->is_being_written());
 }
 
-/// Runs `write` in a child process, which may break it; returns how it ended.
+/// Runs `write` in a child process, because it may end the process. Returns how the child ended.
 template <typename Write>
 int InAChild(const Write& write) {
   const pid_t child = fork();
@@ -319,7 +320,8 @@ int InAChild(const Write& write) {
   return status;
 }
 
-/// Writes messages of 100 bytes until the file refuses, and closes it. Returns an exit code.
+/// Writes messages of 100 bytes until the file refuses them, and then closes the file. Returns an
+/// exit code.
 int WriteUntilRefused(const fs::path& file, std::uint64_t most) {
   auto writer =
       Writer::Create(file, {.compression = Compression::kNone, .chunk_size = kSmallChunk});

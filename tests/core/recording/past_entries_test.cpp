@@ -18,7 +18,7 @@ constexpr std::size_t kMuch = std::size_t{1} << 30U;
 
 SteadyTime At(std::chrono::milliseconds time) { return SteadyTime(time); }
 
-/// Rows of one column, a millisecond apart; the value of each is its tick.
+/// Returns rows of one column with a distance of one millisecond. The value of a row is its tick.
 Rows RowsFrom(std::uint64_t first, std::size_t count, std::uint64_t lost = 0) {
   static const auto kSource = std::make_shared<const Source>(
       Source{{"robot", "arm", "state"}, {{"Tick", Schema(Schema::Kind::kUint8)}}});
@@ -32,7 +32,7 @@ Rows RowsFrom(std::uint64_t first, std::size_t count, std::uint64_t lost = 0) {
   return rows;
 }
 
-/// The ticks of all rows, with their cells checked.
+/// Returns the ticks of all rows, and checks the cells.
 std::vector<std::uint64_t> TicksOf(const std::deque<Entry>& entries) {
   std::vector<std::uint64_t> ticks;
   for (const Entry& entry : entries) {

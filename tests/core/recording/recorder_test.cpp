@@ -36,7 +36,7 @@ using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
 using testing::Contains;
 using testing::HasSubstr;
 
-/// Writes the number of its cycle into two columns, and raises it as an event.
+/// Writes the number of its cycle to two columns, and raises it as an event.
 class Odometer final : public PeriodicTask {
  public:
   explicit Odometer(std::string name) : PeriodicTask(std::move(name), 1ms) {
@@ -49,7 +49,7 @@ class Odometer final : public PeriodicTask {
   }
   ~Odometer() override { Join(); }
 
-  static constexpr std::size_t kRows = 8192;  // no loss on a busy machine
+  static constexpr std::size_t kRows = 8192;  // long enough for a busy machine
 
   void Run() override {
     ProcessQueuedCommands();
@@ -67,7 +67,7 @@ class Odometer final : public PeriodicTask {
   WriteEvent<std::uint64_t> passed_;
 };
 
-/// A disk that waits while `gate` is locked, and that is full once `is_full` is set.
+/// A disk that waits while `gate` is locked, and that is full when `is_full` is true.
 struct FaultyDisk {
   std::mutex gate;
   bool is_full = false;
@@ -99,7 +99,7 @@ class FileOnFaultyDisk final : public os::WritableFile {
   FaultyDisk& disk_;
 };
 
-/// So little room for what waits for the disk that losses begin soon.
+/// So little memory for waiting entries that losses begin soon.
 constexpr std::size_t kFewBytes = 20'000;
 
 FileOptions On(FaultyDisk& disk) {
@@ -115,7 +115,7 @@ FileOptions On(FaultyDisk& disk) {
   return options;
 }
 
-/// A GCM and processes with an odometer each, over loopback.
+/// A GCM and processes with one odometer each, over loopback.
 class RecorderTest : public testing::Test {
  protected:
   RecorderTest() { StartGcm("127.0.0.1:0"); }
@@ -134,7 +134,7 @@ class RecorderTest : public testing::Test {
     EXPECT_TRUE(process->StartAll());
     return process;
   }
-  /// Waits until the catalogue has the running components of these processes.
+  /// Starts a recorder when the catalogue has the running components of these processes.
   void StartRecorder(RecorderOptions options, const std::vector<std::string>& processes,
                      std::size_t most_waiting = Inbox::kMostBytes) {
     inbox_ = std::make_shared<Inbox>(most_waiting);
@@ -155,7 +155,7 @@ class RecorderTest : public testing::Test {
   [[nodiscard]] bool EventuallyRows(std::uint64_t rows) const {
     return EventuallyTrue([&] { return recorder_->status().counts.rows >= rows; });
   }
-  /// From now on, the column `Half` of `robot` is negative.
+  /// From now on, the column `Half` of `robot` has negative values.
   void Reverse() {
     const auto done = Wait<std::string>(
         10s, [&](auto handler) { client_->Call("robot/odometer/Control.Reverse", "", handler); });
@@ -176,7 +176,7 @@ class RecorderTest : public testing::Test {
     return all;
   }
   [[nodiscard]] LostRows LostRowsUpToNow() const { return recorder_->status().losses.all_rows(); }
-  /// Each row is there once, with its own value, and all that are missing were counted.
+  /// Expects that each row occurs once, with its own value, and that all missing rows were counted.
   void ExpectEachRowOnce(const std::vector<mcap::StoredMessage>& messages) const {
     ASSERT_FALSE(messages.empty());
     const auto row_of = [](const auto& message) { return ValueOf<std::uint64_t>(message); };
@@ -444,17 +444,17 @@ TEST_F(RecorderTest, AFullDiskEndsTheRecordingAlone) {
   EXPECT_THAT(stopped.error().message, HasSubstr("; " + std::to_string(safe) + " messages up to"));
 }
 
-/// More bytes than the catalogue takes, so that there are rows among what came before.
+/// More bytes than the catalogue needs, so that there is room for rows before the start.
 constexpr std::size_t kBeyondTheCatalogue = 150'000;
 
-/// The condition, or none if it cannot be read.
+/// Returns the condition; empty if it cannot be parsed.
 std::optional<Condition> When(const std::string& text) {
   auto condition = ParseCondition(text);
   EXPECT_TRUE(condition) << condition.error().message;
   return condition ? std::optional(*condition) : std::nullopt;
 }
 
-/// The value in the newest row of an odometer.
+/// Returns the value in the newest row of an odometer.
 std::uint64_t NumberOf(const Process& process) {
   std::uint64_t number = 0;
   const auto* const table = process.Find("odometer")->tables().front();
@@ -499,7 +499,7 @@ TEST_F(RecorderTest, TheFileTellsWhatIsMissingBeforeTheCondition) {
                 {"robot"});
   const auto events = inbox_->SinkOf(
       EventSubscription{.provided = {"robot", "odometer", "Control"}, .events = {"Passed"}}, {});
-  events->OnEventsLost(0, 7);  // within the hour
+  events->OnEventsLost(0, 7);  // within an hour of the previous report
   ASSERT_TRUE(EventuallyTrue([&] { return NumberOf(*robot) > 300; }));
 
   Reverse();
@@ -568,7 +568,7 @@ TEST_F(RecorderTest, LossesBeforeTheBeginAreNeverSubtractedBeforeTheyAreCounted)
       inbox_->SinkOf(TableSubscription{"robot", "other", "state", std::vector<std::string>{"A"}});
   sink->OnSubscribed({SchemaOf<std::uint8_t>()});
 
-  // Rows of a time before the begin, each behind a loss.
+  // Rows from before the start; each batch follows a loss.
   constexpr std::uint64_t kBatches = 20'000;
   const std::byte cell[] = {std::byte{1}};
   const std::int64_t times[] = {0};
@@ -592,7 +592,7 @@ TEST_F(RecorderTest, LossesBeforeTheBeginAreNeverSubtractedBeforeTheyAreCounted)
       [&] { return recorder_->status().losses.rows["robot/other/state"].network == 0; }));
 }
 
-/// A system whose processes do not answer for their types in time.
+/// A system whose processes do not answer requests for their types in time.
 class SilentAccess final : public SystemAccess {
  public:
   explicit SilentAccess(GcmClient& client) : system_(client, 10s) {}

@@ -272,7 +272,7 @@ TEST_F(RecordingFiles, NeverReplacesAFile) {
   EXPECT_EQ(folder.Read("run.mcap"), "of somebody else");
 }
 
-/// One row of a table with 1000 columns, of the run `epoch` of its component.
+/// Returns one row of a table with 1000 columns. `epoch` is the run of its component.
 Rows WideRow(const std::shared_ptr<const Source>& source, std::uint64_t epoch) {
   Rows rows;
   rows.source = source;

@@ -15,7 +15,7 @@ using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
 const TableSubscription kTable{"robot", "arm", "state", {"Count"}};
 const std::string kPath = "robot/arm/state";
 
-/// Rows of one column, a number that equals the tick.
+/// Rows of one column. The value of a row is its tick.
 struct Batch {
   explicit Batch(std::uint64_t first, std::size_t count) : ticks(count), times(count) {
     std::iota(ticks.begin(), ticks.end(), first);

@@ -26,8 +26,8 @@
 
 #include "recordings.h"
 
-/// Compares our files with what programs of others read, and our reader with what they write: the
-/// packages of @mcap and @foxglove in oracle/package.json, as Foxglove uses them.
+/// Compares files of Tendon with files of other programs, in both directions. The other programs
+/// are the packages of @mcap and @foxglove in oracle/package.json, which Foxglove uses.
 namespace tendon::recording {
 namespace {
 
@@ -51,7 +51,7 @@ class RecordingOracle : public testing::Test {
     return {std::istreambuf_iterator<char>(stream), {}};
   }
 
-  /// The lines that the script prints.
+  /// Returns the lines that the script prints.
   [[nodiscard]] std::vector<json> Run(const std::string& script,
                                       const std::vector<std::string>& options = {}) const {
     Program::Words command{"/usr/bin/env", "node", scripts_ / script, packages_, file_};
@@ -76,7 +76,7 @@ class RecordingOracle : public testing::Test {
   const std::filesystem::path file_ = folder_.path() / "run.mcap";
 };
 
-/// A number as the script prints it.
+/// Returns a number as the script prints it.
 json NumberTruth(double number) {
   if (std::isnan(number)) return "NaN";
   if (std::isinf(number)) return number > 0 ? "Infinity" : "-Infinity";
@@ -84,11 +84,12 @@ json NumberTruth(double number) {
   return number;
 }
 
-/// A value as the script prints it, made from the members of the C++ type, not from its bytes.
+/// Returns a value as the script prints it. It is made from the members of the C++ type, not from
+/// its bytes.
 template <typename T>
 json Truth(const T& value);
 
-/// The numbers of nested arrays in a row, since ROS 2 has no arrays of arrays.
+/// Appends the numbers of nested arrays in one list, because ROS 2 has no arrays of arrays.
 template <typename T>
 void AppendTruth(const T& value, json::array_t& list) {
   if constexpr (payload::Array<T>) {
@@ -125,7 +126,7 @@ json Truth(const T& value) {
     json::array_t list;
     for (const Item& element : value) {
       if constexpr (payload::Array<Item> || payload::Sequence<Item>) {
-        // ROS 2 has no sequences of lists: each inner list is a message of its own.
+        // ROS 2 has no sequences of lists, so each inner list is a separate message.
         list.push_back(json::object_t{{"data", Truth(element)}});
       } else {
         list.push_back(Truth(element));
@@ -141,19 +142,19 @@ json Truth(const T& value) {
   }
 }
 
-/// A column that is no structure is a message with the one field `data`.
+/// A column that is not a structure becomes a message with the single field `data`.
 template <typename T>
 json MessageTruth(const T& value) {
   if constexpr (payload::Structure<T>) return Truth(value);
   return {{"data", Truth(value)}};
 }
 
-/// Rows with a column of each kind of payload, and what is in them.
+/// Rows with a column of each kind of payload, and their expected contents.
 class TableWithTruth {
  public:
   TableWithTruth() {
     source_->name = {"robot", "arm", "state"};
-    AddRow({}, 0);  // names the columns
+    AddRow({}, 0);  // defines the names of the columns
     rows_ = {};
     truth_.clear();
   }
@@ -168,7 +169,7 @@ class TableWithTruth {
     }
   }
   [[nodiscard]] const Rows& rows() const { return rows_; }
-  /// The expected messages without their log time, which has the key "source_time" instead.
+  /// Returns the expected messages, without their log time. The key "source_time" replaces it.
   [[nodiscard]] const std::vector<json>& truth() const { return truth_; }
 
  private:
@@ -187,7 +188,7 @@ class TableWithTruth {
     bool flag = false;
   };
 
-  /// Rows with any values; the first ones with extreme values.
+  /// Returns random values; extreme values for the first rows.
   Values ValueOf(std::uint64_t tick) {
     using Doubles = std::numeric_limits<double>;
     using Floats = std::numeric_limits<float>;
@@ -274,7 +275,7 @@ class DecodedByAnOracle : public RecordingOracle,
     EXPECT_TRUE(files) << files.error().message;
     return *std::move(files);
   }
-  /// All metadata by name.
+  /// Returns all metadata by name.
   static std::map<std::string, json> MetadataOf(const std::vector<json>& lines) {
     std::map<std::string, json> all;
     for (const json& line : OfKind(lines, "metadata")) all[line["name"]] = line["metadata"];
@@ -364,7 +365,7 @@ TEST_P(DecodedByAnOracle, EventsTheLogLossesAndTheCatalogueAreThoseThatWereRecor
   EXPECT_EQ(OfKind(lines, "attachment").at(0)["name"], kSystemAttachment);
 }
 
-/// Lower-case hexadecimal digits, two for each byte.
+/// Returns lower-case hexadecimal digits, two for each byte.
 std::string HexOf(mcap::Bytes bytes) {
   constexpr std::string_view kDigits = "0123456789abcdef";
   std::string text;
@@ -375,7 +376,7 @@ std::string HexOf(mcap::Bytes bytes) {
   return text;
 }
 
-/// All that our reader finds, in the words of write.mjs.
+/// Returns everything that Tendon's reader finds, in the format of write.mjs.
 std::vector<json> ContentsOf(mcap::Reader& reader) {
   std::vector<json> all;
   for (const auto& [id, channel] : reader.channels()) {
@@ -415,10 +416,10 @@ std::vector<json> ContentsOf(mcap::Reader& reader) {
   return all;
 }
 
-/// How an oracle writes a file.
+/// The way in which an oracle writes a file.
 struct Writing {
   const char* name;
-  const char* options;  // of write.mjs
+  const char* options;  // options of write.mjs
 };
 
 class WrittenByAnOracle : public RecordingOracle, public testing::WithParamInterface<Writing> {};

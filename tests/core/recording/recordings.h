@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-/// Recordings in memory, and what is read of them.
+/// Recordings in memory, and functions to read them.
 namespace tendon::mcap {
 
 inline Bytes BytesOf(std::string_view text) { return std::as_bytes(std::span(text)); }
@@ -33,7 +33,7 @@ struct StoredMessage {
   auto operator<=>(const StoredMessage&) const = default;
 };
 
-/// The value in a message that has ROS 2's encoding.
+/// Returns the value of a message with the encoding of ROS 2.
 template <typename T>
 T ValueOf(const StoredMessage& message) {
   constexpr std::string_view kLittleEndian("\0\1\0\0", 4);
@@ -69,7 +69,7 @@ inline std::unique_ptr<Reader> Open(const Buffer& bytes, const ReaderLimits& lim
   return reader ? *std::move(reader) : nullptr;
 }
 
-/// A writer into memory.
+/// A writer that writes to memory.
 struct MemoryRecording {
   explicit MemoryRecording(const WriterOptions& options = {}) {
     auto made = Writer::Create(std::make_unique<test::MemoryWritableFile>(disk), options);
@@ -80,7 +80,7 @@ struct MemoryRecording {
   std::unique_ptr<Writer> writer;
 };
 
-/// All sentences in a row.
+/// Returns the texts of all problems, one after another.
 inline std::string Sentences(const Reader& reader) {
   std::string all;
   for (const Problem& problem : reader.problems().first()) all += problem.sentence + "\n";
@@ -89,14 +89,15 @@ inline std::string Sentences(const Reader& reader) {
 
 struct SampleShape {
   int messages = 400;
-  /// A chunk ends after so many messages; 0: when it has 4 KiB.
+  /// The number of messages in a chunk; 0: a chunk ends at 4 KiB.
   int messages_in_chunk = 0;
-  /// Bytes of a message, which cannot be compressed; 0: 40 to 76 that can.
+  /// The size of a message in bytes, with content that cannot be compressed; 0: 40 to 76 bytes that
+  /// can be compressed.
   std::size_t message_size = 0;
 };
 
-/// A recording with each kind of record: messages on two channels, an attachment and metadata
-/// between them. `messages` is what is in it, in order.
+/// A recording with each kind of record: messages on two channels, and an attachment and metadata
+/// between them. `messages` are its messages in order.
 struct Sample {
   explicit Sample(Compression compression, int count = 400)
       : Sample(compression, SampleShape{.messages = count}) {}

@@ -35,7 +35,7 @@ struct Point {
   bool operator==(const Point&) const = default;
 };
 
-/// Each kind of value.
+/// A structure with each kind of value.
 struct Posture {
   Mode mode = Mode::kIdle;
   bool is_good = false;
@@ -83,7 +83,7 @@ using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// The posture of a cycle.
+/// Returns the posture of a cycle.
 Posture PostureOf(std::uint64_t cycle) {
   const auto number = static_cast<double>(cycle);
   return {.mode = cycle % 2 == 0 ? Mode::kIdle : Mode::kMoving,
@@ -99,7 +99,7 @@ Posture PostureOf(std::uint64_t cycle) {
           .numbers = std::vector<double>(cycle % 5, number)};
 }
 
-/// Has two tables, one with all kinds of values, and two events.
+/// A task with two tables and two events. One table has all kinds of values.
 class Instrument final : public PeriodicTask {
  public:
   explicit Instrument(std::string name)
@@ -123,7 +123,8 @@ class Instrument final : public PeriodicTask {
     posture_ = PostureOf(cycle_);
     mode_ = posture_.mode;
     matrix_[1][2] = static_cast<float>(cycle_);
-    rare_ = cycle_ % 2 == 0 ? std::string("a") : std::string(20, 'b');  // too large
+    // Every second value is too large for the column.
+    rare_ = cycle_ % 2 == 0 ? std::string("a") : std::string(20, 'b');
     if (cycle_ % 5 == 0) reached_(posture_);
     if (cycle_ % 10 == 0) stopped_();
     ProcessQueuedCommands();
@@ -140,7 +141,7 @@ class Instrument final : public PeriodicTask {
   VoidEvent stopped_;
 };
 
-/// Counts the sinks that are subscribed, so that no row is missed at the begin.
+/// Counts the subscribed sinks, so that no row is missed at the beginning.
 class Readiness {
  public:
   void Set() { ++count_; }
@@ -188,7 +189,7 @@ class TellingEventSink final : public EventSink {
   Readiness& readiness_;
 };
 
-/// Records one process, from the moment when all its tables and events are subscribed.
+/// Records one process from the time at which all its tables and events are subscribed.
 class Tape {
  public:
   Tape(std::shared_ptr<Middleware> middleware, const std::string& gcm,
@@ -217,7 +218,7 @@ class Tape {
     EXPECT_TRUE(EventuallyTrue([&] { return readiness_.IsReached(sinks); }));
   }
 
-  /// Writes what has arrived.
+  /// Writes everything that has arrived.
   Counts Write() {
     for (const Entry& entry : inbox_->Take(1ms)) EXPECT_TRUE(files_->Write(entry));
     return files_->counts();
@@ -258,7 +259,7 @@ class ReplayTest : public testing::Test {
     return folder_.path() / name;
   }
 
-  /// Records a real instrument until it has that many rows.
+  /// Records a real instrument until it has written this number of rows.
   void Record(const std::string& name, std::uint64_t rows) {
     const auto robot = MakeProcess("robot");
     robot->Add<Instrument>("instrument");
@@ -267,7 +268,7 @@ class ReplayTest : public testing::Test {
     std::uint64_t synced = 0;
     ASSERT_TRUE(EventuallyTrue([&] {
       const Counts counts = tape.Write();
-      if (counts.rows >= synced + rows / 4) {  // a chunk of its own
+      if (counts.rows >= synced + rows / 4) {  // begins a new chunk
         synced = counts.rows;
         tape.Sync();
       }
@@ -291,7 +292,7 @@ class ReplayTest : public testing::Test {
     ASSERT_TRUE(started) << started.error().message;
     ASSERT_TRUE(replay.WaitUntilJoined(30s));
   }
-  /// Lets the time pass as fast as `is_taken(status)` allows.
+  /// Plays the replay. Time advances as fast as `is_taken(status)` allows.
   template <typename IsTaken>
   static void PlayAll(Replay& replay, IsTaken is_taken) {
     SteadyTime now = SteadyClock().Now();
@@ -361,7 +362,7 @@ TEST_F(ReplayTest, ARecordingOfAReplayHasTheSameRowsAndEventsAsTheRecording) {
       << "the recording begins while the instrument runs, so the first tick is not 0";
 }
 
-/// Uses the instrument as a real one.
+/// Uses the replayed instrument like a real one.
 class Client final : public Component {
  public:
   explicit Client(std::string name) : Component(std::move(name)) {
@@ -470,7 +471,7 @@ TEST_F(ReplayTest, ADamagedFileIsReplayedUpToItsLastCompleteChunk) {
             whole.at("robot/instrument/state/Number").size());
 }
 
-/// A recording that is written by hand: rows of `robot/arm/state.Number`.
+/// A recording that is written record by record: rows of `robot/arm/state.Number`.
 class HandmadeRecording {
  public:
   explicit HandmadeRecording(const std::filesystem::path& file) {
@@ -631,7 +632,7 @@ TEST_F(RecordedItemsTest, AreInTheOrderOfTimeAndTicksGoOnAfterARestart) {
   const auto other = recording.AddColumn("desk/pedal/state.Number", "1");
   recording.AddRow(first, 0xffffffff, kBegin, 1);
   recording.AddRow(first, 0, kBegin + 2, 2);
-  recording.AddRow(first, 4, kBegin + 4, 3);  // three are lost
+  recording.AddRow(first, 4, kBegin + 4, 3);  // three rows are lost before
   recording.AddRow(other, 9, kBegin + 1, 4);
   recording.AddRow(other, 10, kBegin + 5, 5);
   const auto restarted = recording.AddColumn("robot/arm/state.Number", "2");

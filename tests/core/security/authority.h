@@ -16,7 +16,7 @@ class AuthorityTest : public testing::Test {
  protected:
   using Request = CertificateAuthority::Request;
 
-  /// Issues a certificate; the test fails if that is refused.
+  /// Issues a certificate. The test fails if the request is refused.
   CertificateAuthority::IssuedCertificate Issue(const Request& request) const {
     auto issued = authority->Issue(request, out);
     EXPECT_TRUE(issued.ok()) << (issued.ok() ? "" : issued.error().message);

@@ -32,7 +32,7 @@ TEST_F(CertificateAuthorityTest, ItsFolderIsPrivate) {
     EXPECT_EQ(ModeOf(entry.path()), entry.is_directory() ? 0700U : 0600U) << entry.path();
     files += entry.is_directory() ? 0U : 1U;
   }
-  EXPECT_EQ(files, 4U);  // and no lock is left
+  EXPECT_EQ(files, 4U);  // no lock file remains
   EXPECT_EQ(ModeOf(out / "robot.key"), 0600U);
 }
 

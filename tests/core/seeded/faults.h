@@ -37,7 +37,7 @@ inline Fault WithoutFence(std::string name, std::memory_order order,
           {}};
 }
 
-/// Leaves out one fence: the `number`th of the thread, from 0 on.
+/// Omits one fence: the fence with index `number` of the thread.
 inline Fault WithoutOneFence(std::string name, std::size_t thread, std::size_t number) {
   return {std::move(name),
           [=](Access& access) {
@@ -56,7 +56,7 @@ inline Fault WithoutBarrier(std::string name) {
           {}};
 }
 
-/// Disables the check of a value that `thread` loads from `location`: replaces it by
+/// Disables the check of a value that `thread` loads from `location`. The value is replaced by
 /// `forge(value)`, with which the check always passes.
 template <typename Change>
 Fault WithoutCheck(std::string name, MemoryModel::Location location, std::size_t thread,

@@ -14,7 +14,8 @@ using testing::IsEmpty;
 
 constexpr std::size_t kProducer = 1;
 constexpr std::size_t kConsumer = 2;
-constexpr MemoryModel::Location kWrite = 0;  // the ring's indices, as they are made
+// The indices of the ring, in the order of their creation.
+constexpr MemoryModel::Location kWrite = 0;
 constexpr MemoryModel::Location kRead = 1;
 
 using Transfer = simulation::RingTransfer<SeededAtomics>;

@@ -16,17 +16,18 @@ using testing::IsEmpty;
 
 using Flag = ReadyFlag<SeededAtomics>;
 
-/// Producers that each publish items under one flag, and a consumer that takes them all; it looks
-/// nowhere as long as the flag is down.
+/// Producers that each publish items and share one flag, and a consumer that takes all items. The
+/// consumer looks for items only while the flag is set.
 template <std::size_t kProducers>
 struct Delivery {
-  static constexpr int kItems = 3 - static_cast<int>(kProducers);  // few: every order is tried
+  // Few enough items for trying every order.
+  static constexpr int kItems = 3 - static_cast<int>(kProducers);
   static constexpr int kAll = kItems * static_cast<int>(kProducers);
 
   Flag ready;
   Wakeup<SeededAtomics> wakeup;
   std::array<SeededAtomics::Atomic<int>, kProducers> published;
-  std::array<int, kProducers> taken{};  // of the consumer, as the rest
+  std::array<int, kProducers> taken{};  // used by the consumer, like the following members
   int sum = 0;
 
   void Produce(std::size_t producer, Wakeup<SeededAtomics>* sleeper) {
@@ -60,7 +61,7 @@ struct Delivery {
       }
     }
   }
-  /// Lowers the flag before it goes to sleep, as a task does after a cycle without calls.
+  /// Clears the flag before it sleeps, like a task after a cycle without calls.
   void ConsumeAsleep() {
     while (sum < kAll) {
       if (IsReady(Flag::IfEmpty::kLower)) {
@@ -117,10 +118,10 @@ INSTANTIATE_TEST_SUITE_P(
                     WithoutCheckAfterFence("ConsumerDoesNotLookAgain", kReceiver, 0)),
     NameOf());
 
-/// It needs the fence that stands after the flag was raised, not only the one before: here that of
-/// the last item, which nothing follows.
+/// The class needs the fence after the flag is set, not only the fence before it. This test omits
+/// the fence for the last item, which no other item follows.
 TEST(SeededSleepingConsumerSimulation, MissesAFlagRaisedTooLate) {
-  constexpr std::size_t kLast = 3;  // two for an item that finds the flag down
+  constexpr std::size_t kLast = 3;  // an item that finds the flag cleared uses two fences
   const auto report = ExploreAsleep(WithoutOneFence("NoFence", kSender, kLast));
   EXPECT_THAT(report.failure, HasSubstr("every thread waits"));
 }

@@ -15,7 +15,7 @@ using testing::AnyOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// A caller of an object of ordinary memory, which is replaced and overwritten at once.
+/// A caller of an object in plain memory. The object is replaced, and overwritten at once.
 template <typename Guarded>
 struct Replacement {
   std::array<Plain<int>, 2> objects{Plain<int>(1), Plain<int>(1)};
@@ -65,7 +65,7 @@ TEST_P(SeededRetireFaultSimulation, IsCaught) {
   EXPECT_THAT(ExploreReplacement<Guarded>(GetParam()).failure, IsOfAFreedObject());
 }
 
-constexpr MemoryModel::Location kInCall = 1;  // after the pointer
+constexpr MemoryModel::Location kInCall = 1;  // created after the pointer
 
 INSTANTIATE_TEST_SUITE_P(
     , SeededRetireFaultSimulation,
@@ -82,7 +82,8 @@ TEST_P(SeededSharedRetireFaultSimulation, IsCaught) {
   EXPECT_THAT(ExploreReplacement<SharedGuarded>(GetParam()).failure, IsOfAFreedObject());
 }
 
-constexpr MemoryModel::Location kRunning = 2;  // the first place, after the pointer and the choice
+// The first place, created after the pointer and the choice.
+constexpr MemoryModel::Location kRunning = 2;
 constexpr auto kNobody = [](std::uint64_t /*calls*/) { return std::uint64_t{0}; };
 
 INSTANTIATE_TEST_SUITE_P(

@@ -5,7 +5,7 @@ namespace {
 
 constexpr std::size_t kNoFenceYet = 1'000'000;
 
-// Of the exploration; a simulation runs in one thread.
+// The state of the exploration. A simulation runs in one thread.
 const Fault* active = nullptr;
 std::array<std::size_t, MemoryModel::kMaxThreads> loads_since_fence;
 std::array<std::size_t, MemoryModel::kMaxThreads> fences;

@@ -23,15 +23,15 @@ struct Access {
   Step step = Step::kLoad;
   std::size_t thread = 0;              ///< its number in the scenario, from 1 on
   MemoryModel::Location location = 0;  ///< atomics are numbered from 0, in the order of creation
-  std::size_t loads_since_fence = 0;   ///< in this thread
-  std::size_t fences = 0;              ///< in this thread, before this step
+  std::size_t loads_since_fence = 0;   ///< number of loads since the last fence in this thread
+  std::size_t fences = 0;              ///< number of fences in this thread before this step
   std::memory_order order = std::memory_order_seq_cst;
-  bool is_left_out = false;  ///< skips a fence or a barrier
+  bool is_left_out = false;  ///< true: the fence or barrier is skipped
 };
 
 struct Fault {
   std::string name;
-  std::function<void(Access&)> weaken;  ///< changes the order, or leaves the step out
+  std::function<void(Access&)> weaken;  ///< changes the memory order, or skips the step
   /// Changes the result of a load, so that the check of this result always passes.
   std::function<void(const Access&, std::uint64_t& value)> forge;
 
@@ -44,7 +44,8 @@ struct Fault {
 simulation::Report Explore(const Fault& fault,
                            const std::function<void(simulation::Scenario&)>& build);
 
-/// The parts of the policy: begin a step, with the fault applied; change the result of a load.
+/// The parts of the policy. Begin() begins a step and applies the fault to it; the second function
+/// changes the result of a load.
 Access Begin(Step step, std::memory_order order, MemoryModel::Location location = 0);
 void Forge(const Access& access, std::uint64_t& value);
 

@@ -13,11 +13,11 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 constexpr std::size_t kReader = 2;
-constexpr MemoryModel::Location kNext = 0;  // the index of the next row is made first
+constexpr MemoryModel::Location kNext = 0;  // the index of the next row is created first
 
 using Table = tendon_test::TickRows<SeededAtomics>;
 
-/// A reader of the newest row beside the writer.
+/// Reads the newest row while the writer writes.
 simulation::Report ExploreNewest(const Fault& fault) {
   return Explore(fault, [](simulation::Scenario& scenario) {
     const auto table = std::make_shared<Table>();
@@ -34,7 +34,7 @@ simulation::Report ExploreNewest(const Fault& fault) {
   });
 }
 
-/// A reader of a row that is about to be replaced.
+/// Reads a row that the writer is about to replace.
 simulation::Report ExploreReplaced(const Fault& fault) {
   return Explore(fault, [](simulation::Scenario& scenario) {
     const auto table = std::make_shared<Table>();

@@ -20,7 +20,7 @@ using test::Sample;
 using test::TimeOf;
 using testing::ElementsAre;
 
-/// A table of few rows with the column "Sample", whose count is the row's tick.
+/// A table of few rows with the column "Sample". Its field count is the tick of the row.
 class ColumnTest : public testing::Test {
  protected:
   ColumnTest() {
@@ -74,7 +74,7 @@ TEST_F(ColumnTest, ReadsByTick) {
   EXPECT_EQ(read_.count, 15);
 }
 
-/// In the reference system a delayed read stands still whenever the writer passes the ring's end.
+/// In cisst, a delayed read does not advance while the writer passes the end of the ring.
 TEST_F(ColumnTest, ADelayedReadAdvancesThroughTheWrap) {
   constexpr std::size_t kDelay = 5;
   Advance(kDelay);
@@ -213,7 +213,8 @@ TEST(Column, ReadingADynamicPayloadAllocatesNothingOnceWarm) {
   EXPECT_EQ(read, report);
 }
 
-/// Read without a copy in between, since it lies in memory as on the wire.
+/// An array of plain numbers has the same layout in memory as on the wire, so it is read without an
+/// intermediate copy.
 TEST(Column, ReadsAnArrayOfPlainNumbers) {
   std::array<double, 9> plain{1, 2, 3, 4, 5, 6, 7, 8, 9};
   StateTable table;

@@ -10,7 +10,7 @@ namespace {
 
 using test::TimeOf;
 
-/// A first-order low pass.
+/// A first-order low-pass filter.
 class Smooth {
  public:
   explicit Smooth(double weight) : weight_(weight) {}

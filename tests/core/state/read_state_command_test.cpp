@@ -8,10 +8,11 @@
 namespace tendon {
 namespace {
 
-constexpr std::size_t kLength = 4;  // and the row that is being replaced
+constexpr std::size_t kLength = 4;  // plus the row that is being replaced
 constexpr std::size_t kDelay = 3;
 
-/// A server with two tables, each with its newest and its delayed values as commands, and a client.
+/// A server with two tables, and a client. Commands return the newest and the delayed values of
+/// each table.
 struct Reading {
   StateTable fast{"fast"};
   StateTable slow{"slow"};
@@ -55,7 +56,7 @@ struct Reading {
 
 constexpr std::int32_t kNoSample = -1;
 
-/// kNoSample where there is none.
+/// Returns the value; kNoSample if there is none.
 std::int32_t Read(ReadFunction<std::int32_t>& function) {
   std::int32_t value = kNoSample;
   const Status status = function(value);

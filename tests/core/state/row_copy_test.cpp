@@ -13,7 +13,7 @@ using test::Report;
 using test::Sample;
 using test::TimeOf;
 
-/// Three columns, all of which tell the row's tick.
+/// A table with three columns. The value of each column is the tick of the row.
 class RowCopyTest : public testing::Test {
  protected:
   RowCopyTest() {

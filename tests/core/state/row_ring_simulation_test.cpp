@@ -56,7 +56,7 @@ TEST(RowRingSimulation, NeverReturnsATornRowDuringReplacement) {
   EXPECT_THAT(ExploreAt<SimulatedAtomics>(), Passes(1000));
 }
 
-/// Invisible on x86, and to ThreadSanitizer.
+/// Tests on x86 and ThreadSanitizer cannot detect this missing fence.
 TEST(RowRingSimulation, NeedsTheWritersFence) {
   using NoReleaseFence = WithoutFence<std::memory_order_release>;
   EXPECT_THAT(ExploreAt<NoReleaseFence>(), FailsWith("torn"));

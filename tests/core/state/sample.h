@@ -11,7 +11,7 @@
 
 namespace tendon::test {
 
-/// A fixed payload whose wire form has padding.
+/// A fixed payload with padding in its encoded form.
 struct Sample {
   std::array<double, 3> position{};
   std::uint8_t mode = 0;
@@ -30,7 +30,7 @@ struct Report {
 
 enum class Gear : std::int32_t { kLow = 1, kHigh = 2 };
 
-/// 50 ns apart, so that times are not ticks.
+/// Returns times with a distance of 50 ns, so that times differ from ticks.
 constexpr SteadyTime TimeOf(std::uint64_t tick) {
   return SteadyTime(std::chrono::nanoseconds(1'000'000 + 50 * static_cast<std::int64_t>(tick)));
 }

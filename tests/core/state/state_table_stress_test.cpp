@@ -16,14 +16,14 @@ namespace {
 
 using test::TimeOf;
 
-/// All elements equal, unless torn.
+/// A value whose elements are all equal, unless it is torn.
 using Block = std::array<std::int64_t, 32>;
 
 bool IsWhole(const Block& block) {
   return std::ranges::all_of(block, [&](std::int64_t element) { return element == block[0]; });
 }
 
-/// A writer at full speed round a ring that is far too small, until the test ends.
+/// Writes at full speed to a ring that is far too small, until the test ends.
 class FastWriter {
  public:
   explicit FastWriter(std::size_t rows) {
@@ -48,7 +48,7 @@ class FastWriter {
   StateTable table_;
   Block block_{};
   std::string text_;
-  std::jthread writer_;  // last: it ends before the table does
+  std::jthread writer_;  // the last member, because it must end before the table
 };
 
 TEST(StateTableStress, NewestRowsAreNeverTornAndNeverGoBack) {
@@ -82,7 +82,7 @@ TEST(StateTableStress, ReportsOvertakingToTheReader) {
     } else {
       ++overtaken;
     }
-    // Alternate between a row that is about to be lost and one that is not.
+    // Reads alternately the newest row and a row that was overwritten long ago.
     if (writer.blocks().ReadAt(writer.table().next_tick() - 1, block) == RowResult::kDone) ++done;
     if (writer.blocks().ReadAt(tick / 2, block) == RowResult::kOvertaken) ++overtaken;
   }

@@ -90,7 +90,7 @@ TEST_F(StateTableTest, RefusesADuplicateColumnNameOrVariable) {
   EXPECT_EQ(table_.columns().size(), 2U);
 }
 
-/// In the reference system growing a table that is in use overruns the heap.
+/// In cisst, adding a column to a table in use writes beyond its memory.
 TEST_F(StateTableTest, RefusesColumnsOnceItIsPrepared) {
   AddBoth();
   table_.Prepare();

@@ -9,7 +9,7 @@
 
 namespace tendon_test {
 
-/// For simulations: a ring of two rows of two words, both of which hold the row's tick.
+/// For simulations: a ring of two rows of two words. Both words hold the tick of the row.
 template <typename Atomics>
 struct TickRows {
   using Words = std::array<std::uint64_t, 2>;

@@ -18,7 +18,7 @@
 #include "support/record.h"
 #include "support/wait.h"
 
-// What a component hears of its peers and clients, and when.
+// Tests the notifications of a component about its peers and clients, and their order.
 
 namespace tendon {
 namespace {
@@ -27,7 +27,7 @@ using namespace std::chrono_literals;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// Serves numbers that tell who has answered, and counts who has left.
+/// Returns numbers that identify the server, and counts the clients that have left.
 class Server final : public PeriodicTask {
  public:
   Server(std::string name, std::int32_t number) : PeriodicTask(std::move(name), 1ms) {
@@ -61,7 +61,7 @@ class Server final : public PeriodicTask {
   test::Record<std::string> gone_;
 };
 
-/// Writes down what happens to it in the order in which it does.
+/// Records its notifications in order.
 template <std::derived_from<Component> Base>
 class Witness : public tendon_test::WithRun<Base> {
  public:
@@ -84,8 +84,8 @@ class Witness : public tendon_test::WithRun<Base> {
   std::atomic<int> rangs = 0;
   std::atomic<std::thread::id> thread;
   std::atomic<bool> throws = false;
-  std::function<void()> on_connected;  // set before
-  std::function<void()> on_run;        // likewise
+  std::function<void()> on_connected;  // set before the start
+  std::function<void()> on_run;        // set before the start
 
  private:
   std::string Answer() {
@@ -363,7 +363,7 @@ TEST_F(Connections, DoesNotNotifyAStoppedServer) {
   EXPECT_THAT(one.gone(), IsEmpty());
 }
 
-/// Its cycles are made by the test.
+/// A task whose cycles the test runs.
 class Driven final : public CallbackTask {
  public:
   explicit Driven(std::string name) : CallbackTask(std::move(name)) {

@@ -19,7 +19,7 @@ using tendon::LogLevel;
 using testing::ElementsAre;
 using namespace std::chrono_literals;
 
-/// All that is logged in this process, by source.
+/// Records the log of this process, by source.
 class Records {
  public:
   static Records& All() {
@@ -34,13 +34,13 @@ class Records {
     }
     return texts;
   }
-  /// How many the log says it has lost.
+  /// Returns the number of records that the log reports as lost.
   [[nodiscard]] std::uint64_t lost() const {
     std::uint64_t sum = 0;
     for (const std::string& text : Of("log")) sum += std::stoull(text);
     return sum;
   }
-  /// While it is locked nothing is written.
+  /// While this is locked, no record is written.
   std::mutex gate;
 
  private:
@@ -110,7 +110,8 @@ TEST(CycleLog, CountsAndReportsLostRecords) {
     CycleLog log;
     const tendon::LogDeferralScope deferral_scope(log);
     const std::scoped_lock nothing_is_written(records.gate);
-    tendon::Log(LogLevel::kInfo, "flood", "0");  // its writer waits at the gate with this one
+    // The writer of the log waits at the gate with this record.
+    tendon::Log(LogLevel::kInfo, "flood", "0");
     for (std::uint64_t i = 0; i < CycleLog::kCapacity + kTooMany; ++i) {
       tendon::Log(LogLevel::kInfo, "flood", "more");
     }
@@ -119,7 +120,7 @@ TEST(CycleLog, CountsAndReportsLostRecords) {
 
   EXPECT_GE(lost, kTooMany);
   EXPECT_EQ(records.Of("flood").size(), CycleLog::kCapacity + kTooMany + 1 - lost);
-  EXPECT_EQ(records.lost(), lost_before + lost);  // told in one record or in two
+  EXPECT_EQ(records.lost(), lost_before + lost);  // reported in one or two records
 }
 
 TEST(CycleLog, AFloodLeavesRoomForOthers) {

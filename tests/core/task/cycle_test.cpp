@@ -26,7 +26,7 @@ TEST(CycleGrid, AdvancesByWholePeriods) {
   EXPECT_EQ(grid.due(), kBegin + 10ms);
   EXPECT_EQ(grid.Next(kBegin + 12ms), 0U);
   EXPECT_EQ(grid.due(), kBegin + 20ms);
-  EXPECT_EQ(grid.Next(kBegin + 39ms), 0U);  // late, by less than a period: that cycle is made
+  EXPECT_EQ(grid.Next(kBegin + 39ms), 0U);  // late by less than a period, so this cycle is executed
   EXPECT_EQ(grid.due(), kBegin + 30ms);
 }
 
@@ -34,7 +34,8 @@ TEST(CycleGrid, SkipsAndCountsMissedPeriods) {
   CycleGrid grid(10ms);
   grid.Begin(kBegin);
 
-  EXPECT_EQ(grid.Next(kBegin + 57ms), 3U);  // 20, 30 and 40 ms; 50 ms is made late
+  // Skips 20, 30 and 40 ms; the cycle of 50 ms is executed late.
+  EXPECT_EQ(grid.Next(kBegin + 57ms), 3U);
 
   EXPECT_EQ(grid.due(), kBegin + 50ms);
   EXPECT_EQ(grid.Next(kBegin + 58ms), 0U);
@@ -149,7 +150,7 @@ TEST(CycleMeter, SummarisesEachSecond) {
 
   for (int i = 101; i < 202; ++i) cycle(i, 1ms);
   EXPECT_EQ(meter.summary().cycles, 100U);
-  EXPECT_NEAR(meter.summary().lateness.max, 0.001, 1e-9);  // the first second is forgotten
+  EXPECT_NEAR(meter.summary().lateness.max, 0.001, 1e-9);  // the first second no longer counts
 }
 
 TEST(CycleMeter, ASlowTasksWindowHasTenCycles) {

@@ -16,14 +16,14 @@
 #include "support/refusal.h"
 #include "support/wait.h"
 
-// Commands that must be renewed.
+// Tests of commands that expire unless they are renewed.
 
 namespace tendon {
 namespace {
 
 using namespace std::chrono_literals;
 
-/// Turns as fast as it was told last, until it is told nothing any more.
+/// A motor that runs at the last commanded speed until the command expires.
 template <std::derived_from<Task> Base>
 class Motor final : public Base {
  public:
@@ -65,7 +65,7 @@ class Hand final : public Component {
   WriteFunction<double> turn_latest;
 };
 
-/// The motor's cycles are made by the test.
+/// A motor whose cycles the test runs.
 struct Expiring : testing::Test {
   LocalManager manager;
   Hand& hand = manager.Add<Hand>("hand");
@@ -81,7 +81,7 @@ struct Expiring : testing::Test {
     EXPECT_TRUE(motor.Cycle());
     return motor;
   }
-  /// Makes cycles until it stands still.
+  /// Runs cycles until the motor stops.
   static bool EventuallyStops(Motor<CallbackTask>& motor) {
     return EventuallyTrue([&] { return motor.Cycle() && motor.speed == 0.0; });
   }
@@ -230,7 +230,7 @@ TEST_F(Expiring, AFollowerWakesItsSleepingLeader) {
 
   ASSERT_TRUE(hand.turn(2.0));
   const bool has_turned = EventuallyTrue([&] {
-    (void)other_hand.turn(1.0);  // a cycle of both
+    (void)other_hand.turn(1.0);  // both tasks run a cycle
     return motor.speed == 2.0;
   });
   EXPECT_TRUE(has_turned || motor.brakings > 0);
@@ -252,7 +252,7 @@ TEST_F(Expiring, RefusesATimeOutOfRange) {
             "command 'Turn' must expire after 1 ms..3600 s, got 0 ns");
 }
 
-/// Has no thread.
+/// A component without a thread.
 class Lamp final : public Component {
  public:
   explicit Lamp(std::string name) : Component(std::move(name)) {

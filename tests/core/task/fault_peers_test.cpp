@@ -7,7 +7,7 @@
 #include "core/task/scripted.h"
 #include "support/wait.h"
 
-/// What the peers of a component see that is faulted, and that a restart heals it all.
+/// Tests the effects of a faulted component on its peers, and that a restart removes all of them.
 namespace {
 
 using tendon::ComponentState;
@@ -18,7 +18,7 @@ using tendon_test::Script;
 using testing::HasSubstr;
 using namespace std::chrono_literals;
 
-/// Calls, reads, listens and waits.
+/// A client that uses calls, reads, events and waits.
 class Peer final : public tendon::Component {
  public:
   explicit Peer(std::string name) : Component(std::move(name)) {

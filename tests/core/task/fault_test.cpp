@@ -32,7 +32,7 @@ struct Fault : testing::TestWithParam<FaultCase> {
     ASSERT_TRUE(manager.Start("client").ok());
   }
 
-  /// Lets it live until the function is reached.
+  /// Runs the component until the function with the fault is called.
   void Provoke() {
     arm.throws = GetParam().function;
     (void)manager.Start("arm");
@@ -154,7 +154,8 @@ TEST(Restart, DropsCallsQueuedBeforeTheFault) {
   ASSERT_TRUE(manager.StartAll().ok());
   arm.throws = Script::kHandler;
   EXPECT_EQ(client.poke(), tendon::Status::kQueued);
-  EXPECT_EQ(client.poke(), tendon::Status::kQueued);  // still waits when the first has faulted it
+  // This call still waits when the first call has faulted the component.
+  EXPECT_EQ(client.poke(), tendon::Status::kQueued);
   EXPECT_FALSE(arm.Cycle());
   ASSERT_EQ(arm.state(), ComponentState::kFaulted);
 

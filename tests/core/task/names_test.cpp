@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-/// An author's own names, used inside a component: it must compile.
+/// Common names that an author may use inside a component. The file must compile.
 namespace author {
 
 struct Order {

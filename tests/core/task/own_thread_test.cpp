@@ -19,7 +19,7 @@ namespace {
 using namespace std::chrono_literals;
 using tendon::Status;
 
-/// Answers a question that its clients wait for.
+/// A server with a command for whose result its clients wait.
 class Oracle final : public tendon::PeriodicTask {
  public:
   explicit Oracle(std::string name) : PeriodicTask(std::move(name), 1ms) {
@@ -33,7 +33,7 @@ class Oracle final : public tendon::PeriodicTask {
   void Answer(std::int32_t& answer) { answer = 42; }
 };
 
-/// Asks in every cycle.
+/// A client that makes the call in every cycle.
 class Pilgrim final : public tendon::PeriodicTask {
  public:
   explicit Pilgrim(std::string name) : PeriodicTask(std::move(name), 1ms) {
@@ -105,7 +105,7 @@ TEST(CallbackTask, IsNotBoundToTheThreadThatStartsIt) {
   ASSERT_TRUE(manager.Connect({"asker", "Oracle"}, {"driven", "Answers"}).ok());
   ASSERT_TRUE(manager.StartAll().ok());
   std::int32_t answer = 0;
-  EXPECT_EQ(asker.ask.Wait(answer, 1ms), Status::kTimeout);  // it has not made a cycle yet
+  EXPECT_EQ(asker.ask.Wait(answer, 1ms), Status::kTimeout);  // the server has not run a cycle yet
 
   std::jthread driver([&](const std::stop_token& stop) {
     while (!stop.stop_requested()) driven.Cycle();

@@ -13,7 +13,7 @@ using tendon_test::Periodic;
 using tendon_test::Script;
 using namespace std::chrono_literals;
 
-/// A row's time, less how late it was, is the point of the grid it belongs to.
+/// The due time of a row: its time minus its lateness, which is a point of the grid.
 struct Row {
   double due = 0.0;  // ns
   CycleStatistics cycle;
@@ -48,7 +48,8 @@ TEST(PeriodicTask, KeepsItsTimeGrid) {
   tendon::LocalManager manager;
   auto& task = manager.Add<Periodic>("task", 1ms);
   task.on_run = [&task] {
-    if (task.runs > 200) task.throws = Script::kRun;  // its end, so that no row is lost
+    // Ends the task, so that no row is overwritten.
+    if (task.runs > 200) task.throws = Script::kRun;
   };
   ASSERT_TRUE(manager.StartAll(kNoWait).ok());
   ASSERT_TRUE(manager.WaitForAll(ComponentState::kFaulted, 20s).ok());
@@ -78,7 +79,8 @@ TEST(PeriodicTask, CountsAndSkipsOverrunCycles) {
   EXPECT_GE(after.cycle.overruns - during.cycle.overruns, 8U);
   EXPECT_GE(after.cycle.compute, 0.010);
   EXPECT_GE(after.cycle.load, 10.0);
-  for (std::uint64_t tick = 5; tick < 12; ++tick) {  // no point of the grid twice, none made up for
+  // No point of the grid occurs twice, and skipped points are not made up.
+  for (std::uint64_t tick = 5; tick < 12; ++tick) {
     EXPECT_GE(ReadRow(task.table(), tick).due - ReadRow(task.table(), tick - 1).due, 0.99e6);
   }
 }

@@ -14,7 +14,8 @@
 #include "support/real_time_guard.h"
 #include "support/wait.h"
 
-// A program of its own: the guard stands before the C library's malloc, locks and system calls.
+// This test is a separate program: the guard replaces malloc, locks and system calls of the C
+// library.
 
 namespace {
 
@@ -35,8 +36,8 @@ namespace {
 
 constexpr std::uint64_t kWarmUp = 1000;
 
-/// A task of any kind that uses everything a cycle has: commands, events, functions, columns. From
-/// its thousandth cycle on it is guarded, for as many cycles as it is given.
+/// A task that uses all features of a cycle: commands, events, functions and columns. After its
+/// thousandth cycle, it is guarded for a given number of cycles.
 template <std::derived_from<tendon::Task> Base>
 class Guarded final : public Base {
  public:
@@ -46,7 +47,7 @@ class Guarded final : public Base {
     this->state_table().Add(sample_, "Sample");
     if constexpr (std::derived_from<Base, tendon::SignalTask>) {
       this->SetShortestInterval(
-          1ms);  // a row takes most of a cycle's time; periodic ones write all
+          1ms);  // a row takes most of the time of a cycle; periodic tasks write every row
     }
     auto& control = this->AddProvidedInterface("Control");
     control.AddCommandVoid(&Guarded::Poke, this, "Poke");
@@ -60,18 +61,18 @@ class Guarded final : public Base {
     peer.AddEventHandlerWrite(&Guarded::OnChanged, this, "Changed");
   }
 
-  /// What is done in a guarded cycle, for a test of the guard.
+  /// A mistake in a guarded cycle, for tests of the guard.
   std::function<void()> mistake;
   std::atomic<bool> is_done = false;
-  std::atomic<std::uint64_t> handled = 0;  // commands and events
-  RealTimeGuard::Counts counts;            // once it is done
+  std::atomic<std::uint64_t> handled = 0;  // number of executed commands and events
+  RealTimeGuard::Counts counts;            // set when `is_done` is true
 
  private:
   void Run() override {
     this->ProcessQueuedCommands();
     sample_.value[0] = static_cast<double>(++cycle_);
-    if (cycle_ % 16384 != 0) (void)poke_();  // else a signal task falls asleep
-    if (cycle_ % 8 == 1) {  // the rest now and then: a million cycles take their time
+    if (cycle_ % 16384 != 0) (void)poke_();  // otherwise a signal task would not sleep
+    if (cycle_ % 8 == 1) {                   // only sometimes, because a million cycles take long
       (void)set_(sample_);
       (void)get_sample_(read_);
       changed_(sample_);
@@ -106,7 +107,7 @@ class Poker final : public tendon::Component {
   tendon::VoidFunction poke;
 };
 
-/// Runs a guarded task, which is its own peer, while another thread sends it commands.
+/// Runs a guarded task that is connected to itself, while another thread sends commands to it.
 template <typename Base, typename... Arguments>
 RealTimeGuard::Counts Watch(std::uint64_t cycles, std::function<void()> mistake,
                             Arguments... arguments) {

@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 
 struct RunAfter : testing::Test {
   tendon::LocalManager manager;
-  // The follower is added first: StartAll() starts it after its leader all the same.
+  // The follower is added first. StartAll() must still start its leader first.
   Periodic& follower = manager.Add<Periodic>("follower", 1h);
   Periodic& leader = manager.Add<Periodic>("leader", 1ms);
 
@@ -236,7 +236,7 @@ TEST_F(RunAfter, ARunningTaskCannotChangeItsThread) {
   EXPECT_TRUE(manager.Start("follower").ok());
 }
 
-/// Another follower's cycle does not end.
+/// The cycle of another follower hangs.
 struct RunAfterHungTask : RunAfter {
   Periodic& third = manager.Add<Periodic>("third", 1ms);
 
@@ -327,7 +327,7 @@ TEST_F(RunAfter, LeaderAndFollowerCanBeRemoved) {
   EXPECT_TRUE(MakesCycles(leader));
   EXPECT_EQ(third.state(), ComponentState::kFinished);
 
-  ASSERT_TRUE(manager.Start("third").ok());  // in a thread of its own again
+  ASSERT_TRUE(manager.Start("third").ok());  // the task has its own thread again
   EXPECT_TRUE(MakesCycles(third));
   EXPECT_NE(third.thread.load(), leader.thread.load());
 }

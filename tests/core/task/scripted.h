@@ -17,26 +17,27 @@
 
 namespace tendon_test {
 
-/// The author's functions of a component: they count their calls, and throw or block if the test
-/// says so.
+/// The functions that an author writes in a component. They count their calls. The test chooses a
+/// function that throws or blocks.
 class Script {
  public:
   enum Function { kNone, kConfigure, kStartup, kRun, kHandler, kCleanup };
 
   /// The function that throws, until the test changes it.
   std::atomic<Function> throws = kNone;
-  std::atomic<bool> throws_a_number = false;  // not a std::exception
-  std::atomic<bool> throws_nested = false;    // an exception caused by another one
-  /// The function that blocks, as long as it is named here.
+  std::atomic<bool> throws_a_number = false;  // true: throws a number instead of a std::exception
+  // True: throws an exception that was caused by another one.
+  std::atomic<bool> throws_nested = false;
+  /// The function that blocks until the test changes this.
   std::atomic<Function> blocks = kNone;
-  std::atomic<bool> is_blocked = false;  // the function blocks now
+  std::atomic<bool> is_blocked = false;  // true while the function blocks
 
   std::atomic<int> configures = 0;
   std::atomic<int> startups = 0;
   std::atomic<std::uint64_t> runs = 0;
   std::atomic<int> pokes = 0;
   std::atomic<int> cleanups = 0;
-  std::atomic<std::thread::id> thread;  // of the last Startup(), Run() or Cleanup()
+  std::atomic<std::thread::id> thread;  // the thread of the last Startup(), Run() or Cleanup()
   std::function<void()> on_run;         // set before the start
 
   void Play(Function function) {
@@ -57,7 +58,7 @@ class Script {
   }
 };
 
-/// A component that is no task. Its Run() is never called.
+/// A component that is not a task. Its Run() is never called.
 class WithoutCycles : public tendon::Component {
  public:
   using Component::Component;
@@ -69,7 +70,7 @@ class WithoutCycles : public tendon::Component {
 template <typename Base>
 using WithRun = std::conditional_t<std::derived_from<Base, tendon::Task>, Base, WithoutCycles>;
 
-/// Any kind of component that plays a script.
+/// A component of any kind that executes a script.
 template <std::derived_from<tendon::Component> Base>
 class Scripted final : public WithRun<Base>, public Script {
   static constexpr bool kIsTask = std::derived_from<Base, tendon::Task>;

@@ -32,7 +32,7 @@ TEST(ContinuousTask, StartsACycleWhenTheLastEnds) {
   EXPECT_EQ(task.period(), 0.0);
 }
 
-/// There are rows, and more cycles than rows: also without the one that is under way.
+/// Returns true if there are rows, and more cycles than rows, even without the running cycle.
 bool MakesCyclesWithoutARow(std::uint64_t cycles, const tendon::StateTable& table) {
   const std::uint64_t rows = table.next_tick();
   return rows >= 5 && cycles > rows + 1;

@@ -96,7 +96,7 @@ TEST(ThreadOptions, TheStackIsMappedBeforeTheFirstCycle) {
     tendon::os::TouchStack(1 << 20);
     const long before = faults();
     tendon::os::TouchStack(1 << 20);
-    EXPECT_LT(faults() - before, 20);  // 256 pages, were they not there
+    EXPECT_LT(faults() - before, 20);  // 256, if the pages were not present
   }).join();
 }
 
@@ -116,7 +116,7 @@ TEST(ThreadOptions, ASpinningTaskIsNeverEarly) {
   EXPECT_EQ(early, 0);
 }
 
-/// What a process without privileges logs about them, and how its tasks run.
+/// Prints the log of a process without privileges about its thread options, and how its tasks run.
 [[noreturn]] void RunWithoutPrivileges() {
   rlimit none{0, 0};
   setrlimit(RLIMIT_RTPRIO, &none);
@@ -149,7 +149,7 @@ TEST(ThreadOptionsDeathTest, ARefusedPrivilegeWarnsOncePerProcess) {
       "Further refusals in this process are not reported");
 }
 
-/// How much memory of this process is locked, as the kernel says it.
+/// Returns the amount of locked memory of this process, as reported by the kernel.
 std::string LockedMemory() {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {

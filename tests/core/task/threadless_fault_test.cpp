@@ -7,7 +7,7 @@
 #include "core/task/scripted.h"
 #include "support/wait.h"
 
-/// Components without a thread: what they run in the threads of others, and when.
+/// Tests of components without a thread: which code runs in the threads of their peers, and when.
 namespace {
 
 using tendon::ComponentState;
@@ -108,7 +108,7 @@ TEST_F(ThreadlessServer, RefusesCallsOnceItsCleanupStarts) {
   EXPECT_EQ(arm.pokes, 0);
 }
 
-/// A call that runs when the stop comes, and fails while Cleanup() runs.
+/// A component with a call that runs during the stop, and that fails while Cleanup() runs.
 class FailsLate final : public tendon::Component {
  public:
   explicit FailsLate(std::string name) : Component(std::move(name)) {
@@ -147,7 +147,7 @@ TEST(ThreadlessComponent, AFaultDuringAStopPersists) {
   EXPECT_EQ(arm.state(), ComponentState::kFaulted);
 }
 
-/// Listens in every way there is to the event of a component.
+/// Handles the event of a component in every possible way.
 class Listener final : public tendon::Component {
  public:
   Listener(std::string name, bool directly) : Component(std::move(name)) {
@@ -216,7 +216,7 @@ TEST(LostEvent, OfAnInactiveListenerIsCountedAtBothEnds) {
   EXPECT_EQ(listener.source().lost_events(), 1U);
 }
 
-/// Has a command and a handler that run in other threads although it has a thread itself.
+/// A task with a command and a handler that run in other threads.
 class Reckless final : public tendon::PeriodicTask {
  public:
   Reckless(std::string name, std::chrono::nanoseconds period)
@@ -238,7 +238,8 @@ TEST(ThrowingDirectCommand, FaultsItsTask) {
   auto& reckless = manager.Add<Reckless>("reckless", 1ms);
   auto& client = manager.Add<Client>("client");
   ASSERT_TRUE(manager.Connect({"client", "Server"}, {"reckless", "Control"}).ok());
-  EXPECT_EQ(client.poke(), Status::kFailed);  // before it runs there is nothing to fault
+  // A component that does not run yet cannot become faulted.
+  EXPECT_EQ(client.poke(), Status::kFailed);
   EXPECT_EQ(reckless.state(), ComponentState::kConstructed);
 
   for (int i = 0; i < 3; ++i) {

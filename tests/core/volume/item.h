@@ -6,15 +6,15 @@
 
 namespace tendon::volume {
 
-/// How many items each test passes on; `--items=N` of the program changes it.
+/// The number of items that each test passes; set by the option `--items=N`.
 inline std::uint64_t items = 0;
 
-/// The queue length: large enough that two threads seldom wait for each other, even if they share a
-/// processor with others.
+/// The queue length. It is so large that two threads rarely wait for each other, even if they share
+/// a processor with other programs.
 inline constexpr std::size_t kCapacity = 8192;
 
-/// A cache line whose words are all computed from its number, each by another rule, so that a
-/// mixture of two items is detected.
+/// A cache line whose words are computed from its number, each by another rule. So a mixture of two
+/// items is detected.
 using Item = std::array<std::uint64_t, 7>;
 
 constexpr Item ItemOf(std::uint64_t number) {
@@ -24,7 +24,7 @@ constexpr Item ItemOf(std::uint64_t number) {
   return item;
 }
 
-/// Takes items as they arrive, and checks them against the expected ones.
+/// Receives items, and compares them with the expected ones.
 class Checker {
  public:
   void Take(const Item& item) {

@@ -19,7 +19,7 @@ void ExpectAll(const Checker& checker) {
   EXPECT_EQ(checker.repeated_or_late(), 0U);
 }
 
-/// Gives way to the other side until `is_done()`.
+/// Yields the processor to the other thread until `is_done()`.
 template <typename Predicate>
 void YieldUntil(Predicate is_done) {
   while (!is_done()) std::this_thread::yield();
@@ -64,7 +64,7 @@ TEST(Volume, EveryItemPassesARing) {
   ExpectAll(checker);
 }
 
-/// The writer waits for its reader, so that every row has to arrive.
+/// The writer waits for the reader, so every row must arrive.
 TEST(Volume, EveryRowOfATableIsRead) {
   StateTable table;
   Item variable{};
@@ -98,7 +98,8 @@ TEST(Volume, EveryRowOfATableIsRead) {
   ExpectAll(checker);
 }
 
-/// A component that raises events and one that handles them, each in a thread of the test.
+/// A component that raises events and a component that handles them. Each runs in a thread of the
+/// test.
 struct Pair {
   Inbox server_inbox;
   Inbox client_inbox;

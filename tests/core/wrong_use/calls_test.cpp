@@ -5,7 +5,7 @@
 #include "core/interface/waiting_fixture.h"
 #include "core/task/scripted.h"
 
-// Calls at the wrong time, or in the wrong thread.
+// Tests of calls at the wrong time, or in the wrong thread.
 
 namespace tendon_test {
 namespace {
@@ -26,7 +26,7 @@ struct Functions {
   tendon::VoidReturnFunction<std::int32_t> count;
   tendon::WriteReturnFunction<std::string, Message> describe;
 
-  /// Each answers `expected`, and changes nothing.
+  /// Expects that each call returns `expected` and changes nothing.
   void Expect(Status expected) {
     JointGoal goal;
     goal.position[0] = 7.0;
@@ -70,7 +70,7 @@ TEST(BadInput14, AnUnconnectedFunctionReturnsNotConnected) {
   belonging_nowhere.Expect(Status::kNotConnected);
 }
 
-/// Calls its own commands in its cycle.
+/// A task that calls its own commands in its cycle.
 class Selfish final : public tendon::CallbackTask {
  public:
   explicit Selfish(std::string name) : CallbackTask(std::move(name)) {
@@ -153,7 +153,7 @@ TEST(BadInput16, AReadBeforeTheFirstRowReturnsNoSample) {
   EXPECT_EQ(joints, JointGoal{});
 }
 
-/// A call of `poke` that waits, made by another thread while the server does not return from it.
+/// A waiting call of `poke` in another thread. The server does not return from the call yet.
 template <typename Kind>
 struct CallInFlight {
   std::unique_ptr<LocalManager> manager = std::make_unique<LocalManager>();
@@ -170,7 +170,7 @@ struct CallInFlight {
     call = std::async(std::launch::async, [this] { return client.poke.Wait(60s); });
     EXPECT_TRUE(EventuallyTrue([this] { return server.is_blocked.load(); }));
   }
-  /// Lets the server return from the call once the connection is being closed.
+  /// Lets the server return from the call when the connection is being closed.
   std::jthread ReleaseLater() {
     return std::jthread([this] {
       while (client.poke() != Status::kNotConnected) std::this_thread::yield();
@@ -220,7 +220,7 @@ TEST(BadInput17, AClientIsNotDestroyedBeforeItsCallHasEnded) {
 }
 
 TEST(BadInput17, DestroyingAManagerEndsRunningCalls) {
-  /// Calls in every cycle.
+  /// A task that makes the call in every cycle.
   class Busy final : public tendon::ContinuousTask {
    public:
     explicit Busy(std::string name) : ContinuousTask(std::move(name)) {
@@ -248,7 +248,7 @@ TEST(BadInput17, DestroyingAManagerEndsRunningCalls) {
   }
 }
 
-/// A handler that throws, of a queued or of a direct event.
+/// A handler that throws. It handles a queued or a direct event.
 class Listener final : public tendon::SignalTask {
  public:
   explicit Listener(std::string name, bool is_direct) : SignalTask(std::move(name)) {
@@ -285,7 +285,7 @@ TEST(BadInput18, AThrowingEventHandlerFaultsItsComponent) {
   }
 }
 
-/// Calls from a thread that is not its own.
+/// A task whose functions are called in another thread.
 class Invaded final : public tendon::CallbackTask {
  public:
   explicit Invaded(std::string name) : CallbackTask(std::move(name)) {

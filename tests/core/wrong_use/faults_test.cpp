@@ -12,7 +12,8 @@
 #include "support/allocation_guard.h"
 #include "support/wait.h"
 
-// Rows of the fault matrix that concern one process; the README says where the others are.
+// Tests of the faults in the second table of this folder's README.md. The numbers are from the
+// table.
 
 namespace tendon_test {
 namespace {
@@ -26,7 +27,7 @@ using tendon::Overflow;
 using tendon::Status;
 using namespace std::chrono_literals;
 
-/// What takes calls as fast as it is told to.
+/// A server that executes calls as fast as the test allows.
 struct Flooded {
   Inbox inbox;
   tendon::ProvidedInterface control{"Control", &inbox};
@@ -61,7 +62,7 @@ JointGoal GoalOf(int number) {
   return goal;
 }
 
-/// A flood of ten times the capacity, again and again.
+/// Repeatedly makes ten times as many calls as the mailbox holds.
 struct FaultRow12 : testing::TestWithParam<std::size_t> {
   Flooded server;
   Flooding client;
@@ -128,7 +129,7 @@ void Throw(Throws what) {
   }
 }
 
-/// Throws when it is half built.
+/// A component whose constructor throws in the middle.
 template <Throws kWhat>
 class HalfBuilt final : public tendon::PeriodicTask {
  public:
@@ -187,7 +188,7 @@ TEST_F(FaultRow22, TheProcessContinuesAndOthersStart) {
   EXPECT_EQ(manager.components()[0].state, ComponentState::kActive);
 }
 
-/// One of the author's functions throws, in every life.
+/// One function of the author throws after every start.
 struct FaultRow23 : testing::TestWithParam<Script::Function> {
   LocalManager manager;
   Periodic& arm = manager.Add<Periodic>("arm", 10us);
@@ -197,7 +198,7 @@ struct FaultRow23 : testing::TestWithParam<Script::Function> {
     ASSERT_TRUE(manager.Connect({"client", "Server"}, {"arm", "Control"}).ok());
     ASSERT_TRUE(manager.Start("client").ok());
   }
-  /// Lets it live until it is faulted.
+  /// Runs the component until it is faulted.
   void Live() {
     const bool begins = manager.Start("arm").ok();
     if (begins && GetParam() == Script::kHandler) (void)client.poke();

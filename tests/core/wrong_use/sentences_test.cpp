@@ -9,8 +9,9 @@
 #include "core/task/scripted.h"
 #include "support/refusal.h"
 
-// What is wrong in the wiring of components: each has its sentence, which says what, where, what
-// was found and what to do. The numbers are those of the list of bad inputs in the README.
+// Tests of mistakes in the wiring of components. Each mistake has its own message, which says what
+// is wrong, where, what was found, and what to do. The numbers are from the first table in this
+// folder's README.md.
 
 namespace {
 
@@ -36,10 +37,10 @@ TEST(BadInput1, RefusesANullComponent) {
   EXPECT_TRUE(manager.components().empty());
 }
 
-/// Names that nobody can have, of whatever sort.
+/// A name that is not allowed for any kind of object.
 struct BadName {
   std::string name;
-  std::string after_what;  // what follows "component name "
+  std::string after_what;  // the text after "component name "
 };
 
 struct BadInput2And3 : testing::TestWithParam<BadName> {
@@ -49,7 +50,7 @@ struct BadInput2And3 : testing::TestWithParam<BadName> {
 };
 
 TEST_P(BadInput2And3, RefusesInvalidNamesWithTheRule) {
-  /// Adds one member of the name, of the sort that is asked for.
+  /// Adds one member of the requested kind with this name.
   class Named final : public tendon::Task {
    public:
     Named(const std::string& sort, const std::string& name) : Task("arm") {
@@ -95,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadName{std::string(300, 'a'),
                             "'aaaaaaaaaaaaaaaaaaaa...' has 300 characters" + kRule}));
 
-/// Adds something a second time.
+/// Adds a member with the same name twice.
 class Twice final : public tendon::Task {
  public:
   explicit Twice(const std::string& sort) : Task("arm") {
@@ -158,7 +159,7 @@ TEST(BadInput4, ADuplicateComponentKeepsTheFirst) {
   EXPECT_EQ(manager.Find("arm"), &first);
 }
 
-/// Adds something when it is told to.
+/// Adds a member when the test requests it.
 class Late final : public tendon::CallbackTask {
  public:
   explicit Late(std::string name) : CallbackTask(std::move(name)) {}
@@ -232,7 +233,7 @@ TEST(BadInput7, RefusesAnInvalidMailboxCapacityWithItsRange) {
   EXPECT_EQ(robot.mailbox_capacity(), 64U);
 }
 
-/// Wrong ends of connections.
+/// Connections with wrong interfaces.
 struct Wiring : testing::Test {
   LocalManager manager;
   Callback& arm = manager.Add<Callback>("arm");

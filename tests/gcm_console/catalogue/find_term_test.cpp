@@ -68,7 +68,8 @@ TEST(Expression, SupportsCharacterClasses) {
 
 TEST(Expression, ReportsAMistakeWithItsPlace) {
   const std::string expected = "; expected an expression such as Get|Set";
-  EXPECT_EQ(MistakeIn(""), "an empty expression matches everything");
+  EXPECT_EQ(MistakeIn(""),
+            "an empty expression matches everything; expected an expression such as Get|Set");
   EXPECT_EQ(MistakeIn("a(b"), "missing ) at 'a(b'" + expected);
   EXPECT_EQ(MistakeIn("a[b"), "missing ] at '[b'" + expected);
   EXPECT_EQ(MistakeIn("*a"), "no argument for repetition operator at '*'" + expected);
@@ -78,7 +79,7 @@ TEST(Expression, ReportsAMistakeWithItsPlace) {
   EXPECT_EQ(MistakeIn("((a{100}){100}){100}"), "invalid repetition size at '{100}'" + expected);
 }
 
-// Those that try one way after the other would take longer than the universe has been there.
+// A matcher with backtracking would need almost infinite time for these patterns.
 TEST(Expression, CatastrophicPatternsMatchQuickly) {
   const std::string many(2000, 'a');
   EXPECT_FALSE(Finds("^(a+)+$", many + "!"));
@@ -137,7 +138,7 @@ TEST(FindTerm, MatchesStateHostAndProcess) {
   EXPECT_FALSE(Finds("state:active", kGoal));
   EXPECT_TRUE(Finds("host:lab", kGoal));
   EXPECT_TRUE(Finds("proc:ro*", kGoal));
-  EXPECT_FALSE(Finds("proc:robot", kRobot));  // that is the interface
+  EXPECT_FALSE(Finds("proc:robot", kRobot));  // "robot" here is an interface, not a process
 }
 
 TEST(FindTerm, AnExclamationMarkNegates) {
@@ -155,7 +156,7 @@ TEST(FindTerm, SlashesEncloseARegularExpression) {
   EXPECT_TRUE(Finds("type:/^arm\\.\\w+$/", kGoal));
   EXPECT_TRUE(Finds("type:/^req/", kRobot));
   EXPECT_TRUE(Finds("state:!/^a.*d$/", kRobot));
-  EXPECT_TRUE(Finds("/[:t]el/", kRobot));  // no key
+  EXPECT_TRUE(Finds("/[:t]el/", kRobot));  // the colon belongs to the expression, not to a key
 }
 
 TEST(FindTerm, RejectsABadExpression) {

@@ -24,7 +24,7 @@ class PathTargetTest : public testing::Test {
     EXPECT_TRUE(catalogue_.Apply(change));
   }
 
-  /// The type column of a member.
+  /// Returns the types of a member, as in the column TYPE.
   std::string Types(const std::string& path) {
     const auto target = FindTarget(catalogue_, path);
     EXPECT_TRUE(target) << target.error().message;

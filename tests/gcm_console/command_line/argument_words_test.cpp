@@ -8,7 +8,7 @@ namespace {
 using tendon::Schema;
 using ArgumentList = std::vector<std::string>;
 
-/// Of a text, a tone of two, and whether it is loud.
+/// A structure of a text, an enumeration with two values, and a bool.
 Schema SayingSchema() {
   const Schema tone = Schema::Enum("hall.Tone", {{"low", 0}, {"high", 1}});
   return Schema::Structure("hall.Saying",
@@ -87,7 +87,8 @@ TEST(ArgumentWords, MistakesListTheFields) {
   EXPECT_EQ(Told(SayingSchema(), {"hi", "high"}), begin + "loud is missing: " + fields);
   EXPECT_EQ(Told(SayingSchema(), {"hi", "high", "true", "7"}),
             begin + "'7' is one word too many: " + fields);
-  EXPECT_EQ(Told(SayingSchema(), {"hi", "text=ho"}), begin + "text is given twice");
+  EXPECT_EQ(Told(SayingSchema(), {"hi", "text=ho"}),
+            begin + "text is given twice: leave out one of the two");
   EXPECT_EQ(Told(SayingSchema(), {"hi", "tune=high"}),
             begin + "no field 'tune'; did you mean 'tone'?");
   EXPECT_EQ(Told(SayingSchema(), {"a=1"}), begin + "no field 'a'; " + fields);

@@ -16,10 +16,10 @@ namespace {
 
 using testing::HasSubstr;
 
-/// What needs no GCM: `gcm WORDS...` as a beginner types it.
+/// Runs `gcm WORDS...` as a beginner types it. No GCM is needed.
 class HelpTest : public SystemFixture {
  protected:
-  /// Of `gcm help`.
+  /// Returns the verbs in the output of `gcm help`.
   std::vector<std::string> Verbs() const {
     const std::string help = Typed({"help"}).out;
     const std::string listed = help.substr(0, help.find("\noptions\n"));
@@ -37,7 +37,8 @@ TEST_F(HelpTest, EveryVerbIsListedAndHasAPage) {
 
   EXPECT_GE(verbs.size(), 20U);
   EXPECT_THAT(verbs, testing::IsSupersetOf({"ls", "watch", "connect", "shell", "help", "version"}));
-  EXPECT_THAT(verbs, testing::Not(testing::Contains("complete")));  // is for programs
+  // Complete is used only by programs.
+  EXPECT_THAT(verbs, testing::Not(testing::Contains("complete")));
   for (const std::string& verb : verbs) {
     const Outcome page = Typed({"help", verb});
     EXPECT_EQ(page.exit_code, program::kOk) << verb;

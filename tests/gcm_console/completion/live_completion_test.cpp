@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Tab, where only a process knows the words.
+/// Tests the completion of words that only a process knows.
 class LiveCompletionTest : public SystemFixture {
  protected:
   void SetUp() override {
@@ -21,17 +21,17 @@ class LiveCompletionTest : public SystemFixture {
     hall = StartLcm("hall", (home.path() / "hall.json").string());
     ASSERT_TRUE(EventuallySays({"ls", "hall"}, "crier\tactive")) << hall->err();
     shell = std::make_unique<Terminal>(
-        // Who waited for an answer at a key would wait longer than the test.
+        // If a key press waited for an answer with this time-out, the test would fail.
         Binary("gcm") + " --gcm " + address + " --timeout 10min shell",
         std::map<std::string, std::string>{{"XDG_STATE_HOME", home.path().string()},
                                            {"HOME", home.path().string()}},
         kWide);
     ASSERT_TRUE(shell->Shows("gcm> "));
-    shell->Type("status\r");  // until the catalogue is here
+    shell->Type("status\r");  // the prompt shows the output when the catalogue has arrived
     ASSERT_TRUE(shell->Shows("all is well\r\ngcm> ")) << shell->seen();
   }
-  /// Whether the line, typed with Tab in it, says `text`: what is asked for may come too late for
-  /// the first one.
+  /// Types the line, which contains a Tab, until the output contains `text`. The answer of the
+  /// process may arrive too late for the first Tab.
   bool Says(const std::string& line, const std::string& text) const {
     return EventuallyTrue([&] {
       shell->Type(line + "\r");

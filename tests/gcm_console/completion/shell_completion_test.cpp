@@ -12,13 +12,13 @@ namespace {
 
 using testing::HasSubstr;
 
-/// The completion files as the shells themselves load them; no GCM is there.
+/// Loads the completion files into the real shells. There is no GCM.
 class CompletionFiles : public SystemFixture {
  protected:
   static bool IsInstalled(const std::string& shell) {
     return RunProgram({"/bin/sh", "-c", "command -v " + shell}).exit_code == 0;
   }
-  /// What the shell prints, which finds our `gcm`.
+  /// Runs a script in a shell that finds the built `gcm`. Returns its output.
   Outcome Run(const Program::Words& shell, const std::string& script) const {
     Program::Words words = {"/usr/bin/env"};
     words.insert(words.end(), shell.begin(), shell.end());

@@ -17,7 +17,7 @@ using testing::IsEmpty;
 
 constexpr double kWindow = 10.0;  // s
 
-/// Of the columns "Joints", two numbers, and "Note", a text.
+/// Makes a feed of the columns "Joints", two numbers, and "Note", a text.
 CurveFeed FeedOf(const std::vector<RowInbox::Wanted>& wanted) { return CurveFeed(wanted, kWindow); }
 RowInbox::Wanted Joints(const std::string& field, bool is_found = false) {
   return {*tendon::ParsePath("robot/arm/state.Joints" + field), 0, is_found};

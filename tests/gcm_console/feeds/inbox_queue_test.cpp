@@ -14,7 +14,7 @@ void Push(Numbers& numbers, int number) {
   numbers.Push(number, 1, [](const int&) { return std::uint64_t{1}; });
 }
 
-/// Each number with the loss before it.
+/// Returns each number with the loss before it.
 std::vector<std::pair<int, std::uint64_t>> Take(Numbers& numbers) {
   std::vector<std::pair<int, std::uint64_t>> all;
   for (const auto& [number, lost_before] : numbers.Take()) all.emplace_back(number, lost_before);
@@ -37,7 +37,7 @@ TEST(InboxQueue, CountsDroppedElementsBeforeTheOldestKept) {
   numbers.AddLost(10);
   Push(numbers, 2);
   Push(numbers, 3);  // drops 1
-  Push(numbers, 4);  // drops 2, and the loss before it
+  Push(numbers, 4);  // drops 2, together with the loss before 2
 
   EXPECT_EQ(Take(numbers), (std::vector<std::pair<int, std::uint64_t>>{{3, 12}, {4, 0}}));
 }

@@ -15,7 +15,7 @@ using Names = std::vector<InterfaceName>;
 constexpr SteadyTime kStart{std::chrono::hours(1)};
 constexpr auto kMoment = std::chrono::milliseconds(1);
 
-/// So many required interfaces of each process "p1", "p2" and so on.
+/// Returns `of_each` required interfaces for each of the processes "p1", "p2" and so on.
 Names NamesOf(int processes, int of_each) {
   Names names;
   for (int process = 1; process <= processes; ++process) {

@@ -11,7 +11,7 @@ namespace {
 
 using tendon::RowDelivery;
 
-/// Of one column, a number of a byte, whose batches have rows of the ticks given.
+/// An inbox for one column, a number of one byte. The batches have rows with the given ticks.
 class RowInboxTest : public testing::Test {
  protected:
   static RowInbox::Wanted Column() {

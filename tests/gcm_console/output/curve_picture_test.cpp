@@ -24,7 +24,7 @@ constexpr double kShown = 10.0;  // s
 
 const Schema kReal(Schema::Kind::kFloat64);
 
-/// A value each second.
+/// Returns a curve with one value per second.
 template <typename T>
 Curve CurveOf(const Schema& schema, const std::vector<T>& values) {
   Curve curve{.title = "a/b/state.X", .unit = "", .schema = schema, .samples = {}};
@@ -36,7 +36,7 @@ Curve CurveOf(const Schema& schema, const std::vector<T>& values) {
 std::string PictureOfOne(const Curve& curve, int rows = 20) {
   return PictureOf(std::vector<Curve>{curve}, kShown, 80, rows);
 }
-/// From the top down.
+/// Returns the labels from top to bottom.
 std::vector<std::string> LabelsIn(const std::string& picture) {
   std::istringstream lines(picture);
   std::vector<std::string> labels;
@@ -50,7 +50,7 @@ std::vector<std::string> LabelsIn(const std::string& picture) {
   }
   return labels;
 }
-/// The rows of dots, each of as many letters.
+/// Returns the rows of dots, with one entry per character.
 std::vector<std::vector<unsigned>> CellsIn(const std::string& picture) {
   std::istringstream lines(picture);
   std::vector<std::vector<unsigned>> rows;
@@ -93,13 +93,13 @@ TEST(CurvePicture, LabelsStatesByName) {
               ElementsAre("true", "false"));
 }
 
-/// Between two samples of a state only two rows have dots, but where it changes.
+/// Between two samples of a state, only two rows have dots, except where the state changes.
 TEST(CurvePicture, StatesAreSteps) {
   const auto cells =
       CellsIn(PictureOfOne(CurveOf(Schema(Schema::Kind::kBool), std::vector{false, true, false})));
 
   ASSERT_EQ(cells.size(), 18U);
-  std::set<std::size_t> columns_between;  // that have a dot between the states
+  std::set<std::size_t> columns_between;  // columns with a dot between the two states
   for (std::size_t row = 1; row + 1 < cells.size(); ++row) {
     for (std::size_t column = 0; column < cells[row].size(); ++column) {
       if (cells[row][column] != 0) columns_between.insert(column);
@@ -136,7 +136,7 @@ TEST(CurvePicture, DoesNotScaleToNoiseAtRest) {
               ElementsAre("1.0", "0.5", "0.0", "-0.5", "-1.0"));
 }
 
-/// The letters before the dots, the same in each row.
+/// Returns the number of characters before the dots. It is the same in each row.
 std::size_t MarginIn(const std::string& picture) {
   std::istringstream lines(picture);
   std::set<std::size_t> margins;
@@ -148,15 +148,15 @@ std::size_t MarginIn(const std::string& picture) {
   return *margins.begin();
 }
 
-/// What holds for every picture: it is as high and wide as it should be, and no label twice.
+/// Checks properties of every picture: its height and width, and that no label occurs twice.
 void CheckPicture(const Curve& curve, int columns, int rows) {
-  constexpr std::size_t kFewestDots = 8;  // in a row, in letters
+  constexpr std::size_t kFewestDots = 8;  // minimum width of the curve, in characters
   const std::string picture = PictureOf(std::vector<Curve>{curve}, kShown, columns, rows);
   const auto cells = CellsIn(picture);
   const auto curve_rows = static_cast<std::size_t>(std::max(rows - 2, kFewestCurveRows));
   RC_ASSERT(cells.size() == curve_rows);
   const auto lines = static_cast<std::size_t>(std::ranges::count(picture, '\n'));
-  RC_ASSERT(lines == curve_rows + 2);  // the title and the time
+  RC_ASSERT(lines == curve_rows + 2);  // and the lines for the title and the time
   const std::size_t margin = MarginIn(picture);
   const auto width = std::max(static_cast<std::size_t>(columns), margin + kFewestDots);
   for (const auto& row : cells) RC_ASSERT(margin + row.size() == width);

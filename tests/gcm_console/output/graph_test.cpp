@@ -33,7 +33,7 @@ bool DoOverlap(const Rect& a, const Rect& b) {
   return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }
 
-/// So many processes of three components each: each uses the one before it.
+/// A chain of processes with three components each. Each component uses the previous one.
 class Chain {
  public:
   explicit Chain(int processes) {
@@ -74,7 +74,7 @@ class Chain {
   tendon::Catalogue catalogue_;
 };
 
-/// Whether the tags of a text fit each other, as those of XML do.
+/// Returns true if the tags of the text are balanced, as in XML.
 bool IsBalanced(const std::string& text) {
   static const std::regex kTag("<(/?)([a-z]+)[^<>]*?(/?)>");
   std::vector<std::string> open;
@@ -92,7 +92,7 @@ bool IsBalanced(const std::string& text) {
   return open.empty() && begins == std::count(text.begin(), text.end(), '>');
 }
 
-/// Nothing is cut off, or behind another.
+/// Expects that no text is cut off or overlaps another one.
 void ExpectRoomForAll(const Diagram& diagram) {
   const Rect all{0, 0, diagram.size.width, diagram.size.height};
   for (const auto& process : diagram.processes) {
@@ -122,7 +122,7 @@ TEST(DiagramOf, NodesDoNotOverlapAndFitInside) {
   ExpectRoomForAll(diagram);
 }
 
-/// Shown in a line downwards, in a small measure.
+/// Returns positions in one vertical line, in a small unit of length.
 console::Places InALine(const Diagram& diagram) {
   console::Places places;
   double y = -50;

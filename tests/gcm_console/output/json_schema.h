@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-/// The reason why a value does not fit a JSON schema, with the place in the value; empty if it
-/// fits. Supports the keywords that our schemas use: anyOf, type, const, enum, required,
-/// properties, additionalProperties: false and items.
+/// Returns why a value does not match a JSON schema, with the position in the value; empty if the
+/// value matches. Supports the keywords that Tendon's schemas use: anyOf, type, const, enum,
+/// required, properties, additionalProperties: false and items.
 inline std::string MisfitOf(const nlohmann::json& value, const nlohmann::json& schema,
                             const std::string& place = "document") {
   using nlohmann::json;

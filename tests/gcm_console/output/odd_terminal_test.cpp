@@ -9,10 +9,10 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Terminals that can do little, or say nothing of what they can.
+/// Tests with terminals that have few abilities, or do not tell their abilities.
 class OddTerminalTest : public DemoFixture {
  protected:
-  /// Where `variables` are set or, as `-u NAME`, are not.
+  /// Returns a command line that runs gcm with these `variables`. `-u NAME` removes a variable.
   std::string Command(const std::string& variables, const std::string& words) const {
     return "env " + variables + " " + Binary("gcm") + " --gcm " + address + " --timeout " +
            kPatience + " " + words;
@@ -40,7 +40,7 @@ TEST_F(OddTerminalTest, TheShellWorksOnEachTerminal) {
   for (const char* variables : {"-u TERM", "TERM=dumb", "TERM=no-such-terminal"}) {
     Terminal shell(Command(variables, "shell"), Environment());
     ASSERT_TRUE(shell.Shows("gcm> ")) << variables << shell.seen();
-    shell.Type("status\r");  // until the catalogue is here
+    shell.Type("status\r");  // the prompt shows the output when the catalogue has arrived
     ASSERT_TRUE(shell.Shows("see gcm doctor\r\ngcm> ")) << variables << shell.seen();
     shell.Type("cd rob\t/ar\t\r");
     EXPECT_TRUE(shell.Shows("robot/arm> ")) << variables << shell.seen();
@@ -52,7 +52,7 @@ TEST_F(OddTerminalTest, TheShellWorksOnEachTerminal) {
 TEST_F(OddTerminalTest, TwentyColumnsAreEnough) {
   constexpr unsigned short kNarrow = 20;
   Terminal top(Command("", "top --sort name"), {}, kNarrow);
-  ASSERT_TRUE(top.Shows("\x1b[?7l")) << top.seen();  // what is too long ends at the edge
+  ASSERT_TRUE(top.Shows("\x1b[?7l")) << top.seen();  // long lines are cut off at the right edge
   EXPECT_TRUE(top.Shows("desk/old_arm")) << top.seen();
   EXPECT_TRUE(top.Shows("\r\nkeys: q end; sort")) << top.seen();
   top.Type("q");

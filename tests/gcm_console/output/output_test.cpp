@@ -20,23 +20,25 @@ json SchemaIn(const std::filesystem::path& file) {
   return json::parse(std::ifstream(file), nullptr, false);
 }
 
-/// `cert init` has one of its own.
+/// Returns the name of the document that a verb prints. Each subcommand of `cert` has its own
+/// document.
 std::string DocumentOf(const Program::Words& words) {
   return words[0] == "cert" ? "cert-" + words.at(1) : words[0];
 }
 
-/// By group and verb.
+/// Returns the schema file of a document in the group of its verb.
 std::filesystem::path SchemaFileOf(const std::string& group, const std::string& document) {
   return std::filesystem::path(TENDON_JSON_SCHEMAS) / group / (document + ".json");
 }
 
-/// Verbs that print no JSON: they draw, are for people, or run other verbs.
+/// Verbs that print no JSON: they draw, print text for people, or run other verbs.
 const std::set<std::string> kWithoutDocument = {"plot", "serve", "broker",    "shell",
                                                 "run",  "help",  "completion"};
 
 class OutputTest : public DemoFixture {
  protected:
-  /// The first document or line that a verb prints with --json fits the schema of its name.
+  /// Expects that the first document or line of a verb with --json matches the schema with its
+  /// name.
   void ExpectFits(Program::Words words) {
     const std::string document = DocumentOf(words);
     const auto verb = std::ranges::find(verbs, words[0], &console::Verb::name);
@@ -54,7 +56,7 @@ class OutputTest : public DemoFixture {
     seen.insert(words[0]);
     ++documents;
   }
-  /// Of a verb that waits for the arm to reach its goal.
+  /// Runs a verb that waits until the arm has reached its goal.
   [[nodiscard]] Outcome Hear(Program::Words words) const {
     words.insert(words.begin(), {Binary("gcm"), "--gcm", address, "--timeout", kPatience});
     Program events(words);
@@ -75,7 +77,8 @@ class OutputTest : public DemoFixture {
     return file;
   }
 
-  /// Each does something, so that the next finds what it is about.
+  /// Returns one command line for each verb. Each command changes the system such that the next one
+  /// can succeed.
   [[nodiscard]] std::vector<Program::Words> Lines() const {
     const std::string column = "robot/arm/state.Joints.position[0]";
     const std::string saved = (home.path() / "saved.json").string();

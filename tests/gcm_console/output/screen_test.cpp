@@ -24,7 +24,7 @@ TEST(BrailleCanvas, EachLetterShowsEightDots) {
 
   canvas.Set(0, 0);
   canvas.Set(3, 3);
-  canvas.Set(4, 0);  // outside
+  canvas.Set(4, 0);  // outside of the canvas
 
   EXPECT_EQ(canvas.Row(0), "\u2801\u2880");
 }
@@ -61,7 +61,7 @@ TEST_F(ScreenTest, TopOnATerminalIsSortedAndFilteredByKeys) {
   terminal.Type("q");
 
   EXPECT_EQ(terminal.program().Wait(), program::kOk);
-  EXPECT_TRUE(terminal.Shows("\x1b[?1049l"));  // the screen is given back
+  EXPECT_TRUE(terminal.Shows("\x1b[?1049l"));  // the screen is restored
 }
 
 TEST_F(ScreenTest, TopShowsConnectionsByAKey) {
@@ -90,7 +90,8 @@ TEST_F(ScreenTest, TopPrintsTheCountersOfConnections) {
     const json all = json::parse(Gcm({"top", "--connections", "--json"}).out, nullptr, false);
     if (!all.is_object() || all.value("connections", json::array()).empty()) return false;
     connection = all["connections"][0];
-    return connection["required"] == "desk/teleoperation/Robot" &&  // the other one says little
+    // The other connection has few calls.
+    return connection["required"] == "desk/teleoperation/Robot" &&
            connection.contains("round_trip_s") && connection.value("rate_hz", 0.0) > 0.0;
   })) << connection;
   EXPECT_TRUE(connection.contains("lost") && connection.contains("waiting")) << connection;
@@ -109,7 +110,8 @@ TEST_F(ScreenTest, TopShowsItsKeysAfterAResize) {
   ASSERT_TRUE(terminal.Shows("RATE/Hz")) << terminal.seen();
   ASSERT_TRUE(terminal.Shows("q end")) << terminal.seen();
 
-  terminal.Resize(7, 100);  // rows: those of the processes, and what orders the tasks
+  // Room for the processes and the sort order of the tasks, but for no task.
+  terminal.Resize(7, 100);
   terminal.Type("n");
   ASSERT_TRUE(terminal.Shows("by name")) << terminal.seen();
   terminal.Type("r");
@@ -121,7 +123,7 @@ TEST_F(ScreenTest, TopShowsItsKeysAfterAResize) {
   EXPECT_EQ(terminal.program().Wait(), program::kOk);
 }
 
-/// Where there is a shell to come back to.
+/// Runs gcm in an interactive shell, because Ctrl-Z returns to the shell.
 TEST_F(ScreenTest, CtrlZRestoresTheScreenUntilResumed) {
   const std::string gcm_line = Binary("gcm") + " --gcm " + address + " --timeout " + kPatience;
   Terminal terminal("/bin/bash --norc --noprofile -i", {{"PS1", "at rest> "}}, 100);
@@ -189,7 +191,7 @@ TEST_F(ScreenTest, TheDoctorReportsHealthAndFixes) {
   ASSERT_EQ(Gcm({"connect", "desk/teleoperation/Robot", "robot/arm/Control"}).exit_code,
             program::kOk);
   Outcome well;
-  EXPECT_TRUE(EventuallyTrue([&] {  // the clocks are known a little later, if not anew by now
+  EXPECT_TRUE(EventuallyTrue([&] {  // clock offsets are known later than the other values
     well = Gcm({"doctor"});
     return well.exit_code == program::kOk && well.out.find("clock 0.0 ms off") != well.out.npos;
   })) << well.out;

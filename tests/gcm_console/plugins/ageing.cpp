@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-/// A plug-in that is built twice, so that a test sees which of the two runs.
+/// A plug-in that is built twice, so that a test can see which version runs.
 namespace test {
 
 struct Generation {
@@ -22,7 +22,7 @@ namespace test {
 
 using namespace std::chrono_literals;
 
-/// Tells in each cycle which generation its code is of.
+/// Records in each cycle the generation of its code.
 class Ageing final : public tendon::PeriodicTask {
  public:
   explicit Ageing(std::string name) : PeriodicTask(std::move(name), 1ms) {

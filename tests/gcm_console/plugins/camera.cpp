@@ -11,7 +11,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A picture of 6.2 MB, ten times a second, and its number.
+/// Records a picture of 6.2 MB and its number ten times per second.
 class Camera final : public tendon::PeriodicTask {
  public:
   explicit Camera(std::string name) : PeriodicTask(std::move(name), 100ms) {

@@ -41,7 +41,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Raises as many events at once as it is asked for, and says again what it is told.
+/// Raises the requested number of events at once, and returns the text that it receives.
 class Crier final : public tendon::PeriodicTask {
  public:
   using Configuration = hall::CrierConfiguration;

@@ -9,7 +9,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Takes what was handed in once a second.
+/// Executes the received commands once per second.
 class Clerk final : public tendon::PeriodicTask {
  public:
   explicit Clerk(std::string name) : PeriodicTask(std::move(name), 1s) {
@@ -22,7 +22,7 @@ class Clerk final : public tendon::PeriodicTask {
   void Take(const std::int32_t& /*paper*/) {}
 };
 
-/// Hands in a thousand papers a second.
+/// Sends a thousand commands per second.
 class Petitioner final : public tendon::PeriodicTask {
  public:
   explicit Petitioner(std::string name) : PeriodicTask(std::move(name), 1ms) {

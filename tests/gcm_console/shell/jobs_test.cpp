@@ -29,7 +29,7 @@ TEST(JobLines, AreWholeLinesAndCountDroppedOnes) {
   EXPECT_EQ(lines.Take(), "");
 }
 
-/// Somebody lets commands go on behind the prompt.
+/// A user runs commands in the background of the shell.
 class JobsTest : public DemoFixture {
  protected:
   void SetUp() override {

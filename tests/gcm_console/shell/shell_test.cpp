@@ -25,7 +25,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Somebody types.
+/// A user types commands in the shell.
 class ShellTest : public DemoFixture {
  protected:
   std::string Command() const {
@@ -67,7 +67,7 @@ TEST_F(ShellTest, RunsVerbsAndChangesThePath) {
 TEST_F(ShellTest, ExpandsShortenedNamesAndPrintsThem) {
   Terminal terminal(Command(), Environment());
   ASSERT_TRUE(terminal.Shows("gcm> "));
-  terminal.Type("status\r");  // until the catalogue is here
+  terminal.Type("status\r");  // the prompt shows the output when the catalogue has arrived
   ASSERT_TRUE(terminal.Shows("see gcm doctor\r\ngcm> ")) << terminal.seen();
 
   terminal.Type("get r/a/s.J.position[0]\r");
@@ -90,7 +90,7 @@ TEST_F(ShellTest, AScriptNeedsFullNames) {
 TEST_F(ShellTest, TabCompletesVerbsAndPathsFromTheLiveCatalogue) {
   Terminal terminal(Command(), Environment());
   ASSERT_TRUE(terminal.Shows("gcm> "));
-  terminal.Type("status\r");  // until the catalogue is here
+  terminal.Type("status\r");  // the prompt shows the output when the catalogue has arrived
   ASSERT_TRUE(terminal.Shows("see gcm doctor\r\ngcm> ")) << terminal.seen();
 
   terminal.Type("sho\trob\t/ar\t/Con\t.MoveT\t\r");
@@ -99,7 +99,7 @@ TEST_F(ShellTest, TabCompletesVerbsAndPathsFromTheLiveCatalogue) {
   EXPECT_TRUE(terminal.Shows("robot/arm> ")) << terminal.seen();
   terminal.Type("get state.Jo\t\r");
   EXPECT_TRUE(terminal.Shows("\"velocity\":")) << terminal.seen();
-  terminal.Type("connect /desk/\t");  // there are two
+  terminal.Type("connect /desk/\t");  // two components match
   EXPECT_TRUE(terminal.Shows("/desk/supervisor/")) << terminal.seen();
   EXPECT_TRUE(terminal.Shows("/desk/teleoperation/")) << terminal.seen();
 }
@@ -110,7 +110,7 @@ TEST_F(ShellTest, AnInterruptAtThePromptDiscardsTheLine) {
 
   terminal.Type("frobnicate\x03");
   EXPECT_TRUE(terminal.Shows("^C\r\ngcm> ")) << terminal.seen();
-  terminal.Type("\x03");  // of nothing
+  terminal.Type("\x03");  // Ctrl-C on an empty line
   EXPECT_TRUE(terminal.Shows("^C\r\ngcm> ")) << terminal.seen();
   terminal.Type("version\r");
 
@@ -188,7 +188,7 @@ TEST_F(ShellTest, AnInterruptEndsTheWatchAndNotTheShell) {
   EXPECT_TRUE(terminal.Shows("protocol")) << terminal.seen();
 }
 
-/// In its own thread, where the signals are held.
+/// The shell runs in a separate thread that blocks signals.
 TEST(ShellOutput, AnInterruptedCommandDoesNotSilenceTheNext) {
   constexpr auto kGoOn = console::Shell::AfterFailure::kGoOn;
   std::array<int, 2> ends{};
@@ -206,12 +206,12 @@ TEST(ShellOutput, AnInterruptedCommandDoesNotSilenceTheNext) {
     tendon::os::OutputBuffer buffer(ends[1]);
     std::ostream out(&buffer);
     interrupted.set_value(shell.Run("help", {out, err}, kGoOn));
-    tendon::os::ForgetInterrupt();  // as the prompt does
+    tendon::os::ForgetInterrupt();  // the prompt does the same
     exit_code = shell.Run("version", {out, err}, kGoOn);
     close(ends[1]);
   });
 
-  int waiting = 0;  // bytes that nobody reads
+  int waiting = 0;  // number of bytes in the pipe that nobody reads
   EXPECT_TRUE(
       EventuallyTrue([&] { return ioctl(ends[0], FIONREAD, &waiting) == 0 && waiting > 0; }));
   pthread_kill(typist.native_handle(), SIGINT);
@@ -263,7 +263,8 @@ TEST_F(ShellTest, AScriptStopsAtItsFirstErrorUnlessKeepGoing) {
 
   const Outcome went_on = Script(text, {"--keep-going"});
   EXPECT_THAT(went_on.out, HasSubstr("Control\tprovided"));
-  EXPECT_EQ(went_on.exit_code, program::kNotFound);  // of the first that failed
+  // The exit code of the first command that failed.
+  EXPECT_EQ(went_on.exit_code, program::kNotFound);
 }
 
 TEST_F(ShellTest, ReportsAnUnreadableScript) {
@@ -284,7 +285,7 @@ TEST_F(ShellTest, UnreadableInputFails) {
             "is a text\n");
   const Outcome endless = Shell("call robot/arm/Control.MoveTo - < /dev/zero");
   EXPECT_EQ(endless.exit_code, program::kUsage);
-  EXPECT_EQ(endless.err, "gcm: the input is over 16 MiB\n");
+  EXPECT_EQ(endless.err, "gcm: the input is over 16 MiB: give a smaller input\n");
   EXPECT_EQ(Shell("call robot/arm/Control.MoveTo - < " + folder).exit_code, program::kUsage);
 }
 
@@ -313,7 +314,7 @@ TEST_F(ShellTest, BashCompletesWithThePrintedFile) {
       [&] { return completed("gcm connect desk/tel", 2) == "desk/teleoperation/\n"; }));
   EXPECT_TRUE(EventuallyTrue(
       [&] { return completed("gcm get robot/arm/state.Jo", 2) == "robot/arm/state.Joints\n"; }));
-  // bash parts words at : and =.
+  // bash splits words at : and =.
   const std::string parted = "127.0.0.1 : " + port;
   EXPECT_TRUE(EventuallyTrue([&] {
     return completed_line("gcm --gcm " + address + " ls rob", "gcm --gcm " + parted + " ls rob", 6)
@@ -339,7 +340,7 @@ TEST_F(ShellTest, CompletionUsesTheGcmOfTheCommandLine) {
   EXPECT_TRUE(EventuallyTrue([&] { return completed({"--gcm=" + address}) != ""; }));
   EXPECT_TRUE(EventuallyTrue([&] { return completed({"--gcm", address}) != ""; }));
   EXPECT_EQ(completed({}), "");
-  // What cannot be read is asked nothing with.
+  // Without a readable certificate, no request is sent.
   EXPECT_EQ(completed({"--gcm=" + address, "--certificate=nowhere.crt"}), "");
   EXPECT_EQ(completed({"--gcm=" + address, "--certificate", "nowhere.crt", "--ca=nowhere"}), "");
 }

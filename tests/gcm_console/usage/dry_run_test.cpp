@@ -13,13 +13,13 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// What is only said, and not done.
+/// Tests verbs with --dry-run, which print their actions but do not execute them.
 class DryRunTest : public DemoFixture {
  protected:
   [[nodiscard]] std::string InHome(const std::string& name) const {
     return (home.path() / name).string();
   }
-  /// Of a dry run that would be refused.
+  /// Expects that the real command would be refused with this exit code and sentence.
   void ExpectRefusal(const Program::Words& words, int exit_code, const std::string& sentence) {
     const Outcome refused = Gcm(words);
     EXPECT_EQ(refused.exit_code, exit_code) << refused.out;

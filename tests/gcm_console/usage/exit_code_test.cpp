@@ -10,14 +10,14 @@ namespace {
 
 using testing::HasSubstr;
 
-/// How `gcm` ends where it is not the command line that is wrong, but what runs.
+/// Tests the exit codes of `gcm` for failures of the running system.
 class ExitCodeTest : public DemoFixture {};
 
 TEST_F(ExitCodeTest, ATimedOutCallHasItsOwnExitCode) {
   Outcome called;
 
-  // On a machine that stands still, the GCM itself may answer too late, or take the process for
-  // lost.
+  // On a machine that stalls, the GCM itself may answer too late, or may consider the process lost.
+  // Tries again.
   const bool is_timeout = EventuallyTrue([&] {
     if (!EventuallySays({"ls"}, "robot\talive")) return false;
     robot->Signal(SIGSTOP);
@@ -46,7 +46,7 @@ TEST_F(ExitCodeTest, ALostProcessDiffersFromAnUnreachableGcm) {
   EXPECT_EQ(Gcm({"explain", "desk/supervisor/Robot"}).exit_code, program::kUnreachable);
 }
 
-/// A process that tells an address at which it is not.
+/// A process that advertises an address at which it is not reachable.
 class WrongAddressTest : public DemoFixture {
  protected:
   void SetUp() override {

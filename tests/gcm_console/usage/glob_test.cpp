@@ -12,7 +12,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-/// One pattern for several things.
+/// Tests patterns that match several objects.
 class GlobTest : public DemoFixture {
  protected:
   void ExpectError(const Program::Words& words, int exit_code, const std::string& sentence) const {

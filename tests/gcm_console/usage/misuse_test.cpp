@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Who names what is not there, or is something else.
+/// Tests names that do not exist, or that name an object of another kind.
 class MisuseTest : public DemoFixture {
  protected:
   struct Case {

@@ -117,7 +117,7 @@ TEST_F(UsageTest, AllFormsOfHelpWork) {
   ExpectOneSentence(Typed({"help", "wacth"}), program::kUsage, "did you mean 'watch'?");
 }
 
-/// How little may be typed of each verb that needs a GCM.
+/// Returns the shortest valid command line of each verb that needs a GCM.
 std::map<std::string, Program::Words> LinesThatNeedAGcm(const std::string& folder) {
   const std::string file = folder + "/empty.json";
   std::ofstream(file) << R"({"version": 1, "name": "empty", "processes": []})";
@@ -163,7 +163,7 @@ std::map<std::string, Program::Words> LinesThatNeedAGcm(const std::string& folde
           {"history", {}}};
 }
 
-/// Those that do without one, wait for one, or say what is wrong with it.
+/// The verbs that need no GCM, wait for a GCM, or report the problem of the GCM.
 const std::set<std::string> kNeedNoGcm = {"import", "cert", "serve",      "broker", "doctor",
                                           "shell",  "run",  "info",       "cut",    "recover",
                                           "export", "help", "completion", "version"};

@@ -8,7 +8,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// `hall/crier` says again what it is told.
+/// The component `hall/crier` returns the text that it receives.
 class CallTest : public SystemFixture {
  protected:
   void SetUp() override {
@@ -61,7 +61,7 @@ TEST_F(CallTest, RejectsWordsThatMatchNoFieldBeforeTheCall) {
   EXPECT_EQ(Gcm({"call", "hall/crier/Voice.Repaet", "hi", "ho"}).exit_code, program::kNotFound);
 }
 
-/// Brackets and a sign in front are of the word, not of the command line.
+/// CLI11 must not interpret brackets or a minus sign at the beginning of a word.
 TEST_F(CallTest, PassesTextFieldsUnchanged) {
   for (const std::string text : {"[abc]", "[a, b]", "[1,2]", "-inf", "hi ", " hi", "[abc] "}) {
     EXPECT_EQ(Gcm({"call", kRepeat, text, "high", "true"}).out,

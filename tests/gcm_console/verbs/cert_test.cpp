@@ -16,14 +16,14 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// `gcm cert ...` as a user types it, with the CA where it usually is.
+/// Runs `gcm cert ...` as a user types it. The CA is in its default folder.
 class CertTest : public testing::Test {
  protected:
   Outcome Cert(Program::Words words) const {
     words.insert(words.begin(), {Built("bin/gcm"), "cert"});
     return RunProgram(words, {{"XDG_STATE_HOME", home.path().string()}});
   }
-  /// One that must succeed.
+  /// Runs a subcommand that must succeed.
   void Must(const Program::Words& words) const {
     const Outcome outcome = Cert(words);
     EXPECT_EQ(outcome.exit_code, program::kOk) << outcome.err;
@@ -171,8 +171,8 @@ TEST_F(CertTest, ExplainsCommandLineMistakes) {
   ExpectRefused({"check", "nothing.crt"}, program::kNotFound, "there is no file nothing.crt");
 }
 
-/// In a line of base64, a secret cannot be told from another: the lines of the key file are looked
-/// for.
+/// Searches the output for the lines of the key file. A secret inside another line of base64 could
+/// not be recognised.
 TEST_F(CertTest, NeverPrintsAKey) {
   Must({"init"});
   std::string said;
@@ -195,7 +195,7 @@ TEST_F(CertTest, NeverPrintsAKey) {
   EXPECT_THAT(said, HasSubstr("contains a private key"));
 }
 
-/// openssl(1) has the last word.
+/// Checks certificates of `gcm cert` with openssl(1).
 class CertOracleTest : public CertTest {
  protected:
   void SetUp() override {
@@ -210,7 +210,8 @@ class CertOracleTest : public CertTest {
     return OpenSsl({"verify", "-x509_strict", "-crl_check", "-CAfile", ca / "ca.crt", "-CRLfile",
                     ca / "crl.pem", "-purpose", purpose, file});
   }
-  /// made.crt and made.key, with the CA's key but not by its rules.
+  /// Makes made.crt and made.key. They are signed with the CA's key, but violate the rules of the
+  /// CA.
   void Make(const std::string& subject) const {
     std::ofstream(out + "/extensions") << "basicConstraints=critical,CA:FALSE\n"
                                           "keyUsage=critical,digitalSignature\n"

@@ -22,7 +22,7 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// `hall/crier` raises events when it is told to.
+/// The component `hall/crier` raises events when a command tells it to.
 class EventsTest : public SystemFixture {
  protected:
   void SetUp() override {
@@ -50,8 +50,8 @@ class EventsTest : public SystemFixture {
     const Outcome called = Gcm(words);
     ASSERT_EQ(called.exit_code, program::kOk) << called.err;
   }
-  /// At which a call is made at once, however long a program takes to start: who is stopped for
-  /// seconds is given up, and what is raised then is not counted for him.
+  /// Opens a shell in which a call is made at once, although programs start slowly. A subscriber
+  /// that is stopped for some seconds is dropped; events raised afterwards are not counted for it.
   [[nodiscard]] std::unique_ptr<Terminal> OpenShell() const {
     auto shell = std::make_unique<Terminal>(
         Binary("gcm") + " --gcm " + address + " --timeout " + kPatience + " shell",
@@ -66,7 +66,7 @@ class EventsTest : public SystemFixture {
     return lines;
   }
 
-  /// Of Voice.Cried, as far as it was said.
+  /// Returns the number of lost Voice.Cried events that were reported.
   static std::size_t LostIn(const Program& events) {
     std::size_t all = 0;
     for (const std::string& line : LinesOf(events.err())) {
@@ -79,13 +79,13 @@ class EventsTest : public SystemFixture {
     return all;
   }
 
-  /// Ice closes a link on which nothing comes; plain TCP keeps it.
+  /// Returns true for Ice, which closes an idle link. Plain TCP keeps it open.
   [[nodiscard]] bool ClosesSilentLinks() const {
     std::ifstream maps("/proc/" + std::to_string(gcm->pid()) + "/maps");
     const std::string all{std::istreambuf_iterator<char>(maps), {}};
     return all.find("libtendon_ice") != std::string::npos;
   }
-  /// Whether the GCM has closed a link that this program still holds.
+  /// Returns true if the GCM has closed a link that this program still holds.
   [[nodiscard]] bool IsClosedByGcm(int pid) const {
     const std::string process = "/proc/" + std::to_string(pid);
     std::set<std::string> sockets;
@@ -154,7 +154,7 @@ TEST_F(EventsTest, PrintsTheTimeOfRaisingEvenForLateEvents) {
   ASSERT_TRUE(EventuallyListens(*late)) << late->err();
   const auto shell = OpenShell();
 
-  // Where that took too long it is tried again.
+  // Tries again if a step took too long.
   std::chrono::nanoseconds raised_before{0};
   const auto hears_it_late = [&] {
     const auto other = Listen({"hall/crier/Voice.Fell", "--count", "1"});
@@ -338,7 +338,7 @@ TEST_F(EventsTest, ListensToComponentsCreatedLater) {
   ASSERT_EQ(Gcm({"call", "hall/herald/Voice.Fall"}).exit_code, program::kOk);
   EXPECT_TRUE(EventuallyTrue([&] { return Says(events->out(), "hall/herald/Voice.Fell"); }));
 
-  // One that goes away is waited for.
+  // After a component is removed, gcm waits until it returns.
   ASSERT_EQ(Gcm({"stop", "hall/herald"}).exit_code, program::kOk);
   ASSERT_EQ(Gcm({"rm", "hall/herald"}).exit_code, program::kOk);
   EXPECT_TRUE(EventuallyTrue([&] { return Says(events->err(), "'herald'"); })) << events->err();

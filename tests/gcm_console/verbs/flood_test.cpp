@@ -24,7 +24,7 @@ using nlohmann::json;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 
-/// Kilobytes that were resident at most, so far.
+/// Returns the peak of the resident memory so far, in kB.
 std::uint64_t PeakMemory(int pid) {
   std::ifstream status("/proc/" + std::to_string(pid) + "/status");
   for (std::string line; std::getline(status, line);) {
@@ -34,8 +34,8 @@ std::uint64_t PeakMemory(int pid) {
   return 0;
 }
 
-/// `room/camera` writes 62 MB a second. A viewer's output goes to a pipe that the test reads when
-/// it likes.
+/// The component `room/camera` writes 62 MB per second. The output of a viewer goes to a pipe, and
+/// the test decides when to read the pipe.
 class FloodTest : public SystemFixture {
  protected:
   void SetUp() override {
@@ -50,14 +50,14 @@ class FloodTest : public SystemFixture {
     if (reader >= 0) close(reader);
   }
 
-  /// Its process is that of gcm, whose output is the pipe.
+  /// Starts gcm; its output is the pipe.
   [[nodiscard]] std::unique_ptr<Program> Begin(const std::string& words) const {
     return std::make_unique<Program>(Program::Words{"/bin/sh", "-c",
                                                     "exec " + Binary("gcm") + " --gcm " + address +
                                                         " --timeout " + kPatience + " " + words +
                                                         " > " + fifo});
   }
-  /// What is there.
+  /// Returns the data that is in the pipe now.
   std::string ReadSome() const {
     std::string all;
     std::string some(1U << 16U, '\0');
@@ -67,7 +67,7 @@ class FloodTest : public SystemFixture {
     }
     return all;
   }
-  /// The rows of the camera as another viewer counts them, who takes none of the pictures.
+  /// Returns the newest tick of the camera, from another viewer that does not receive the pictures.
   [[nodiscard]] std::uint64_t NewestTick() const {
     const Outcome one = Gcm({"watch", "room/camera/state.Frame", "--count", "1"});
     unsigned long tick = 0;
@@ -79,8 +79,8 @@ class FloodTest : public SystemFixture {
     return EventuallyTrue([&] { return NewestTick() >= before + rows; });
   }
 
-  static constexpr std::uint64_t kMostMemory = 220 << 10U;  // kB, of about 120 that it needs
-  static constexpr std::uint64_t kMoreThanFits = 45;        // rows, of 6.2 MB
+  static constexpr std::uint64_t kMostMemory = 220 << 10U;  // kB; gcm needs about 120 MB
+  static constexpr std::uint64_t kMoreThanFits = 45;        // number of rows of 6.2 MB
   static constexpr std::ptrdiff_t kPixels = std::ptrdiff_t{3} * 1920 * 1080;
   const std::string fifo = (home.path() / "fifo").string();
   std::unique_ptr<Program> room;

@@ -16,7 +16,7 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// A process that does nothing, and one that does as much as it can.
+/// An idle process, and a process that is as busy as possible.
 class HealthTest : public SystemFixture {
  protected:
   void SetUp() override {
@@ -33,7 +33,7 @@ class HealthTest : public SystemFixture {
         Program::Words{Binary("lcm"), "--name", "idle", "--gcm", address, "--timeout", kPatience});
   }
 
-  /// Empty where it is not there.
+  /// Returns the health of a process; empty if there is none.
   [[nodiscard]] json HealthIn(const json& processes, const std::string& name) const {
     for (const json& process : processes) {
       if (process["name"] == name) return process["health"];
@@ -54,7 +54,8 @@ class HealthTest : public SystemFixture {
                  : testing::AssertionFailure() << process << " tells " << health;
   }
 
-  /// What is older than three seconds is not told: on a busy machine it is asked again.
+  /// Waits until the output matches. Health that is older than three seconds is not printed, so on
+  /// a busy machine the command is repeated.
   testing::AssertionResult EventuallyMatches(const Program::Words& line,
                                              const std::string& pattern) const {
     std::string out;
@@ -83,7 +84,7 @@ TEST_F(HealthTest, ABusyProcessReportsMoreCpuThanAnIdleOne) {
   })) << working
       << resting;
   EXPECT_GT(working["memory_bytes"], 1'000'000);
-  EXPECT_EQ(working["clock_offset_s"], 0.0);  // on one host
+  EXPECT_EQ(working["clock_offset_s"], 0.0);  // both processes are on one host
   EXPECT_GE(working["clock_uncertainty_s"], 0.0);
   EXPECT_GE(working["age_s"], 0.0);
 }

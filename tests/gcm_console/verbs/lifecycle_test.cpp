@@ -13,7 +13,7 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// A GCM and a process without components, steered as a user types it.
+/// A GCM and a process without components. The test types commands like a user.
 class LifecycleVerbsTest : public SystemFixture {
  protected:
   void SetUp() override {
@@ -146,7 +146,8 @@ TEST_F(LifecycleVerbsTest, ExplainsMistakes) {
 TEST_F(LifecycleVerbsTest, ReadsAConfigurationOnlyFromARegularFile) {
   Create({"one"});
   const std::string pipe = (home.path() / "pipe.json").string();
-  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);  // nobody writes to it: who opens it waits for ever
+  // No program writes to the pipe: opening it would block forever.
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   const std::string folder = home.path().string();
 
   for (const Program::Words& words : {Program::Words{"create", "Counter", "robot/two"},

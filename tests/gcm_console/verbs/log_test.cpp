@@ -88,7 +88,7 @@ TEST_F(LogTest, SurvivesALogFlood) {
   ASSERT_TRUE(EventuallySays({"log", "--from", "hall/chatterbox"}, "suppressed "))
       << chatter->err().substr(0, 1000);
 
-  // Others are heard, by who follows and by who asks.
+  // Records of other processes still arrive.
   const auto follow = Follow({"--from", "robot"});
   const auto robot = StartLcm("robot", demo);
   EXPECT_TRUE(EventuallyTrue([&] {

@@ -28,7 +28,8 @@ ino_t InodeOf(const fs::path& file) {
   return status.st_ino;
 }
 
-/// A GCM and an `lcm` that has loaded a plug-in, the file of which changes while its code runs.
+/// A GCM, and an `lcm` that has loaded a plug-in. The file of the plug-in changes while its code
+/// runs.
 class PluginAgeTest : public SystemFixture {
  protected:
   void SetUp() override {
@@ -44,7 +45,7 @@ class PluginAgeTest : public SystemFixture {
         words, std::map<std::string, std::string>{{"TENDON_COMPONENTS", folder.string()}});
     ASSERT_TRUE(EventuallySays({"ls"}, "robot\talive")) << robot->err();
   }
-  /// A component of the plug-in runs.
+  /// Starts a component of the plug-in.
   void StartOld() {
     StartRobot();
     ASSERT_EQ(Create("old").exit_code, program::kOk);
@@ -54,7 +55,7 @@ class PluginAgeTest : public SystemFixture {
   Outcome Create(const std::string& name, const std::string& class_name = "Ageing") const {
     return Gcm({"create", class_name, "robot/" + name, "--library", "ageing"});
   }
-  /// As `cp` does: the file stays the same one, and is empty for a while.
+  /// Overwrites the file like `cp`: the inode stays the same, and the file is empty for a moment.
   void OverwriteInPlace() const {
     const ino_t before = InodeOf(file);
     std::ifstream from(kBuilt / "2" / "ageing.so", std::ios::binary);
@@ -62,13 +63,13 @@ class PluginAgeTest : public SystemFixture {
     std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
     ASSERT_EQ(InodeOf(file), before);
   }
-  /// As a linker and an installation do.
+  /// Replaces the file like a linker or an installation: the inode changes.
   void Replace() const {
     fs::copy_file(kBuilt / "2" / "ageing.so", folder / "next");
     fs::rename(folder / "next", file);
   }
-  /// How many of the next rows are of that generation; all of them are from cycles made after this
-  /// was asked.
+  /// Returns how many of the next rows come from code of this generation. All rows come from cycles
+  /// after this call.
   [[nodiscard]] std::size_t RowsOf(const std::string& component, int generation) const {
     const Outcome watched =
         Gcm({"watch", "robot/" + component + "/state.Generation.number", "--count", "200"});
@@ -152,7 +153,7 @@ TEST_F(PluginAgeTest, ShowReportsAChangeThatAnotherVerbFound) {
   StartOld();
   OverwriteInPlace();
 
-  ASSERT_EQ(Gcm({"classes", "robot"}).exit_code, program::kOk);  // which looks at the files
+  ASSERT_EQ(Gcm({"classes", "robot"}).exit_code, program::kOk);  // this verb checks the files
 
   EXPECT_TRUE(EventuallySays({"show", "robot"}, "plug-in file\twritten again"));
 }
@@ -237,7 +238,7 @@ TEST_F(PluginAgeTest, ARestartedProcessRunsTheNewCode) {
   EXPECT_THAT(Gcm({"load", "ageing"}).err, Not(HasSubstr("again")));
 }
 
-/// The same user's runtime folder, which the test looks into.
+/// A test with its own run-time folder, in which it looks for files.
 class PluginCopyTest : public PluginAgeTest {
  protected:
   void SetUp() override {

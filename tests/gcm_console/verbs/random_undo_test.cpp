@@ -14,7 +14,7 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// Changes of every sort that can be taken back, made of real processes.
+/// Makes random changes of all kinds that can be undone, with real processes.
 class UndoneSystemTest : public DemoFixture {
  protected:
   [[nodiscard]] std::string Hash() const {
@@ -27,7 +27,7 @@ class UndoneSystemTest : public DemoFixture {
     const Outcome outcome = Gcm(words);
     ASSERT_EQ(outcome.exit_code, program::kOk) << words[0] << ": " << outcome.err;
   }
-  /// What it is does not matter: what cannot be done, as things are, is refused and no step.
+  /// Makes a random change. If the change is impossible now, it is refused and becomes no step.
   void DoSomething(std::mt19937& random) const {
     const auto one_of = [&random](const auto& words) {
       return std::string(words[random() % words.size()]);

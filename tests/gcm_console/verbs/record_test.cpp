@@ -41,7 +41,8 @@ struct ReadMessage {
   }
 };
 
-/// `gcm record` and its relatives with a real GCM and LCM. `robot/odometer` counts at 100 Hz.
+/// Runs `gcm record` and the verbs for recordings with a real GCM and LCM. `robot/odometer` counts
+/// at 100 Hz.
 class RecordTest : public SystemFixture {
  protected:
   void SetUp() override {
@@ -62,7 +63,7 @@ class RecordTest : public SystemFixture {
                                  "record", "-o", file});
     return std::make_unique<Program>(words);
   }
-  /// The newest line that it has printed; null before the first.
+  /// Returns the last line that the program has printed; null if there is none yet.
   static json LastLine(const Program& record) {
     json last;
     std::istringstream lines(record.out());
@@ -82,7 +83,7 @@ class RecordTest : public SystemFixture {
     record.Signal(SIGINT);
     return record.Wait();
   }
-  /// A recording of about a second.
+  /// Makes a recording of about a second.
   void RecordSome(const Program::Words& words = {"**"}) const {
     const auto record = Record(words);
     ASSERT_TRUE(EventuallyRows(*record, 60)) << record->err();
@@ -235,7 +236,8 @@ TEST_F(RecordTest, BeginsAndEndsWithConditions) {
               "100ms"});
   ASSERT_TRUE(EventuallyTrue([&] {
     const json last = LastLine(*record);
-    return last.is_object() && last.value("before_bytes", 0) > 60'000;  // more than the catalogue
+    // More than only the catalogue.
+    return last.is_object() && last.value("before_bytes", 0) > 60'000;
   })) << record->err();
   EXPECT_THAT(record->err(), HasSubstr("gcm: waiting for robot/odometer/state.Count >= "));
 

@@ -21,7 +21,8 @@ namespace mcap = tendon::mcap;
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// `gcm replay` with a real GCM, and a recording of `robot/odometer` that an LCM has made.
+/// Runs `gcm replay` with a real GCM, and with a recording of `robot/odometer` that an LCM has
+/// made.
 class ReplayVerbTest : public SystemFixture {
  protected:
   void SetUp() override {
@@ -31,7 +32,7 @@ class ReplayVerbTest : public SystemFixture {
     const Outcome recorded = Gcm({"record", "robot", "-o", file, "--for", "1500ms"});
     ASSERT_EQ(recorded.exit_code, program::kOk) << recorded.err;
   }
-  /// So that its name is free.
+  /// Ends the process, so that the replay can use its name.
   void EndRobot() const {
     robot->Signal(SIGTERM);
     ASSERT_TRUE(robot->Wait());
@@ -45,7 +46,7 @@ class ReplayVerbTest : public SystemFixture {
     return (home.path() / name).string();
   }
 
-  /// The bodies on a topic, by the sequence of their messages.
+  /// Returns the bodies of the messages on a topic, by sequence number.
   static std::map<std::uint32_t, std::vector<std::byte>> BodiesOf(const std::string& name,
                                                                   const std::string& topic) {
     std::map<std::uint32_t, std::vector<std::byte>> bodies;
@@ -123,7 +124,7 @@ TEST_F(ReplayVerbTest, ANameThatIsTakenIsRefusedAndAnotherOneIsNot) {
 
 TEST_F(ReplayVerbTest, ADamagedFileIsReplayedAndWhatIsMissingIsSaid) {
   std::string bytes = home.Read("run.mcap");
-  bytes.resize(bytes.size() - 100);  // the end of the summary
+  bytes.resize(bytes.size() - 100);  // removes the end of the summary
   home.Write("cut-off.mcap", bytes);
 
   const Outcome replayed =

@@ -15,13 +15,13 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// The demo system, to be saved, changed and restored.
+/// Saves, changes and restores the demo system.
 class SavedSystemTest : public DemoFixture {
  protected:
   [[nodiscard]] std::string InHome(const std::string& name) const {
     return (home.path() / name).string();
   }
-  /// Saves what runs, and returns where.
+  /// Saves the running system, and returns the file name.
   std::string Saved() const {
     const std::string file = InHome("saved.json");
     const Outcome outcome = Gcm({"save", file});
@@ -29,13 +29,13 @@ class SavedSystemTest : public DemoFixture {
     return file;
   }
 
-  /// Succeeds without a result.
+  /// Expects that the verb succeeds and prints no result.
   void ExpectSaysNothing(const Program::Words& words) const {
     const Outcome outcome = Gcm(words);
     EXPECT_EQ(outcome.exit_code, program::kOk) << outcome.err;
     EXPECT_EQ(outcome.out, "");
   }
-  /// Of all that the GCM knows, without what differs at each start.
+  /// Returns a hash of the catalogue that does not depend on data that changes at each start.
   [[nodiscard]] std::string ContentHash() const {
     return json::parse(Gcm({"status", "--json"}).out)["content_hash"];
   }
@@ -53,7 +53,8 @@ TEST_F(SavedSystemTest, DiffFindsNoDifferenceAfterASave) {
   const Outcome same = Gcm({"diff", InHome("saved.json")});
   EXPECT_EQ(same.exit_code, program::kOk) << same.out << same.err;
   EXPECT_EQ(same.out + same.err, "");
-  ExpectSaysNothing({"diff", InHome("saved.json"), demo});  // but for the periods, which it lacks
+  // Equal except for the periods, which the demo file does not contain.
+  ExpectSaysNothing({"diff", InHome("saved.json"), demo});
   const json file = json::parse(home.Read("saved.json"));
   EXPECT_EQ(file["name"], "saved");
   EXPECT_EQ(file["processes"][1]["components"][0]["class"], "SimulatedArm");
@@ -104,12 +105,13 @@ TEST_F(SavedSystemTest, AFailedApplyReportsTheRemainingSteps) {
   const std::string file = Saved();
   json wanted = json::parse(home.Read("saved.json"));
   wanted["processes"][1]["components"].push_back(
-      {{"name", "extra"}, {"class", "Conter"}, {"library", "counter"}});  // not loaded yet
+      // A library that is not loaded yet.
+      {{"name", "extra"}, {"class", "Conter"}, {"library", "counter"}});
   home.Write("saved.json", wanted.dump());
   ASSERT_EQ(Gcm({"disconnect", "desk/supervisor/Robot"}).exit_code, program::kOk);
 
   const Outcome stopped = Gcm({"apply", file});
-  EXPECT_EQ(stopped.exit_code, program::kNotFound) << stopped.err;  // for nothing was done
+  EXPECT_EQ(stopped.exit_code, program::kNotFound) << stopped.err;  // no step was executed
   EXPECT_THAT(stopped.out,
               testing::MatchesRegex("1/3  BAD  create robot/extra .Conter of counter.: .*\n"
                                     "2/3  left connect desk/supervisor/Robot -> robot/arm/Control\n"
@@ -117,7 +119,8 @@ TEST_F(SavedSystemTest, AFailedApplyReportsTheRemainingSteps) {
   EXPECT_THAT(stopped.err,
               HasSubstr("gcm: 0 steps done, 1 failed, 2 not executed, 7 objects untouched\n"));
 
-  wanted["processes"][1]["components"].back()["library"] = "legacy_arm";  // counter is loaded now
+  // Counter is already loaded now.
+  wanted["processes"][1]["components"].back()["library"] = "legacy_arm";
   home.Write("saved.json", wanted.dump());
   const Outcome gone_on = Gcm({"apply", file, "--keep-going", "--json"});
   EXPECT_EQ(gone_on.exit_code, program::kPartial) << gone_on.err;
@@ -142,7 +145,7 @@ TEST_F(SavedSystemTest, ApplyRestoresConnectionsAndIsIdempotent) {
   EXPECT_EQ(planned.out, "  connect desk/supervisor/Robot -> robot/arm/Control\n");
   EXPECT_EQ(planned.err, "gcm: 1 step, 7 objects untouched\n");
   EXPECT_EQ(Gcm({"apply", file, "--dry-run"}).out, planned.out);
-  EXPECT_EQ(Gcm({"diff", file}).exit_code, program::kRefused);  // nothing was done yet
+  EXPECT_EQ(Gcm({"diff", file}).exit_code, program::kRefused);  // no step was executed yet
   const Outcome applied = Gcm({"apply", file});
   EXPECT_EQ(applied.exit_code, program::kOk) << applied.err;
   EXPECT_EQ(applied.out, "1/1  ok   connect desk/supervisor/Robot -> robot/arm/Control\n");
@@ -271,7 +274,7 @@ TEST_F(SavedSystemTest, ThreadOptionsAndRunsAfterAreSavedAndRestored) {
   EXPECT_EQ(desk_parts[2]["thread"], (json{{"policy", "normal"}}));
   desk_parts[2]["thread"]["spin"] = 1e-5;
   desk_parts[2]["runs_after"] = "supervisor";
-  desk_parts[2].erase("period");  // it is the supervisor's
+  desk_parts[2].erase("period");  // the period of the supervisor
   home.Write("threads.json", wanted.dump());
 
   const Outcome differs = Gcm({"diff", InHome("threads.json")});
@@ -285,7 +288,8 @@ TEST_F(SavedSystemTest, ThreadOptionsAndRunsAfterAreSavedAndRestored) {
   EXPECT_EQ(applied.exit_code, program::kOk) << applied.out << applied.err;
   ExpectSaysNothing({"diff", InHome("threads.json")});
   ExpectSaysNothing({"apply", InHome("threads.json")});
-  EXPECT_EQ(Gcm({"save", InHome("again.json")}).exit_code, program::kOk);  // a new file
+  // The file does not exist yet.
+  EXPECT_EQ(Gcm({"save", InHome("again.json")}).exit_code, program::kOk);
   EXPECT_EQ(json::parse(home.Read("again.json"))["processes"], wanted["processes"]);
 
   EXPECT_EQ(Gcm({"apply", file, "--yes"}).exit_code, program::kOk);
@@ -319,7 +323,8 @@ TEST_F(SavedSystemTest, APlanExitsWithTheCodeOfItsObstacle) {
   wanted["connections"].back()["provided"] = "robot/arm/Kontrol";
   home.Write("mistyped.json", wanted.dump());
 
-  // The types are not waited for long: on a machine that stands still they may come too late.
+  // gcm waits only briefly for the types. On a machine that stalls, the types may arrive too late,
+  // so the test repeats the command.
   EXPECT_TRUE(EventuallyTrue([&] {
     return Gcm({"plan", InHome("unfit.json")}).err.find(" needed, ") != std::string::npos;
   }));

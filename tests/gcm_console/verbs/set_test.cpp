@@ -15,7 +15,7 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// A component at rest that was told one of its parameters, in a real process.
+/// A component in a real process, created with a value for one parameter and not started.
 class SetVerbTest : public SystemFixture {
  protected:
   void SetUp() override {
@@ -32,7 +32,7 @@ class SetVerbTest : public SystemFixture {
     all.insert(all.end(), words.begin(), words.end());
     return Gcm(all);
   }
-  /// The configuration that the process keeps.
+  /// Returns the configuration that the process stores.
   json Told() const {
     const std::string file = (home.path() / "told.json").string();
     const Outcome saved = Gcm({"save", file});
@@ -192,7 +192,7 @@ TEST_F(SetVerbTest, CompletesParameterNames) {
   const auto complete = [this](const std::string& word) {
     return RunProgram({Binary("gcm"), "complete", "--gcm", address, "set", "robot/arm", word}).out;
   };
-  // Each try gives up soon, so as not to hold up whoever types.
+  // The completion gives up soon, so that it does not delay the user. Tries again.
   EXPECT_TRUE(
       EventuallyTrue([&] { return complete("b") == "bandwidth\n"; }, std::chrono::minutes(2)))
       << complete("b");

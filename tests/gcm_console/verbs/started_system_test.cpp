@@ -17,7 +17,7 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// A GCM that starts the processes of a system file, and nothing else.
+/// A GCM that starts the processes of a system file.
 class StartedSystemTest : public SystemFixture {
  protected:
   void SetUp() override {
@@ -33,10 +33,10 @@ class StartedSystemTest : public SystemFixture {
     StartGcm();
   }
 
-  /// Those that the GCM has started would run on.
+  /// Ends the processes that the GCM has started; otherwise they would continue.
   void TearDown() override {
     SystemFixture::TearDown();
-    gcm.reset();  // which would start them again
+    gcm.reset();  // ends first, because the GCM would start the processes again
     for (const auto& folder : std::filesystem::directory_iterator("/proc")) {
       std::ifstream file(folder.path() / "cmdline", std::ios::binary);
       const std::string words(std::istreambuf_iterator<char>(file), {});
@@ -58,14 +58,14 @@ class StartedSystemTest : public SystemFixture {
     const std::size_t at = shown.find(before);
     return at == shown.npos ? 0 : std::stoi(shown.substr(at + before.size()));
   }
-  /// Returns who it was.
+  /// Kills a process and returns its former pid.
   int Kill(const std::string& process, int signal = SIGKILL) const {
     const int pid = PidOf(process);
     if (pid <= 1) throw std::runtime_error("no process " + process);
     kill(pid, signal);
     return pid;
   }
-  /// Kills it, and waits until there is another one.
+  /// Kills a process, and waits until the GCM has started it again.
   void KillAndAwait(const std::string& process) const {
     const int pid = Kill(process);
     ASSERT_TRUE(EventuallyTrue([&] {
@@ -133,7 +133,7 @@ TEST_F(StartedSystemTest, AKilledProcessRestartsWithItsState) {
       << before << "became" << Gcm({"tree"}).out;
   EXPECT_THAT(Gcm({"log"}).out, HasSubstr("was ended by SIGKILL"));
   EXPECT_TRUE(EventuallySays({"ls", "desk/supervisor"}, "-> robot/arm/Control\n"));
-  KillAndAwait("robot");  // this time nothing was ordered in between
+  KillAndAwait("robot");  // this time, there was no order between two starts
   EXPECT_TRUE(EventuallyTrue([&] { return Gcm({"tree"}).out == before; })) << Gcm({"tree"}).out;
 }
 
@@ -203,7 +203,7 @@ TEST_F(StartedSystemTest, KillByGlobEndsAHangingProcess) {
   ASSERT_TRUE(EventuallySays({"ls"}, "robot\tlost"));
 
   EXPECT_EQ(Gcm({"kill", "*", "--dry-run"}).out, "desk\twould be ended\nrobot\twould be ended\n");
-  // It does not hear that it is to end: it has three times as long.
+  // The stopped process does not receive the order to end. gcm waits three times the time-out.
   const Outcome killed = Typed({"--timeout", "3000", "kill", "rob*"});
 
   EXPECT_EQ(killed.out, "robot\tended\n") << killed.err;
@@ -250,7 +250,8 @@ TEST_F(StartedSystemTest, AFailedProcessStartNamesItsLog) {
       Program::Words{Binary("lcm"), "--name", "desk", "--gcm", address, "--timeout", kPatience});
   ASSERT_TRUE(EventuallySays({"ls"}, "desk\talive"));
   const auto folder = home.path() / "tendon" / ("processes-127.0.0.1-" + port);
-  std::filesystem::create_directories(folder / "robot.log");  // no file can be there
+  // A folder with the name of the log file.
+  std::filesystem::create_directories(folder / "robot.log");
   std::filesystem::create_directories(folder / "robot.log.1" / "full");
 
   const Outcome applied = Gcm({"apply", File()});

@@ -12,12 +12,12 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-/// A system of which a component needs what is not there yet.
+/// A system with a component that needs a provider that does not exist yet.
 class StrictStartTest : public SystemFixture {
  protected:
   void SetUp() override { StartGcm(); }
 
-  /// Empty processes, for systems to be applied in.
+  /// Starts empty processes, to which system files are applied.
   void StartEmpty() {
     for (auto* process : {&robot, &desk}) {
       const std::string name = process == &robot ? "robot" : "desk";
@@ -26,7 +26,7 @@ class StrictStartTest : public SystemFixture {
       ASSERT_TRUE(EventuallySays({"ls"}, name + "\talive")) << (*process)->err();
     }
   }
-  /// An arm and who needs it; `more` stands in the file as well.
+  /// Returns a file with an arm and a client of the arm. `more` is additional text for the file.
   [[nodiscard]] std::string File(const std::string& more,
                                  const std::string& state = "active") const {
     home.Write("system.json", R"({"version": 1, "name": "lab", )" + more + R"("processes": [

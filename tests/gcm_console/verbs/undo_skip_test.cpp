@@ -12,7 +12,7 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// `gcm undo` where the newest step cannot be taken back.
+/// Tests `gcm undo` when the newest step cannot be undone.
 class UndoSkipTest : public DemoFixture {};
 
 TEST_F(UndoSkipTest, EachSkipSkipsOneStep) {

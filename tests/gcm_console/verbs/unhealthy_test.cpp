@@ -11,7 +11,7 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// A connection that stands, and does badly.
+/// A connection that exists but has problems.
 class UnhealthyTest : public SystemFixture {
  protected:
   void SetUp() override {

@@ -21,7 +21,7 @@ using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// A component of numbers that no double holds, states and odd floats.
+/// A component with numbers that no double can represent, states, and unusual floats.
 class ValuesTest : public SystemFixture {
  protected:
   void SetUp() override {
@@ -30,7 +30,7 @@ class ValuesTest : public SystemFixture {
     ASSERT_TRUE(EventuallySays({"get", table + "Last"}, "18446744073709551615")) << track->err();
   }
 
-  /// What `gcm get` says, without the end of the line.
+  /// Returns the output of `gcm get`, without the end of the line.
   [[nodiscard]] std::string Get(const std::string& member) const {
     const Outcome outcome = Gcm({"get", table + member});
     EXPECT_EQ(outcome.exit_code, program::kOk) << outcome.err;
@@ -48,7 +48,7 @@ std::vector<std::string> RowsIn(const std::string& text) {
   return all;
 }
 
-/// The bits of the double that a text means to a C program.
+/// Returns the bits of the double that strtod() reads from a text.
 std::uint64_t BitsIn(const std::string& text) {
   return std::bit_cast<std::uint64_t>(std::strtod(text.c_str(), nullptr));
 }
@@ -126,7 +126,7 @@ TEST_F(ValuesTest, StatesHaveTheirNamesInEveryRow) {
 }
 
 TEST_F(ValuesTest, WritesIntegersExactly) {
-  constexpr const char* kCount = "18446744073708503039";  // odd, and far beyond 2^53
+  constexpr const char* kCount = "18446744073708503039";  // an odd number far beyond 2^53
   const Outcome called = Gcm({"call", "track/odometer/Control.SetCount", kCount});
   ASSERT_EQ(called.exit_code, program::kOk) << called.err;
 

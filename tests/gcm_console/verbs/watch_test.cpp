@@ -12,7 +12,7 @@
 
 namespace {
 
-/// In a line of what `gcm watch` prints.
+/// Returns the tick in one line of the output of `gcm watch`.
 std::uint64_t TickAt(const std::string& out, std::size_t line) {
   unsigned long tick = 0;
   if (std::sscanf(out.c_str() + line, "%*d\t%lu", &tick) != 1) return 0;
@@ -39,7 +39,7 @@ class WatchTest : public SystemFixture {
                                      "watch", column, "--hz", "50"});
     return std::make_unique<Program>(options);
   }
-  /// Waits for more than what is printed now.
+  /// Waits until more output is printed than now.
   static bool GoesOn(const Program& watch) {
     const std::size_t before = watch.out().size();
     return EventuallyTrue([&] { return watch.out().size() > before; });
@@ -50,7 +50,7 @@ class WatchTest : public SystemFixture {
 };
 
 TEST_F(WatchTest, AStoppedWatchCountsEveryLostRow) {
-  // A thousand rows a second.
+  // The table has 1000 rows per second.
   const char* const rows_meanwhile =
       std::getenv("TENDON_FULL_FAULTS") == nullptr ? "5000" : "60000";
   Program watch({Binary("gcm"), "--gcm", address, "watch", column});

@@ -11,7 +11,7 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-/// `gcm connect` and `gcm disconnect` beyond one pair of names.
+/// Tests `gcm connect` and `gcm disconnect` with more than one pair of names.
 class WireVerbsTest : public DemoFixture {};
 
 constexpr const char* kTeleoperation = "desk/teleoperation/Robot";
@@ -38,7 +38,8 @@ TEST_F(WireVerbsTest, ADryRunReportsChangesAndMakesNone) {
 }
 
 TEST_F(WireVerbsTest, ADryRunReportsTheTypeDifference) {
-  // The types are not waited for long: on a machine that stands still they may come too late.
+  // gcm waits only briefly for the types. On a machine that stalls, the types may arrive too late,
+  // so the test repeats the command.
   EXPECT_TRUE(EventuallyTrue([&] {
     const Outcome dry = Gcm({"connect", kTeleoperation, "desk/old_arm/Control", "--dry-run"});
     return dry.err.find(" needed, ") != std::string::npos;

@@ -60,12 +60,12 @@ TEST(ActivityModel, NothingBeforeAPlanCanBeUndoneAlone) {
 TEST(ActivityModel, OnlyTheNewestDoneStepCanBeUndone) {
   ActivityModel model;
   const auto first = model.begin(Connecting());
-  EXPECT_FALSE(model.canUndo(0));  // still running
+  EXPECT_FALSE(model.canUndo(0));  // the action has not ended yet
   model.finish(first, 0.038, {});
   const auto second = model.begin(Connecting());
   model.finish(second, 0.1, "robot/controller does not run");
 
-  EXPECT_FALSE(model.canUndo(0));  // refused
+  EXPECT_FALSE(model.canUndo(0));  // the action was refused
   EXPECT_TRUE(model.canUndo(1));
 }
 

@@ -11,7 +11,7 @@ namespace {
 const InterfaceName kRedoRobot{"desk", "teleoperation", "Robot"};
 const InterfaceName kRedoControl{"robot", "controller", "Control"};
 
-/// What the window does is done at once.
+/// A session in which every action of the window succeeds at once.
 class RedoStackTest : public ::testing::Test {
  protected:
   static Action Connecting() {

@@ -11,7 +11,7 @@ std::shared_ptr<QApplication> Started() {
   static std::weak_ptr<QApplication> running;
   if (auto there = running.lock()) return there;
   if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
-  qunsetenv("DBUS_SESSION_BUS_ADDRESS");  // the desktop's look decides nothing
+  qunsetenv("DBUS_SESSION_BUS_ADDRESS");  // the results must not depend on the look of the desktop
   auto started = std::make_shared<QApplication>(count, arguments);
   gui::Theme::instance().choose(gui::Theme::Choice::kDark);
   running = started;

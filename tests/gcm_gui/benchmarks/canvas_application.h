@@ -5,8 +5,8 @@
 
 namespace tendon::benchmark {
 
-/// The QApplication that windows need, without a screen; the first object sets it up. Main thread
-/// only.
+/// The QApplication that windows need, without a screen. The first CanvasApplication creates it.
+/// Main thread only.
 class CanvasApplication {
  public:
   CanvasApplication();

@@ -1,5 +1,6 @@
-// A frame of our plots against stock Qwt with its aggressive filter on the same data. Both draw the
-// whole canvas, axes and grid, all axes moving.
+// Compares a frame of the window's plots with a frame of plain Qwt plots, which use their
+// aggressive filter, on the same data. Both draw the whole canvas with axes and grid, and all axes
+// move.
 
 #include <benchmarks/measurement.h>
 #include <gcm_gui/benchmarks/canvas_application.h>
@@ -28,7 +29,8 @@ constexpr int kRate = 1000;  // Hz
 
 enum class Signal { kSmooth, kNoise };
 
-// Columns from frame to frame: by a whole one, as a live plot moves, the last frame's work is used.
+// Columns by which the plot moves from frame to frame. A live plot moves by whole columns and
+// reuses the previous frame. Otherwise the whole frame is drawn again.
 constexpr double kLive = 1;
 constexpr double kAnew = 1.377;
 
@@ -136,7 +138,7 @@ class Stock {
   double shift_ = 0;
 };
 
-/// Both with their plots, made when they are first measured.
+/// Both kinds of plots, created when they are first measured.
 class Bench {
  public:
   explicit Bench(const Scenery& scenery) : ours_(scenery), stock_(scenery), target_(scenery.size) {}
@@ -155,7 +157,7 @@ class Bench {
     return NanosecondsEach(1, [&](std::uint64_t) { frame(); }) * kMilli;
   }
 
-  CanvasApplication application_;  // before all that is drawn
+  CanvasApplication application_;  // must exist before all widgets
   Ours ours_;
   Stock stock_;
   QPixmap target_;
@@ -170,7 +172,7 @@ std::function<std::optional<Pair>()> Drawing(const Scenery& scenery) {
   const auto measure =
       SideBySide({[made] { return made().DrawOurs(); }}, {[made] { return made().DrawStock(); }});
   return [made, measure] {
-    made();  // outside what is measured
+    made();  // creates the plots outside of the measurement
     return measure();
   };
 }

@@ -17,9 +17,9 @@
 namespace tendon::benchmark {
 namespace {
 
-constexpr int kMembers = 100;  // of a component
+constexpr int kMembers = 100;  // members of one component
 
-/// A whole window over a large system that only exists on paper.
+/// A whole window for a large system that exists only as a catalogue.
 class LargeWindow {
  public:
   explicit LargeWindow(int components) {
@@ -33,7 +33,7 @@ class LargeWindow {
                                                                  reports_, recordings_});
   }
 
-  /// Until all of it is in all views, and painted.
+  /// Waits until all views show the whole system and are painted.
   void Fill() {
     window_->show();
     store_.replace(catalogue_);
@@ -46,7 +46,8 @@ class LargeWindow {
   void Type(char letter) {
     QLineEdit& field = window_->catalogue().filterField();
     field.insert(QChar(letter));
-    QKeyEvent enter(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier);  // without its 120 ms
+    // Applies the filter without its delay of 120 ms.
+    QKeyEvent enter(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier);
     QCoreApplication::sendEvent(&field, &enter);
     window_->catalogue().grab();
   }
@@ -61,7 +62,7 @@ class LargeWindow {
   void ZoomIn() { window_->graph().zoomIn(); }
 
  private:
-  CanvasApplication application_;  // before all that is drawn
+  CanvasApplication application_;  // must exist before all widgets
   Catalogue catalogue_ = Catalogue::At(0);
   gui::CatalogueStore store_;
   gui::LinkState link_;
@@ -76,7 +77,7 @@ class LargeWindow {
   std::unique_ptr<gui::MainWindow> window_;
 };
 
-/// One window for all cases but the first.
+/// One window that all cases except the first one share.
 class WindowDesk {
  public:
   explicit WindowDesk(int components) : components_(components) {}
@@ -129,7 +130,7 @@ std::vector<Case> WindowCases(const Effort& effort) {
            .stretch = 20,
            .repetition = [desk, turn = 0]() mutable -> std::optional<Pair> {
              if (turn == 0) desk->window().ShowAll();
-             if (turn == 0) desk->window().ZoomIn();  // there is something to pan
+             if (turn == 0) desk->window().ZoomIn();  // so that the view can be moved
              const int pixels = ++turn % 2 == 0 ? 16 : -16;
              return Milliseconds([&] { desk->window().Pan(pixels); });
            }}};

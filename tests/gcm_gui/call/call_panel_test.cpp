@@ -48,7 +48,7 @@ class CallPanelTest : public ::testing::Test {
     panel_.showCommand(kStop, CommandOf("Stop", CommandKind::kVoid));
     panel_.show();
   }
-  /// Keys are heard by a window that is active.
+  /// Activates the window, because only an active window receives keys.
   void Activate() {
     panel_.activateWindow();
     ASSERT_TRUE(QTest::qWaitForWindowActive(&panel_, 20000));
@@ -273,7 +273,7 @@ TEST_F(CallPanelTest, AHeldButtonCallsOnce) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return calls_.calls.size() == 1; }, 20000));
   calls_.answer(std::string(), 0.001);
 
-  Q_EMIT Button().pressed();  // the pointer has left it, and come back
+  Q_EMIT Button().pressed();  // the pointer has left the button and returned
   QTest::mouseRelease(&Button(), Qt::LeftButton);
 
   EXPECT_EQ(calls_.calls.size(), 1);
@@ -332,7 +332,7 @@ TEST_F(CallPanelTest, CanBeDestroyedDuringACall) {
 
   panel.reset();
 
-  calls_.answer(std::string(), 0);  // finds nobody
+  calls_.answer(std::string(), 0);  // the panel no longer exists
 }
 
 TEST_F(CallPanelTest, ShowsWhenACommandExpires) {

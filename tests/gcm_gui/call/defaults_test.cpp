@@ -13,7 +13,7 @@ namespace {
 
 using test::MemberOf;
 
-/// A form whose reading has another type, as the demo's MoveTo.
+/// A form whose read command has another type than the argument, like MoveTo of the demo.
 class FormDefaultsTest : public ::testing::Test {
  protected:
   FormDefaultsTest() {

@@ -38,7 +38,7 @@ TEST(Favourites, PersistAcrossInstances) {
 
 TEST(Favourites, ReportAFailedSave) {
   const QTemporaryDir folder;
-  Favourites favourites(folder.path());  // which is no file
+  Favourites favourites(folder.path());  // the path of a folder, not of a file
   QSignalSpy notice(&favourites, &Favourites::notice);
 
   favourites.add(kStopFavourite);

@@ -29,7 +29,7 @@ Schema FuzzSchema() {
 
 int Rounds() { return std::getenv("TENDON_FULL_FAULTS") == nullptr ? 300 : 20000; }
 
-/// What people type and paste, whatever locale the program has.
+/// Types and pastes random texts like a user, in each locale.
 class FormFuzzTest : public ::testing::TestWithParam<std::string> {
  protected:
   FormFuzzTest() {
@@ -44,8 +44,8 @@ class FormFuzzTest : public ::testing::TestWithParam<std::string> {
     for (const NumberField* field : fields_) texts << field->text();
     return texts;
   }
-  /// The value of every field is what stands in it, to the last digit that the type holds; else
-  /// the form is refused, and the field says why.
+  /// Expects that the value of every field is exactly the number in its text, to the last digit of
+  /// the type. Otherwise the form must be invalid, and the field must show the reason.
   void ExpectWhatIsWritten() {
     const Json value = Json::parse(form_.json());
     const std::vector<Json> numbers{value["position"][0], value["position"][1],
@@ -60,11 +60,11 @@ class FormFuzzTest : public ::testing::TestWithParam<std::string> {
         continue;
       }
       if (number.is_string()) {
-        ASSERT_TRUE(text.ends_with(number.get<std::string>())) << text;  // inf, nan
+        ASSERT_TRUE(text.ends_with(number.get<std::string>())) << text;  // inf or nan
         continue;
       }
       ASSERT_TRUE(test::WrittenNumberOf(text)) << text;
-      // In the C locale, whatever the program's is.
+      // Reads the text in the C locale, whatever the program's locale is.
       const locale_t plain = newlocale(LC_ALL_MASK, "C", nullptr);
       const double meant = strtod_l(text.c_str(), nullptr, plain);
       freelocale(plain);
@@ -115,7 +115,7 @@ TEST_P(FormFuzzTest, AcceptsTheExactNumberOrRejectsIt) {
       if (!may_change) {
         ASSERT_EQ(after[other], before[other]) << qPrintable(word);
       }
-      // What a list puts into another field is one of its words.
+      // A list puts each of its words into one field.
       const bool is_other = fields_[other] != &field && after[other] != before[other];
       if (is_other) {
         ASSERT_TRUE(test::WrittenNumberOf(after[other].toStdString()) ||

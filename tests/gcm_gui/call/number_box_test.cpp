@@ -10,7 +10,7 @@
 namespace tendon::gui {
 namespace {
 
-/// A rate and how many times, and a button beside them that takes the focus.
+/// Boxes for a rate and a number of calls, and a button that can take the focus.
 class NumberBoxTest : public ::testing::Test {
  protected:
   NumberBoxTest() {

@@ -25,7 +25,7 @@ Schema FieldSchema() {
 )");
 }
 
-/// Fields of a form that is on the screen, driven by keys, the clipboard and the pointer.
+/// The fields of a form on the screen, used with keys, the clipboard and the mouse.
 class NumberFieldTest : public ::testing::Test {
  protected:
   NumberFieldTest() {

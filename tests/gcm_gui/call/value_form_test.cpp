@@ -10,7 +10,7 @@
 namespace tendon::gui {
 namespace {
 
-/// Of every kind, one inside the other.
+/// Returns a schema with fields of every kind, some of them nested.
 Schema GoalSchema() {
   auto schema = Schema::Parse(R"(struct arm.Goal {
   # Where to.
@@ -47,7 +47,7 @@ class ValueFormTest : public ::testing::Test {
   QList<QLineEdit*> Cells(const QString& field) {
     return Find<QWidget>(field).findChildren<QLineEdit*>();
   }
-  /// Where keys go; at its end.
+  /// Sets the focus to the cell, and puts the cursor at the end of its text.
   void Enter(QLineEdit& cell) {
     form_.show();
     form_.activateWindow();

@@ -14,7 +14,7 @@
 namespace tendon::gui {
 namespace {
 
-/// A form that scrolls, with a choice, one that can be typed, and a number.
+/// A form that scrolls, with a choice, an editable choice, and a number.
 class WheelTest : public ::testing::Test {
  protected:
   WheelTest() {
@@ -45,14 +45,14 @@ class WheelTest : public ::testing::Test {
     button_->setFocus();
   }
 
-  /// As the wheel of a mouse turns over the widget, down.
+  /// Turns the mouse wheel down over the widget.
   static void Turn(QWidget& widget) {
     QWidget* const child = widget.childAt(widget.rect().center());
     QWidget& under = child == nullptr ? widget : *child;
     const QPointF place = under.rect().center();
     QWheelEvent event(place, under.mapToGlobal(place), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
                       Qt::NoScrollPhase, false);
-    QSpontaneKeyEvent::setSpontaneous(&event);  // others are not passed on to parents
+    QSpontaneKeyEvent::setSpontaneous(&event);  // Qt passes only spontaneous events on to parents
     QApplication::instance()->notify(&under, &event);
   }
   QString Values() { return choice_->currentText() + typed_->currentText() + number_->text(); }

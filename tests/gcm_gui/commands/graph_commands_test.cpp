@@ -37,7 +37,7 @@ class GraphCommandsTest : public WindowFixture {
   }
   [[nodiscard]] GraphExport& exporter() const { return *window_.findChild<GraphExport*>(); }
 
-  /// What was written there, once it is said.
+  /// Saves the graph to `file`, waits for the notice, and returns the content.
   QByteArray Saved(const QString& file) {
     exporter().save(file);
     EXPECT_TRUE(QTest::qWaitFor([&] { return Said() == file + " saved"; }, kPatience))

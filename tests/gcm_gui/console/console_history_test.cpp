@@ -56,7 +56,7 @@ TEST(ConsoleHistory, PersistsAcrossWindows) {
 TEST(ConsoleHistory, ReportsAFailedSaveOnce) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("console");
-  ASSERT_TRUE(QDir().mkdir(file));  // in the way of the file
+  ASSERT_TRUE(QDir().mkdir(file));  // a folder with the name of the file
   ConsoleHistory history(file);
   QSignalSpy notice(&history, &ConsoleHistory::notice);
   const auto add = [&](const QString& line) {

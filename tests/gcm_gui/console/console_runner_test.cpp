@@ -36,7 +36,7 @@ TEST(ConsoleRunner, ALineInterruptedBeforeItStartsEnds) {
   EXPECT_EQ(ends[0][0].toInt(), program::kInterrupted);
   EXPECT_FALSE(runner.isRunning());
 
-  runner.run(QStringLiteral("status"), 80);  // it was not for this one
+  runner.run(QStringLiteral("status"), 80);  // the interruption was meant for the previous line
   ASSERT_TRUE(QTest::qWaitFor([&] { return ends.count() == 2; }, kConsolePatience));
   EXPECT_EQ(ends[1][0].toInt(), program::kOk);
 }

@@ -115,7 +115,8 @@ TEST_F(DiagnosisFlowTest, TheReportMatchesTheConsole) {
   QStringList said = QGuiApplication::clipboard()->text().split('\n');
   const Outcome outcome = Gcm({"explain", kSlavePath.toStdString(), "robot/arm/Control"});
   QStringList expected = QString::fromStdString(outcome.out).split('\n', Qt::SkipEmptyParts);
-  ASSERT_EQ(expected.size(), 10) << outcome.out;  // the ends, seven steps, a fix, what is left
+  // The two interfaces, seven steps, a remedy, and the leftovers.
+  ASSERT_EQ(expected.size(), 10) << outcome.out;
   for (const QString& line : expected.mid(1)) {
     EXPECT_TRUE(said.contains(line)) << line.toStdString() << "\nis not in\n"
                                      << said.join('\n').toStdString();
@@ -171,7 +172,7 @@ TEST_F(DiagnosisFlowTest, AProblemRowAndTheInspectorOpenTheCard) {
   ASSERT_TRUE(Eventually([&] { return Look() == EdgeItem::Look::kFailed; }));
 
   window().strip().showProblems();
-  // The refusal's row, whose words are the GCM's.
+  // The row of the refusal contains the message of the GCM.
   ClickRow("problems", window().parts().activity.action(0).refusal);
   EXPECT_TRUE(card().isVisible());
   QTest::keyClick(window().focusWidget(), Qt::Key_Escape);
@@ -189,7 +190,8 @@ TEST_F(DiagnosisFlowTest, SeveralInterfacesAreMatchedAndConnectedTogether) {
   StartLcm("robot");
   StartLcm("desk");
   window().selection().setPaths({kSlavePath, "desk/supervisor/Robot"});
-  QTest::keyClick(&window(), Qt::Key_D);  // the system file has connected the last one
+  // Disconnects the connection that the system file has made.
+  QTest::keyClick(&window(), Qt::Key_D);
   const InterfaceName supervisor{"desk", "supervisor", "Robot"};
   ASSERT_TRUE(Eventually([&] { return Known().FindConnection(supervisor) == nullptr; }));
   window().graph().setFocus();

@@ -18,7 +18,7 @@ constexpr int kLongest = 60000;  // ms; bounds a test that fails
 
 using Environment = std::map<std::string, std::string>;
 
-/// Programs of one user know each other by what is in his run-time folder: they share the test's.
+/// Programs of one user share a run-time folder. These programs use the folder of the test.
 Environment SharedWithTest() {
   return {{"XDG_RUNTIME_DIR", qEnvironmentVariable("XDG_RUNTIME_DIR").toStdString()}};
 }
@@ -82,7 +82,7 @@ void RealSystem::ClickPort(const PortName& port) {
 void RealSystem::ClickEdge(const QString& required) {
   GraphView& graph = window_->graph();
   ASSERT_TRUE(Eventually([&] { return graph.graph().edge(required) != nullptr; }));
-  // Somewhere along it nothing else is in the way.
+  // Searches a point of the edge that no other item covers.
   const EdgeItem* edge = graph.graph().edge(required);
   for (int percent = 20; percent < 80; ++percent) {
     const QPoint point = graph.mapFromScene(edge->path().pointAtPercent(percent / 100.0));

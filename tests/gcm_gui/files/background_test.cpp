@@ -40,7 +40,7 @@ TEST(Background, TheDestructorTimesOutWithAWarning) {
   const std::string said = testing::internal::GetCapturedStderr();
 
   EXPECT_EQ(said, "gcm-gui: a test was not finished: it took longer than 20 ms\n");
-  go->set_value();  // and it goes on
+  go->set_value();  // lets the task continue
   EXPECT_EQ(end->get_future().wait_for(kLongForBackground), std::future_status::ready);
 }
 

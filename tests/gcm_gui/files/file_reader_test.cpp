@@ -56,7 +56,7 @@ TEST_F(FileReaderTest, ReportsAReadError) {
   EXPECT_FALSE(read_->refusal.isEmpty());
 }
 
-/// A pipe that nobody writes to is the slowest of disks.
+/// A pipe to which no program writes acts like a very slow disk.
 TEST_F(FileReaderTest, ASlowFileDoesNotBlockTheCaller) {
   const QString pipe = folder_.filePath("pipe");
   ASSERT_EQ(::mkfifo(pipe.toLocal8Bit().constData(), 0600), 0);
@@ -65,7 +65,7 @@ TEST_F(FileReaderTest, ASlowFileDoesNotBlockTheCaller) {
   reader.read(pipe, Keep());
 
   EXPECT_FALSE(read_);
-  int end = -1;  // nobody can write before there is a reader
+  int end = -1;  // opening fails until there is a reader
   ASSERT_TRUE(QTest::qWaitFor(
       [&] {
         end = ::open(pipe.toLocal8Bit().constData(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);

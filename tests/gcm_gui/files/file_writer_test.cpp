@@ -28,7 +28,7 @@ class FileWriterTest : public ::testing::Test {
   bool HasHeard(qsizetype times) {
     return QTest::qWaitFor([&] { return told_.size() == times; }, 20'000);
   }
-  /// A disk that does not answer until it is let go.
+  /// Returns a function that acts like a disk that does not respond until `go_` is set.
   FileWriter::Fill Stuck() {
     return [this, go = go_.get_future().share()](QIODevice& file) {
       begun_.set_value();
@@ -60,7 +60,7 @@ TEST_F(FileWriterTest, ASlowDiskDoesNotBlockTheCaller) {
 TEST_F(FileWriterTest, WritesOnlyTheLastPendingContent) {
   FileWriter writer;
   writer.write(Path("a"), Stuck(), nullptr, {});
-  int written = 0;  // in the thread of the writer, and read once it has told
+  int written = 0;  // set in the writer's thread; read after its notice
   for (const char* content : {"1", "2", "3"}) {
     const auto fill = [&written, content](QIODevice& file) {
       ++written;

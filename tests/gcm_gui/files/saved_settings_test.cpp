@@ -82,10 +82,10 @@ TEST(SavedSettings, TwoProgramsKeepEachOthersSettings) {
   EXPECT_EQ(again.value("geometry"), "second");
 }
 
-/// A file that cannot be written, and what is said of it.
+/// A file that cannot be written, and the messages about it.
 class SavedSettingsError : public ::testing::Test {
  protected:
-  SavedSettingsError() { EXPECT_TRUE(QDir().mkdir(file_)); }  // in the way of the file
+  SavedSettingsError() { EXPECT_TRUE(QDir().mkdir(file_)); }  // a folder with the name of the file
   [[nodiscard]] bool IsSaid(const std::string& text) const {
     return text.find(file_.toStdString() + " was not saved: ") != std::string::npos;
   }
@@ -109,7 +109,7 @@ TEST_F(SavedSettingsError, IsPrintedAtExit) {
   testing::internal::CaptureStderr();
 
   SavedSettings(file_).set("seen", "yes");
-  delete &FileWriter::instance();  // as the application does, when no events are served any more
+  delete &FileWriter::instance();  // the application does the same after its event loop
 
   const std::string said = testing::internal::GetCapturedStderr();
   EXPECT_TRUE(IsSaid(said)) << said;

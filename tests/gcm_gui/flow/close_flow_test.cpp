@@ -16,10 +16,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A window that is closed in the middle of things.
+/// Closes a window while it is busy.
 class CloseFlow : public FlowFixture {
  protected:
-  /// Connections of this machine to that port, as its opener sees them.
+  /// Returns the number of connections of this machine to this port, counted at the opener's end.
   [[nodiscard]] static int ConnectionsTo(const std::string& address) {
     const auto place = ParseAddress(address, 1);
     if (!place) return -1;
@@ -40,9 +40,10 @@ class CloseFlow : public FlowFixture {
 
 TEST_F(CloseFlow, AHangingProcessDoesNotBlockClosing) {
   const ProcessDescription robot =
-      session_->store().catalogue().FindProcess("robot")->process;  // as it was before it stopped
+      // The last known state before it was stopped.
+      session_->store().catalogue().FindProcess("robot")->process;
   std::optional<Result<std::string>> answer;  // outlives the session, which fills it
-  // Patient beyond any test: who waits for the handshake is seen to.
+  // The time-out is longer than the test, so a wait for the handshake would make the test fail.
   auto session = std::make_unique<GcmSession>(*program::MakeMiddleware({}), address_, false,
                                               Role::kOperator, 10min);
   ASSERT_TRUE(Eventually([&] { return session->link().state() == LinkState::State::kConnected; }));
@@ -54,7 +55,7 @@ TEST_F(CloseFlow, AHangingProcessDoesNotBlockClosing) {
   session->liveSignals().subscribe("robot/arm/state.Joints.position[0]");
   ASSERT_TRUE(Eventually([&] { return ConnectionsTo(robot.address) > before + 1; }))
       << before << " before, now " << ConnectionsTo(robot.address);
-  const ConnectCancellation end;  // as the program does behind its window
+  const ConnectCancellation end;  // the program does the same after its window is closed
 
   ASSERT_TRUE(Eventually([&] { return answer.has_value(); }));
   ASSERT_FALSE(*answer);

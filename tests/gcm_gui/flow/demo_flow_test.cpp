@@ -17,7 +17,7 @@
 namespace tendon::gui {
 namespace {
 
-/// Nothing runs but a GCM, which starts processes beside itself.
+/// At first only a GCM runs. It starts the processes of the demo.
 class DemoFlow : public FlowFixture {
  protected:
   void SetUp() override {
@@ -26,7 +26,7 @@ class DemoFlow : public FlowFixture {
     ASSERT_TRUE(
         Eventually([this] { return session_->link().state() == LinkState::State::kConnected; }));
   }
-  /// What the GCM has started outlives it.
+  /// Ends the processes that the GCM has started; they would outlive the GCM.
   void TearDown() override {
     for (const char* process : {"robot", "desk"}) {
       if (IsEnded(process)) continue;
@@ -42,7 +42,7 @@ class DemoFlow : public FlowFixture {
     ASSERT_TRUE(Eventually([this] { return IsDemoRunning(); })) << gcm_->err();
     ASSERT_TRUE(Eventually([this] { return window_->files().restore().canUndo(); }));
   }
-  /// Ctrl+S, and the name of the file; then the page that compares.
+  /// Presses Ctrl+S, types the name of the file, and opens the page that compares.
   void Save(const QString& file) {
     QTest::keyClick(window_.get(), Qt::Key_S, Qt::ControlModifier);
     ASSERT_TRUE(Eventually([this] { return window_->findChild<QFileDialog*>() != nullptr; }));
@@ -97,7 +97,8 @@ TEST_F(DemoFlow, TheSavedFileStartsTheProcesses) {
 TEST_F(DemoFlow, ExternalChangesAreShownRestoredAndUndone) {
   ASSERT_NO_FATAL_FAILURE(BringUpDemo());
   ASSERT_NO_FATAL_FAILURE(Save(File()));
-  ASSERT_NO_FATAL_FAILURE(ClickWhenReady("plan.back"));  // from what brought the demo up
+  // Leaves the plan that has started the demo.
+  ASSERT_NO_FATAL_FAILURE(ClickWhenReady("plan.back"));
   ASSERT_TRUE(Eventually([this] { return IsAsSaved(); }));
   for (const Program::Words& change :
        {Program::Words{"disconnect", "desk/supervisor/Robot"}, {"rm", "robot/host_monitor"}}) {

@@ -69,7 +69,7 @@ class EdgeNumbersFlow : public FlowFixture {
     const auto& rows = Plot(path).legendBox().rows();
     return rows.empty() ? QString() : rows.front()->entry().value;
   }
-  /// Waits until the legend shows such a value.
+  /// Waits until the legend shows a value for which `is_right` is true.
   void ExpectValue(const QString& path, const std::function<bool(const QString&)>& is_right) {
     EXPECT_TRUE(Eventually([&] { return is_right(ValueOf(path)); }))
         << path.toStdString() << " is " << ValueOf(path).toStdString();
@@ -103,7 +103,7 @@ TEST_F(EdgeNumbersFlow, AWindowPlotsExtremeNumbersCorrectly) {
   ExpectValue(kStates + ".is_ready", [](const QString& value) {
     return QStringList{"false", "true"}.contains(value);
   });
-  // With all its digits.
+  // These values are shown with all digits.
   ExpectValue(kNumbers + ".stamp", [](const QString& value) { return value.size() == 19; });
   ExpectValue(kNumbers + ".counter",
               [](const QString& value) { return value.startsWith("90000"); });

@@ -12,17 +12,18 @@ namespace edges {
 
 enum class Mode : std::int32_t { kOff = 0, kManual = 2, kAutomatic = 7 };
 
-/// Numbers at which drawing goes wrong.
+/// Numbers that are difficult to draw.
 struct Numbers {
   double largest = std::numeric_limits<double>::max();
-  double turning = std::numeric_limits<double>::max();  ///< the largest and its negative in turn
+  /// Alternates between the largest double and its negative.
+  double turning = std::numeric_limits<double>::max();
   double smallest = std::numeric_limits<double>::denorm_min();
   std::int64_t counter = 9'000'000'000;
   std::uint64_t stamp = 0;  ///< ns since 1970
   double unix_time = 0;     ///< s
 };
 
-/// At 2 Hz, far from each other.
+/// States with very different numbers, at 2 Hz.
 struct States {
   Mode mode = Mode::kOff;
   bool is_ready = false;

@@ -11,20 +11,20 @@
 namespace tendon::gui {
 namespace {
 
-/// Empty where it has ended.
+/// Returns the command line of a process; empty if the process has ended.
 QByteArray CommandLineOf(const QString& pid) {
   QFile words("/proc/" + pid + "/cmdline");
   return words.open(QIODevice::ReadOnly) ? words.readAll() : QByteArray();
 }
 
-/// Nothing runs at all.
+/// At first, no program runs.
 class EmptyFlow : public FlowFixture {
  protected:
   void SetUp() override {
     qputenv("XDG_STATE_HOME", home_.path().c_str());
     ASSERT_NO_FATAL_FAILURE(OpenWindow());
   }
-  /// What the window has started outlives it.
+  /// Ends the programs that the window has started; they would outlive the window.
   void TearDown() override {
     FlowFixture::TearDown();
     for (const QString& pid : QDir("/proc").entryList({"[0-9]*"}, QDir::Dirs)) {

@@ -18,13 +18,13 @@ namespace tendon::gui {
 
 inline constexpr int kFlowPatience = 120000;  // ms; bounds a test that fails
 
-/// The demo system in processes of its own, and the real window with its session in this one.
+/// The demo system in separate processes, and the real window with its session in this process.
 class FlowFixture : public ::testing::Test {
  protected:
   void SetUp() override;
   void TearDown() override;
 
-  /// Replaces the former GCM.
+  /// Starts a GCM; replaces the former one.
   void StartGcm();
   void OpenWindow();
   [[nodiscard]] bool IsDemoRunning() const;
@@ -39,11 +39,11 @@ class FlowFixture : public ::testing::Test {
   }
   /// Clicks a tab with the mouse.
   void ClickTab(const char* bar, const char* title);
-  /// Always moves to the same place, so that each move ends soon, with an event.
+  /// Moves the arm always to the same position, so that each move ends soon, with an event.
   void MoveArm();
   void Click(QWidget& widget);
 
-  /// All programs of the test share the cookie of one user, ours.
+  /// Returns the environment of all programs of the test: they share one cookie.
   [[nodiscard]] std::map<std::string, std::string> FlowEnvironment() const;
   std::unique_ptr<Program> StartLcm(const std::string& name,
                                     const std::string& system = TENDON_DEMO_SYSTEM) const;

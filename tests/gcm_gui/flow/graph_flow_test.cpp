@@ -22,7 +22,7 @@ namespace tendon::gui {
 namespace {
 
 const QString kArmEdge = QStringLiteral("desk/supervisor/Robot");
-// Of processor time, of which a sanitizer takes several times as much.
+// Limit of the processor time of a handler. A sanitizer makes handlers several times slower.
 const std::chrono::milliseconds kLongestHandler{test::IsSanitized() ? 500 : 50};
 constexpr int kRounds = 3;
 
@@ -43,13 +43,14 @@ class GraphFlowTest : public FlowFixture {
            Look() == EdgeItem::Look::kActive;
   }
 
-  /// From now on handlers are watched.
+  /// Starts to measure the handlers.
   void WatchHandlers() {
     handlers_.forgetHandlers();
     since_ = std::chrono::steady_clock::now();
   }
-  /// No handler has taken long since then, nor waited for anybody in this phase of every round:
-  /// now and then one meets a lock by chance.
+  /// Expects that no handler was slow since WatchHandlers(). Also expects that no handler has
+  /// waited in this phase in every round: a single wait may be a lock that another thread holds by
+  /// chance.
   void ExpectNoHandlerStalled(int round, const std::string& phase) {
     const auto milliseconds = [](auto duration) {
       return std::chrono::duration<double, std::milli>(duration).count();
@@ -86,7 +87,7 @@ TEST_F(GraphFlowTest, AStoppedProcessIsGreyUntilItResumes) {
     ASSERT_TRUE(Eventually([&] { return IsGrey("robot/arm"); }));
     ExpectNoHandlerStalled(round, "grey");
     EXPECT_FALSE(IsGrey("desk/supervisor"));
-    // Pending where the desk has missed it as early as the GCM has.
+    // The connection is pending if the desk has noticed the loss as early as the GCM.
     EXPECT_TRUE(Look() == EdgeItem::Look::kStale || Look() == EdgeItem::Look::kPending);
     EXPECT_TRUE(scene().processes().at("robot")->title().startsWith("robot · lost"));
     KeepPictures(*window_, "flow-graph-stale");

@@ -25,7 +25,7 @@ class InspectorFlow : public FlowFixture {
  protected:
   void Select(const QString& path) { window_->selection().select(path); }
   const Action& LastAction() { return session_->activity().action(0); }
-  /// The call is done so many times; the next may be under way.
+  /// Waits until the call was executed `times` times; the next call may be running.
   bool Called(int times) {
     return Eventually([&] {
       if (session_->activity().rowCount() == 0) return false;
@@ -123,7 +123,7 @@ TEST_F(InspectorFlow, MotionCommandsRepeatOnlyWhileTheButtonIsHeld) {
   ASSERT_TRUE(Eventually([&] { return LastAction().outcome == Action::Outcome::kDone; }));
   const int called = LastAction().times;
 
-  QTest::qWait(400);  // four more would have been due
+  QTest::qWait(400);  // time for four further calls
   EXPECT_EQ(LastAction().times, called);
 }
 
@@ -152,7 +152,7 @@ TEST_F(InspectorFlow, AFavouriteIsDisabledUntilItsComponentReturns) {
   ASSERT_TRUE(Called(1));
   KeepPictures(*window_, "flow-favourites");
 
-  robot_.reset();  // killed
+  robot_.reset();  // kills the process
   EXPECT_TRUE(Eventually([&] { return !favourite.isEnabled(); }));
   robot_ = StartLcm("robot");
   EXPECT_TRUE(Eventually([&] { return favourite.isEnabled() && IsDemoRunning(); }));

@@ -28,7 +28,7 @@ QStringList Sorted(QStringList paths) {
   return paths;
 }
 
-/// What a user does with mouse and keys, over processes that are real.
+/// The actions of a user with mouse and keys, with real processes.
 class InteractionFlowTest : public FlowFixture {
  protected:
   [[nodiscard]] CatalogueTree& tree() const { return window_->catalogue().tree(); }
@@ -55,7 +55,7 @@ class InteractionFlowTest : public FlowFixture {
     QTest::mouseMove(graph.viewport(), end);
     QTest::mouseRelease(graph.viewport(), Qt::LeftButton, {}, end);
   }
-  /// A second arm that fits.
+  /// Starts a second arm that is compatible.
   std::unique_ptr<Program> StartSpare() {
     const QString name = QString::fromStdString((home_.path() / "spare.json").string());
     QFile file(name);

@@ -20,14 +20,14 @@ class LifecycleFlowTest : public FlowFixture {
     return arm != nullptr && arm->state == state;
   }
   [[nodiscard]] const ActivityModel& activity() const { return session_->activity(); }
-  /// By its key, and Enter.
+  /// Presses the key of an order, and confirms with Enter.
   void Order(Qt::Key key) {
     QTest::keyClick(window_.get(), key);
     auto* card = window_->findChild<LifecycleCard*>();
     ASSERT_TRUE(card->isVisible());
     QTest::keyClick(card, Qt::Key_Return);
   }
-  /// Among the facts of the inspector.
+  /// Returns true if the inspector shows this text.
   [[nodiscard]] bool HasText(const QString& text) const {
     const auto labels = window_->inspector().findChildren<QLabel*>();
     return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {

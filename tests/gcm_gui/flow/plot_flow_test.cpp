@@ -21,13 +21,14 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kOneCall = 2000;  // ms, before another is tried
+constexpr int kOneCall = 2000;  // ms until the call is repeated
 constexpr int kArms = 5;
-constexpr int kSignalsOfAnArm = 20;  // with 14 of joints and 6 of the goal
+constexpr int kSignalsOfAnArm = 20;  // 14 of the joints and 6 of the goal
 const QString kJoint = QStringLiteral("robot/arm/state.Joints.position[0]");
 
-/// How many rows are to arrive: those of 60 s with TENDON_FULL_FAULTS, and of as many seconds as
-/// TENDON_PLOT_SECONDS says. A sanitizer takes a minute for what else takes 2 s.
+/// Returns the number of rows to wait for. With TENDON_FULL_FAULTS, these are the rows of 60 s;
+/// TENDON_PLOT_SECONDS sets another number of seconds. A sanitizer makes the test about thirty
+/// times slower.
 std::uint64_t Rows() {
   constexpr std::uint64_t kRate = 1000;  // Hz
   if (const char* seconds = std::getenv("TENDON_PLOT_SECONDS")) return std::stoull(seconds) * kRate;
@@ -35,7 +36,7 @@ std::uint64_t Rows() {
   return test::IsSanitized() ? kRate / 5 : 2 * kRate;
 }
 
-/// A process of several arms, each with a table of 1 kHz.
+/// Returns a system file for a process with several arms, each with a table of 1 kHz.
 QByteArray SystemOfArms() {
   QJsonArray components;
   for (int i = 0; i < kArms; ++i) {
@@ -49,7 +50,7 @@ QByteArray SystemOfArms() {
       .toJson();
 }
 
-/// A plot for each arm; two of them lie below another.
+/// Returns a layout with a plot for each arm; two of the plots are below another one.
 QByteArray LayoutOfArms() {
   QJsonArray plots;
   for (int arm = 0; arm < kArms; ++arm) {
@@ -89,10 +90,10 @@ class PlotFlow : public FlowFixture {
   }
 };
 
-// Counts and no times: on a slow machine it takes longer, and still every row is there. A machine
-// that stands still for longer than a table keeps its rows loses some, and so does a window that is
-// 1.5 s behind, as a sanitizer makes it, for it gives up the connection and begins anew; but never
-// in silence.
+// Counts rows, and measures no times: on a slow machine the test takes longer, but every row must
+// arrive. Rows may be lost in two cases: the machine stalls for longer than a table keeps its rows,
+// or the window is 1.5 s late (as with a sanitizer) and renews its link. Even then every loss must
+// be reported.
 TEST_F(PlotFlow, AHundredSignalsAtOneKilohertzLoseNoRow) {
   const test::StallMeter stalls;
   const auto may_lose = [&] { return test::IsSanitized() || stalls.has_stood_still(); };
@@ -137,7 +138,7 @@ TEST_F(PlotFlow, MarksEventsAndCommandsOfOtherPrograms) {
   window_->plots().setWindow(std::chrono::seconds(10));
   ASSERT_TRUE(Eventually([&] { return !Curves().front()->samples().empty(); }));
 
-  // The first calls may come before this window hears of them.
+  // The first calls may be made before this window has subscribed to the log.
   const auto called = [&] {
     StartGcmVerb({"call", "robot/arm/Control.MoveTo",
                   R"({"position": [0.1, 0, 0, -1.5, 0, 1.5, 0], "duration": 0.05})"})

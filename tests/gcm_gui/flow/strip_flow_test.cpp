@@ -141,7 +141,7 @@ TEST_F(StripFlow, TypingOnTheOutputGoesToTheLine) {
 TEST_F(StripFlow, EventsArriveLiveAndWaitWhilePaused) {
   ClickTab("strip.tabs", "Events");
   auto& list = Find<QTreeView>("events");
-  // It may take a moment until the first one is listened to.
+  // The subscription to the events may take a moment. Repeats the move until an event arrives.
   ASSERT_TRUE(Eventually([&] {
     MoveArm();
     return list.model()->rowCount() > 0;
@@ -162,7 +162,7 @@ TEST_F(StripFlow, EventsArriveLiveAndWaitWhilePaused) {
 }
 
 TEST_F(StripFlow, ClickingAProblemSelectsItsSource) {
-  robot_.reset();  // killed
+  robot_.reset();  // kills the process
   ClickTab("strip.tabs", "Problems");
   auto& list = Find<QTreeView>("problems");
   ASSERT_TRUE(Eventually([&] {

@@ -18,7 +18,7 @@ class GraphFixture : public ::testing::Test {
  protected:
   explicit GraphFixture(SystemBuilder system) : system_(std::move(system)) {}
 
-  /// Shows the graph, and waits until all items have their places.
+  /// Shows the graph, and waits until all items have their positions.
   void Show() {
     store_.apply(system_.TakeChanges());
     EXPECT_TRUE(QTest::qWaitFor([this] { return !store_.isAnnouncing() && !scene_.isArranging(); },

@@ -27,7 +27,8 @@ class GraphHoverTest : public GraphFixture {
     view_.fit();
   }
 
-  /// As the window system would tell it: QTest is silent when the pointer is there already.
+  /// Sends a move event as the window system would. QTest sends no event if the pointer is there
+  /// already.
   void MoveTo(const QPointF& scene) {
     const QPoint at = view_.mapFromScene(scene);
     QMouseEvent event(QEvent::MouseMove, at, view_.viewport()->mapToGlobal(at), Qt::NoButton,

@@ -22,7 +22,7 @@ class GraphMapTest : public GraphFixture {
   void ZoomIn() {
     for (int step = 0; step < 8; ++step) QTest::keyClick(&view_, Qt::Key_Plus);
   }
-  /// In the middle of the frame is what is in the middle of the view.
+  /// Expects that the centre of the frame shows the centre of the view.
   void ExpectTrueFrame() const {
     const QPointF off = map_.fromScene(view_.seen().center()) - map_.frame().center();
     EXPECT_LT(std::hypot(off.x(), off.y()), 1.5);

@@ -23,8 +23,8 @@ namespace {
 constexpr int kProcesses = 20;
 constexpr int kOfEach = 50;
 
-/// What handlers of the window would use for a thousand components, in CPU time of this thread;
-/// reported, as it depends on the build.
+/// Measures the CPU time of the window's handlers for a thousand components. The times are only
+/// reported, because they depend on the build.
 class GraphScaleTest : public GraphFixture {
  protected:
   GraphScaleTest() : GraphFixture(LargeSystem(kProcesses, kOfEach)) { view_.resize(1000, 600); }

@@ -3,6 +3,7 @@
 #include <gcm_gui/graph/items/component_item.h>
 #include <gtest/gtest.h>
 
+#include <QLabel>
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QTest>
@@ -32,6 +33,8 @@ class GraphSearchTest : public GraphFixture {
     QTest::keyClick(&search_.field(), Qt::Key_Return, modifiers);
   }
 
+  QString CountText() const { return search_.findChild<QLabel*>("graphSearch.count")->text(); }
+
   GraphSearch search_{view_};
 };
 
@@ -42,11 +45,11 @@ TEST_F(GraphSearchTest, MatchesAllWordsInAnyOrder) {
 
   Type("drives");
   EXPECT_EQ(search_.found(), QStringList{"robot/arm"}) << "by the name of an interface";
-  EXPECT_EQ(search_.countText(), "1 found");
+  EXPECT_EQ(CountText(), "1 found");
 
   Type("no such thing");
   EXPECT_TRUE(search_.found().isEmpty());
-  EXPECT_EQ(search_.countText(), "no match");
+  EXPECT_EQ(CountText(), "no match");
   EXPECT_TRUE(scene_.highlight().names().empty());
 }
 
@@ -67,7 +70,7 @@ TEST_F(GraphSearchTest, EnterAndShiftEnterStepThroughMatches) {
 
   Enter();
   EXPECT_EQ(selection_.current(), search_.found()[0]);
-  EXPECT_EQ(search_.countText(), "1 of 3");
+  EXPECT_EQ(CountText(), "1 of 3");
   Enter();
   EXPECT_EQ(selection_.current(), search_.found()[1]);
   Enter(Qt::ShiftModifier);

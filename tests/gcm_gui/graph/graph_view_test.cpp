@@ -27,7 +27,8 @@ class GraphViewTest : public GraphFixture {
     view_.fit();
   }
 
-  /// As the window system would tell it: QTest is silent when the pointer is there already.
+  /// Sends a move event as the window system would. QTest sends no event if the pointer is there
+  /// already.
   void Hover(const PortName& port) {
     const QPoint at = view_.pointOf(port).value();
     QMouseEvent event(QEvent::MouseMove, at, view_.viewport()->mapToGlobal(at), Qt::NoButton,
@@ -85,7 +86,7 @@ TEST_F(GraphViewTest, CardsHideNoComponent) {
 }
 
 TEST_F(GraphViewTest, HoverReportsARefusalIfNoCardFits) {
-  scene_.setVisible({0, 0, 60, 40});  // as if no more than this could be seen
+  scene_.setVisible({0, 0, 60, 40});  // as if only this part were visible
   QString title;
   QStringList reasons;
   QObject::connect(&scene_, &GraphScene::refusalPointed, &scene_,

@@ -16,7 +16,7 @@ class Bomb : public QObject {
   }
 
   [[nodiscard]] int explosions() const { return explosions_; }
-  /// From now on, only counts the events.
+  /// Stops throwing; from now on, only counts the events.
   void defuse() { is_live_ = false; }
   [[nodiscard]] int events() const { return events_; }
 

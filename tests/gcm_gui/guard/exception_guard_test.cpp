@@ -15,8 +15,8 @@
 
 #include "guard/bomb.h"
 
-/// For the sanitizer of leaks: the exceptions of these tests pass through Qt, which then does not
-/// free what it holds at that moment.
+/// Turns the leak sanitizer off. The exceptions of these tests pass through Qt, and Qt then does
+/// not free its memory.
 extern "C" int __lsan_is_turned_off() { return 1; }  // NOLINT(bugprone-reserved-identifier)
 
 namespace tendon::gui {
@@ -43,7 +43,7 @@ class ExceptionGuardTest : public ::testing::Test {
     for (QWidget* view : {left_, right_}) ExceptionGuard::instance().showAgain(*view);
   }
 
-  /// Those of this view.
+  /// Returns the faults of this view.
   static QList<ViewFault> FaultsOf(const QString& view) {
     QList<ViewFault> all = ExceptionGuard::instance().faults();
     all.removeIf([&](const ViewFault& fault) { return fault.view != view; });
@@ -136,7 +136,8 @@ TEST_F(ExceptionGuardTest, CoversAViewThatThrowsUntilTheUserRetries) {
 
 TEST_F(ExceptionGuardTest, AnAbandonedPainterDoesNotBlockOtherViews) {
   Bomb bomb(*left_, QEvent::Paint, [&] {
-    // As of a frame of Qt's that an exception has passed; kept, for it must not be ended.
+    // Imitates the painter of a Qt function that an exception has left. The painter is never
+    // destroyed, because it must not be ended.
     [[maybe_unused]] static auto* const left = new QPainter(left_);
     throw std::runtime_error("in the middle");
   });

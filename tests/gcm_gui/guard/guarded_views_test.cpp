@@ -33,7 +33,7 @@
 namespace tendon::gui {
 namespace {
 
-/// Widgets of the window by their object's name; a card and a form are opened first.
+/// Object names of widgets of the window. A card and a form are opened first.
 constexpr const char* kViews[] = {"catalogue",
                                   "graph",
                                   "connections",
@@ -165,7 +165,7 @@ INSTANTIATE_TEST_SUITE_P(Window, EachView, ::testing::ValuesIn(kViews), [](const
   return name;
 });
 
-/// Throws for each row.
+/// A delegate that throws for each row.
 class ThrowingDelegate : public RowDelegate {
  public:
   using RowDelegate::RowDelegate;
@@ -255,7 +255,7 @@ TEST_F(GuardedViews, AThrowingDialogIsCovered) {
 }
 
 TEST_F(GuardedViews, AThrowingReceiverDoesNotStopModelUpdates) {
-  // Whoever hears the catalogue's model runs within its slot.
+  // A receiver of the model's signals runs inside the slot that changes the model.
   QObject::connect(&window_.catalogueModel(), &QAbstractItemModel::rowsInserted, &window_,
                    [] { throw std::runtime_error("a model"); });
   const auto* connections = window_.findChild<RowView*>("connections");

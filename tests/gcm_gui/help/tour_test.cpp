@@ -42,7 +42,7 @@ class TourTest : public WindowFixture {
   [[nodiscard]] QRect PlaceOf(const QWidget& widget) const {
     return {widget.mapTo(&window_, QPoint()), widget.size()};
   }
-  /// To whatever has the focus, as a hand would.
+  /// Presses the key in the widget with the focus, as a user would.
   void Press(Qt::Key key) { QTest::keyClick(window_.focusWidget(), key); }
 
   void Choose(const QString& name) {
@@ -50,7 +50,7 @@ class TourTest : public WindowFixture {
     help->findChild<QAction*>(name)->trigger();
   }
 
-  /// The words of all steps fit, and nothing of the card is cut off.
+  /// Expects that the card is completely visible and no text is cut off.
   void ExpectWhole() const {
     EXPECT_TRUE(window_.rect().contains(card()));
     for (const char* name : {"tour.title", "tour.text", "tour.place"}) {
@@ -161,7 +161,7 @@ TEST_F(TourTest, OpensAHiddenPanelForItsStep) {
 
 TEST_F(TourTest, SkipsStepsThatCannotBeShown) {
   window_.selection().select("desk/teleoperation");
-  QTest::keyClick(&window_, Qt::Key_C);  // candidates stand where the inspector is
+  QTest::keyClick(&window_, Qt::Key_C);  // the candidates replace the inspector
   ASSERT_FALSE(window_.inspector().isVisible());
   tour().start();
 
@@ -209,10 +209,10 @@ TEST_F(TourTest, RendersEachStep) {
     Theme::instance().choose(choice);
     tour().start();
     for (int step = 1; tour().isRunning(); ++step) {
-      QCoreApplication::processEvents();  // what has been laid out anew
+      QCoreApplication::processEvents();  // the layout is updated
       const QImage image = window_.grab().toImage();
       EXPECT_TRUE(image.save(PictureFile(QStringLiteral("tour-%1-%2").arg(step).arg(name))));
-      // Bright in the hole, dimmed beside it.
+      // The hole is bright; the area beside it is dimmed.
       EXPECT_EQ(image.pixelColor(QPoint(3, 3) * image.devicePixelRatio()) ==
                     Theme::instance().color(Token::kPanel),
                 tour().hole().contains(3, 3));

@@ -41,7 +41,7 @@ TEST(ValuesModel, ShowsEveryNumberOnceItArrives) {
   EXPECT_EQ(model.index(6, 0).data(), "Cycle");
 }
 
-/// The values of the arm, by a clock that the test turns.
+/// The values of the arm, with a clock that the test advances.
 class ValuesModelTest : public ::testing::Test {
  protected:
   ValuesModelTest() {
@@ -54,7 +54,7 @@ class ValuesModelTest : public ::testing::Test {
     clock_.Advance(time);
     model_.tick();
   }
-  /// So many rows have come so far, the newest now.
+  /// Sends the newest row; `rows` is the number of rows so far.
   void Send(std::uint64_t rows, const std::vector<double>& values) {
     model_.showValues(kJoints, {.fields = shape_,
                                 .values = ExactValues(values),

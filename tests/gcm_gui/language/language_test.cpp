@@ -17,7 +17,7 @@
 namespace tendon::gui {
 namespace {
 
-/// What SpeakAs() installed is taken back.
+/// Removes the translations that SpeakAs() has installed.
 void SpeakEnglish() {
   for (auto* one : QCoreApplication::instance()->findChildren<QTranslator*>()) delete one;
 }
@@ -56,7 +56,7 @@ TEST_F(LanguageTest, FallsBackToEnglish) {
 
 TEST_F(LanguageTest, ListsTheLanguages) { EXPECT_EQ(Languages(), (QStringList{"de", "fr"})); }
 
-/// The locale is set before the members of the window are made.
+/// A base class that sets the locale before the members of the window are created.
 struct Speaking {
   explicit Speaking(const char* language) { SpeakAs(QLocale(QString(language))); }
   ~Speaking() { SpeakEnglish(); }
@@ -67,7 +67,7 @@ class WindowInLanguage : private Speaking, public WindowFixture {
   explicit WindowInLanguage(const char* language) : Speaking(language) {}
   ~WindowInLanguage() override { Theme::instance().choose(Theme::Choice::kSystem); }
 
-  /// Widgets whose words need more room than they have.
+  /// Returns the widgets whose texts are wider than the available room.
   QStringList cutOff() {
     QStringList found;
     for (auto* button : window_.findChildren<QAbstractButton*>()) {

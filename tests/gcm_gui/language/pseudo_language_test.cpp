@@ -21,7 +21,7 @@
 namespace tendon::gui {
 namespace {
 
-/// A language in which each sentence stands between marks: what has none was not translated.
+/// A language that puts each text between marks. A text without marks was not translated.
 class PseudoLanguage : public QTranslator {
  public:
   PseudoLanguage() { QCoreApplication::installTranslator(this); }
@@ -34,16 +34,18 @@ class PseudoLanguage : public QTranslator {
   }
 };
 
-/// The language is there before the members of the window are made.
+/// A base class that installs the language before the members of the window are created.
 struct Marked {
   PseudoLanguage language;
 };
 
 class PseudoLanguageTest : private Marked, public WindowFixture {
  protected:
-  /// Of what a person reads or hears, the words that are neither translated nor names of the model.
+  /// Collects the words of `text` that are neither translated nor names of the model. `text` is
+  /// shown or spoken.
   void Read(const QObject& thing, const QString& text) {
-    if (thing.objectName().startsWith("lifecycle.")) return;  // why not: the library says it
+    // The reason comes from the library, untranslated.
+    if (thing.objectName().startsWith("lifecycle.")) return;
     QString rest = text;
     rest.replace(QRegularExpression("«[^«»]*(«[^«»]*»[^«»]*)*»"), QStringLiteral(" "));
     for (auto words = kWords.globalMatch(rest); words.hasNext();) {
@@ -80,7 +82,8 @@ class PseudoLanguageTest : private Marked, public WindowFixture {
       ReadRows(view, model->index(row, 0, parent));
     }
   }
-  /// What is called so everywhere, and what filters and the console say.
+  /// Adds words that are the same in every language: names, and words of filters and of the
+  /// console.
   void AddNames() {
     for (const QString& part : QString(kSaidEverywhere).split(' ')) names_ << part.toLower();
     const auto add = [this](const std::string& text) {

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""sentences.py SOURCES LUPDATE: every sentence of the window can be translated, and is.
+"""sentences.py SOURCES LUPDATE: checks that every sentence of the window is translated.
 
-Sentences stand in Words::tr(); each has a translation in every language/*.ts, with the same places for figures, the
-same blanks at its ends, one mnemonic where it has one. Prints what is wrong; exit code 1 then.
+Sentences must be in Words::tr(), and each must have a translation in every language/*.ts. The translation must have the
+same placeholders (%1), the same spaces at its ends, and a mnemonic if the sentence has one. Prints what is wrong; the
+exit code is then 1.
 """
 
 import re
@@ -19,7 +20,7 @@ BARE = re.compile(r"\b(%s)\(\s*(?:QStringLiteral\(|QString\()?\"([^\"]*)\"" % "|
 
 
 def bare_sentences(sources):
-    """What is shown, and cannot be translated."""
+    """Yields the texts that are shown without Words::tr(), so that they cannot be translated."""
     for path in sorted(sources.rglob("*.cpp")):
         text = path.read_text(encoding="utf-8")
         for match in BARE.finditer(text):

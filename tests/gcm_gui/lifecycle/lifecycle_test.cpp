@@ -33,7 +33,7 @@ class LifecycleTest : public WindowFixture {
   bool IsAsked(const QStringList& orders) {
     return QTest::qWaitFor([&] { return actions_.asked == orders; }, kPatience);
   }
-  /// The menu that opens there.
+  /// Returns the menu that opens at this position.
   static QMenu* MenuAt(QWidget& viewport, const QPoint& place) {
     QContextMenuEvent event(QContextMenuEvent::Mouse, place, viewport.mapToGlobal(place));
     QApplication::sendEvent(&viewport, &event);

@@ -17,7 +17,7 @@ using std::chrono::seconds;
 constexpr auto kJoints = "robot/arm/state.Joints";
 constexpr auto kFirstJoint = "robot/arm/state.Joints.position[0]";
 
-/// The catalogue's columns behind name and value.
+/// Tests the columns of the catalogue after name and value.
 class CatalogueFactsTest : public ::testing::Test {
  protected:
   CatalogueFactsTest() {
@@ -38,7 +38,7 @@ class CatalogueFactsTest : public ::testing::Test {
     return index.data(Qt::AccessibleTextRole).toString();
   }
 
-  /// Rows at 100 Hz for so long, of which each tenth of a second the newest is heard of.
+  /// Sends rows at 100 Hz for this time. Every 0.1 s, the model receives the newest row.
   void Stream(seconds how_long) {
     for (int i = 0; i < 10 * how_long.count(); ++i) {
       clock_.Advance(milliseconds(100));

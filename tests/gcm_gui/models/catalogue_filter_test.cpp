@@ -32,7 +32,7 @@ TEST_F(CatalogueFilterTest, MatchesPathsWithEveryWordInAnyOrder) {
   filter_.applyText("getjoints arm");
 
   EXPECT_TRUE(Shows("robot/arm/Drives.GetJoints"));
-  EXPECT_TRUE(Shows("robot/arm"));  // above it
+  EXPECT_TRUE(Shows("robot/arm"));  // the parent of the match
   EXPECT_FALSE(Shows("robot/arm/Drives.Stop"));
   EXPECT_FALSE(Shows("robot/force_sensor"));
 }
@@ -96,7 +96,7 @@ TEST_F(CatalogueFilterTest, SlashesEncloseARegularExpression) {
   EXPECT_TRUE(Shows("robot/arm/Drives.Stop"));
   EXPECT_FALSE(Shows("robot/arm/Drives.GetJoints"));
 
-  filter_.applyText("/(arm/");  // is not finished
+  filter_.applyText("/(arm/");  // an incomplete regular expression
   EXPECT_FALSE(Shows("robot"));
 }
 
@@ -183,7 +183,7 @@ QStringList ShownPaths(const CatalogueFilter& filter, const QModelIndex& parent)
   return paths;
 }
 
-/// By looking at everything.
+/// Returns the paths that match, by testing every item.
 QStringList WantedPaths(const FilterExpression& expression, const CatalogueItem& item) {
   QStringList paths;
   for (const auto& child : item.children) paths += WantedPaths(expression, *child);
@@ -191,7 +191,7 @@ QStringList WantedPaths(const FilterExpression& expression, const CatalogueItem&
   return paths;
 }
 
-/// Any change at any time; QAbstractItemModelTester aborts on the first inconsistency.
+/// Applies random changes. QAbstractItemModelTester aborts on the first inconsistency.
 TEST_F(CatalogueFilterTest, FollowsRandomChangesLikeANewFilter) {
   SystemBuilder system;
   std::mt19937 random(20261123);

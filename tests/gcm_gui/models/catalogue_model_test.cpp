@@ -239,7 +239,7 @@ TEST_F(CatalogueModelTest, ASnapshotRemovesStaleRows) {
   EXPECT_EQ(model_.itemCount(), 1);
 }
 
-/// Any change at any time; QAbstractItemModelTester aborts on the first inconsistency.
+/// Applies random changes. QAbstractItemModelTester aborts on the first inconsistency.
 TEST_F(CatalogueModelTest, FollowsRandomChangesLikeANewModel) {
   SystemBuilder system;
   std::mt19937 random(20261121);

@@ -86,7 +86,7 @@ TEST(TrendProperty, PlacesEveryNumber) {
   CheckTrends<std::uint64_t>(Schema::Kind::kUint64, test::AnyInteger<std::uint64_t>());
 }
 
-/// What a cell says of a double reads as it, rounded; what its tooltip adds reads as all of it.
+/// The text in a cell is the rounded number; the text in its tool tip is exactly the number.
 TEST(ValueTextProperty, ReadsBackAsTheSameNumber) {
   test::CheckProperty([] {
     const double value = *test::AnyFinite();
@@ -94,7 +94,7 @@ TEST(ValueTextProperty, ReadsBackAsTheSameNumber) {
     field.schema = Schema(Schema::Kind::kFloat64);
     const std::string shown = QuantityOf(field, NumericValue(value)).number.toStdString();
     const std::string whole = WholeText(field, NumericValue(value)).toStdString();
-    // The largest double, rounded, is beyond what a double can be read as.
+    // The largest double, when rounded, exceeds the range of doubles.
     const long double near = std::strtold(shown.c_str(), nullptr);
     RC_ASSERT(std::abs(near - value) <= std::abs(value) * 6e-3L);
     RC_ASSERT(std::strtod((whole.empty() ? shown : whole).c_str(), nullptr) == value);

@@ -1,5 +1,5 @@
-// Every part of a plot is given every number there is: ends, denormals, infinities, what differs in
-// its last digits, and whatever RapidCheck thinks of.
+// Tests every part of a plot with all kinds of numbers: limits, denormals, infinities, numbers that
+// differ only in the last digits, and random numbers of RapidCheck.
 
 #include <gcm_gui/plot/canvas/cursor_lines.h>
 #include <gcm_gui/plot/canvas/span_raster.h>
@@ -35,7 +35,7 @@ using namespace std::chrono_literals;
 
 constexpr std::array kAllTime{SeenSlices{.slices = {.from_ns = 0, .to_ns = kSecond, .count = 400}}};
 
-/// Some rows a second, one value after the other.
+/// Returns one row for each value, several rows per second.
 std::vector<Sample> RowsOf(const std::vector<ExactNumber>& values) {
   std::vector<Sample> rows;
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -51,7 +51,7 @@ rc::Gen<std::vector<ExactNumber>> AnyReals() {
       rc::gen::map(test::AnyDouble(), [](double value) { return ExactNumber(value); });
   return rc::gen::oneOf(
       rc::gen::container<std::vector<ExactNumber>>(number),
-      // A constant, and two in turn.
+      // A constant, and two alternating numbers.
       rc::gen::map(number, [](ExactNumber one) { return std::vector<ExactNumber>(20, one); }),
       rc::gen::map(rc::gen::pair(number, number),
                    [](const auto& two) {
@@ -60,7 +60,7 @@ rc::Gen<std::vector<ExactNumber>> AnyReals() {
                        values.insert(values.end(), {two.first, two.second});
                      return values;
                    }),
-      // What differs in its last digits.
+      // Numbers that differ only in their last digits.
       rc::gen::map(number, [](ExactNumber one) {
         std::vector<ExactNumber> values;
         for (int i = 0; i < 20; ++i) values.emplace_back(one.nearest() * (1 + i * 1e-13));
@@ -104,7 +104,7 @@ void CheckTicks(const ValueTicks& ticks) {
   RC_ASSERT(!texts.contains("inf") && !texts.contains("nan"));
 }
 
-/// Its range can be drawn and its labels differ.
+/// Checks that the range can be drawn and the labels differ.
 void CheckAxis(const UnitAxis& axis, ValueScale scale) {
   RC_ASSERT(IsShowable(axis.range));
   const ValueTicks ticks = TicksOf(axis, scale, 7);
@@ -122,7 +122,7 @@ TEST(AnyNumber, FitsAnAxisWhoseLabelsDiffer) {
     set.fitAxes(kAllTime);
     CheckAxis(set.axes().front(), set.scale());
 
-    // Other numbers come, of the same kind or another.
+    // Adds other numbers, of the same kind or of another kind.
     std::vector<Sample> more = RowsOf(*AnyNumbers());
     for (Sample& sample : more) sample.tick += 1000;
     curve.append(more);
@@ -147,7 +147,8 @@ TEST(AnyNumber, KeepsOtherCurvesOnItsAxisReadable) {
   });
 }
 
-/// Where each sample that has a place stands in a picture of 50 rows, told from its number alone.
+/// Returns the row of each sample in a picture of 50 rows, computed from the number alone. Samples
+/// without a position are left out.
 std::vector<std::pair<std::int64_t, double>> RowsOnScreen(const Curve& curve, const UnitAxis& axis,
                                                           ValueScale scale) {
   std::vector<std::pair<std::int64_t, double>> rows;
@@ -156,7 +157,7 @@ std::vector<std::pair<std::int64_t, double>> RowsOnScreen(const Curve& curve, co
     const Scaling& scaling = curve.scaling();
     const ExactNumber number =
         scaling.isNone() ? ring.number(i) : scaling.of(ring.number(i).nearest());
-    // A line on its way beyond all doubles ends before.
+    // A line towards a value beyond all doubles ends before this value.
     if (!number.isFinite() && ring.number(i).isFinite()) return {};
     if (!number.isFinite()) continue;
     long double distance = number.nearest();
@@ -171,13 +172,13 @@ std::vector<std::pair<std::int64_t, double>> RowsOnScreen(const Curve& curve, co
                              : PlaceOf(number.nearest(), scale);
     const double row = (axis.range.high - place) * (50 / axis.range.span());
     const bool is_below = std::isfinite(place) && scale == ValueScale::kLogarithmic && row > 49;
-    if (is_below) continue;  // near 0 as others are below it
+    if (is_below) continue;  // too near 0 for the picture
     rows.emplace_back(ring.time(i), std::isfinite(place) ? row : 49);
   }
   return rows;
 }
 
-/// Whether the line, which is two pixels thick, covers something there.
+/// Returns true if the line, which is two pixels thick, covers a pixel near this row.
 bool IsSetNear(const QImage& image, int column, double row) {
   const int middle = static_cast<int>(std::floor(row));
   for (int y = std::max(0, middle - 2); y <= std::min(image.height() - 1, middle + 2); ++y) {
@@ -328,7 +329,7 @@ TEST(AnyNumber, NeighboursAtIntegerLimitsHaveDifferentRows) {
   }
 }
 
-/// The whole view, with its axes, dots, grid, legend and statistics.
+/// The whole view, with axes, dots, grid, legend and statistics.
 class AnyNumberInAView : public testing::Test {
  protected:
   void SetUp() override { ShowView(view_); }
@@ -372,7 +373,7 @@ TEST_F(AnyNumberInAView, AVectorPictureOfExtremeValuesHasFiniteLines) {
   for (const double edge : test::EdgeDoubles()) {
     SCOPED_TRACE(edge);
     show({edge, -edge, edge, 1.0}, ValueScale::kLinear);
-    // As it is saved: the backing store is an image.
+    // Paints as for a file: the backing store would be an image.
     auto& canvas = static_cast<QwtPlotCanvas&>(*view_.canvas());
     canvas.setPaintAttribute(QwtPlotCanvas::BackingStore, false);
     QBuffer buffer;

@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Ten seconds of a line that rises by one a second.
+/// Ten seconds of a line that rises by 1 per second.
 class PlotCursors : public testing::Test {
  protected:
   void SetUp() override {

@@ -64,7 +64,7 @@ TEST_F(PlotPanelTest, SharesASubscriptionBetweenTwoPlots) {
 
   QTest::keyClick(panel_.currentPlot().legendBox().rows().front(), Qt::Key_Delete);
   EXPECT_EQ(released_.count(), 0);
-  panel_.removeSignal(kX);
+  QTest::keyClick(panel_.plot(0).legendBox().rows().front(), Qt::Key_Delete);
 
   ASSERT_EQ(released_.count(), 1);
   EXPECT_EQ(released_[0][0], kX);
@@ -144,7 +144,8 @@ TEST_F(PlotPanelTest, TheBadgeShowsRateAndLoss) {
 
   std::uint64_t next = 4000;
   const auto shows_both = [&] {
-    panel_.append(kX, Rows(next, next + 10));  // else it falls silent on a busy machine
+    // Otherwise the signal becomes silent on a busy machine.
+    panel_.append(kX, Rows(next, next + 10));
     next += 10;
     return child<RateBadge>("rateBadge").text() == "1000 Hz · 600 lost";
   };
@@ -202,7 +203,7 @@ TEST_F(PlotPanelTest, TheMemoryIsSharedAmongTheCurves) {
   panel_.addSignal(kY, "rad");
   panel_.append(kX, Rows(0, 40'000));
 
-  panel_.setMemoryBudget(2 * 16 * 10'000);  // 8192 samples a curve
+  panel_.setMemoryBudget(2 * 16 * 10'000);  // 8192 samples per curve
 
   EXPECT_EQ(samples(kX).endIndex() - samples(kX).firstIndex(), 8192U);
 }

@@ -13,7 +13,7 @@ namespace {
 
 QString Joint(int i) { return QString("robot/arm/state.Joints.position[%1]").arg(i); }
 
-// What the plots of a day look like, kept for people to judge; each part of it has its own test.
+// Saves pictures of typical plots for people. Each part of the plots has its own test.
 class PlotPictures : public testing::TestWithParam<Appearance> {
  protected:
   void SetUp() override {
@@ -26,7 +26,7 @@ class PlotPictures : public testing::TestWithParam<Appearance> {
 
   void keep(const QString& name) {
     panel_.currentPlot().refresh();
-    QTest::qWait(300);  // the badge
+    QTest::qWait(300);  // time to update the badge
     const QImage image = panel_.grab().toImage();
     EXPECT_EQ(image.size(), panel_.size());
     KeepPicture(image, name + suffix_);

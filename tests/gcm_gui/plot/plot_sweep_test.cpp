@@ -17,7 +17,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Ten seconds of axis; the value tells the length of time it is from.
+/// An axis of ten seconds. The value of a sample is the number of the sweep to which it belongs.
 class PlotSweep : public testing::Test {
  protected:
   void SetUp() override {
@@ -27,7 +27,8 @@ class PlotSweep : public testing::Test {
     curve_ = &view_.addCurve({"p/a/state.x", "rad"});
     curve_->append(Rows(0, 24'000, [](double t) { return std::floor(t / 10); }));
     QTest::keyClick(view_.canvas(), Qt::Key_S);
-    // The head is where now is, which goes on between two lines of this test.
+    // The head is at the present time, which advances between two lines of this test. So the view
+    // is paused.
     Painted(view_);
     view_.setPaused(true);
     Painted(view_);
@@ -108,7 +109,7 @@ TEST(PlotSweepPanel, TheButtonShowsWhetherSweepIsOn) {
   EXPECT_FALSE(button->isChecked());
 }
 
-// Driven by a clock of its own: now() would be somewhere else on a slow machine.
+// Uses its own clock: with now(), the head would be elsewhere on a slow machine.
 TEST(SweepingWindow, DrawsBothSweepsWithABarBetween) {
   Theme::instance().choose(Theme::Choice::kDark);
   PlotView view;

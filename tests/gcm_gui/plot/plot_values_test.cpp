@@ -1,4 +1,4 @@
-// Curves are drawn where their values are, and as what they are: far from 0, and in steps.
+// Curves are drawn at their values and in their form: also far from 0, and as steps.
 
 #include <gcm_gui/plot/canvas/axis_labels.h>
 #include <gcm_gui/plot/canvas/cursor_lines.h>
@@ -27,7 +27,7 @@ using namespace std::chrono_literals;
 
 const QString kSignal = "robot/arm/state.x";
 
-/// Ten seconds of rows, held, so that pixels stay where they are.
+/// Ten seconds of rows in a paused view, so that the pixels do not move.
 class PlotValues : public testing::Test {
  protected:
   void SetUp() override {
@@ -42,7 +42,7 @@ class PlotValues : public testing::Test {
     Painted(view_);
     view_.setPaused(true);
     view_.refresh();
-    view_.findChild<QWidget*>("live")->hide();  // it lies over the newest samples
+    view_.findChild<QWidget*>("live")->hide();  // this button covers the newest samples
     image_ = view_.grab().toImage();
     return curve;
   }
@@ -54,7 +54,7 @@ class PlotValues : public testing::Test {
     return rows;
   }
 
-  /// `count` rows, one each 500 ms: as a mode that is published at 2 Hz.
+  /// Returns one row each 500 ms, like a mode that is published at 2 Hz.
   static std::vector<Sample> AtTwoHz(const std::vector<std::int64_t>& values) {
     std::vector<Sample> rows = Rows(0, values.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -73,7 +73,7 @@ class PlotValues : public testing::Test {
            60;
   }
 
-  /// The middle of what is drawn in a column of the canvas; nothing where nothing is.
+  /// Returns the middle of the drawn pixels in a column of the canvas; no value if there are none.
   [[nodiscard]] std::optional<double> drawnRow(int x) const {
     int first = -1;
     int last = -1;
@@ -203,7 +203,7 @@ TEST_F(PlotValues, AnExtremeCurveIsNamedAndLeavesOthersReadable) {
 TEST_F(PlotValues, StatesAreDrawnAsSteps) {
   show(AtTwoHz({0, 7, 7, 0, 7, 0, 0, 7, 7, 7, 0, 0, 7, 0, 7, 0, 7, 0, 7, 0}));
 
-  // Half a second wide; the step itself takes a column or two.
+  // Each value is visible for half a second. The step itself is one or two columns wide.
   for (int i = 2; i < 18; ++i) {
     const int from = columnOf(i * kSecond / 2) + 5;
     const int to = columnOf((i + 1) * kSecond / 2) - 5;

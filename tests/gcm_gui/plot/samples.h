@@ -18,13 +18,13 @@ std::vector<Sample> Rows(
     std::uint64_t from, std::uint64_t to,
     const std::function<double(double seconds)>& value = [](double seconds) { return seconds; });
 
-/// A view of 640 x 320 pixels that is shown and laid out, and lies above all others.
+/// Shows and lays out a view of 640 x 320 pixels, in front of all other windows.
 void ShowView(PlotView& view);
 
 /// Refreshes and paints the view as its timer would.
 QImage Painted(PlotView& view);
 
-/// Saves a picture for people, see PictureFile().
+/// Saves a picture for people; see PictureFile().
 void KeepPicture(const QImage& image, const QString& name);
 
 }  // namespace tendon::gui

@@ -6,7 +6,7 @@ namespace {
 
 using Gesture = SharedTimeAxis::Gesture;
 
-/// A set of one curve, so that it has an axis.
+/// Returns a set with one curve, so that it has an axis.
 CurveSet OneAxis(const char* path = "p/a/state.x") {
   CurveSet set;
   set.add({path, "rad"});

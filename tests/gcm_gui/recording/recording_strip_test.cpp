@@ -22,7 +22,7 @@ namespace {
 
 const QString kRun = QStringLiteral("/data/recordings/2026-11-29_14-05-09.mcap");
 
-/// The window with its button and its strip; the test plays the recorder.
+/// The window with its record button and its strip. The test acts as the recorder.
 class RecordingStripTest : public WindowFixture {
  protected:
   ~RecordingStripTest() override { Theme::instance().choose(Theme::Choice::kSystem); }
@@ -168,7 +168,7 @@ TEST_F(RecordingStripTest, ARefusalIsShownUnderTheButtonWithAWayOut) {
 }
 
 TEST_F(RecordingStripTest, TheArrowChoosesWhatToRecord) {
-  PressCtrlR();  // nothing is plotted
+  PressCtrlR();  // nothing is plotted, so nothing can be recorded
   EXPECT_TRUE(Strip().text().contains("Nothing is plotted"));
   Click("recordMenu");
   auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());

@@ -88,7 +88,7 @@ class RecordingWorkerTest : public ::testing::Test {
     ASSERT_NE(button, nullptr) << name;
     QTest::mouseClick(button, Qt::LeftButton);
   }
-  /// Records everything, until there are some rows.
+  /// Records everything, and waits until some rows are recorded.
   void RecordEverything() {
     Controller().setScope(RecordingScope::kEverything);
     Click("record");
@@ -105,7 +105,7 @@ class RecordingWorkerTest : public ::testing::Test {
   [[nodiscard]] QStringList Files() const {
     return QDir(folder_.filePath("recordings")).entryList({"*.mcap"}, QDir::Files);
   }
-  /// The messages by topic of a file that must be complete.
+  /// Returns the number of messages by topic. The file must be complete.
   static std::map<std::string, std::uint64_t> TopicsOf(const QString& file) {
     std::map<std::string, std::uint64_t> topics;
     const auto reader = mcap::Reader::Open(file.toStdString());

@@ -23,7 +23,7 @@ class CatalogueStoreTest : public ::testing::Test {
   [[nodiscard]] bool Finish() {
     return QTest::qWaitFor([&] { return !store_.isAnnouncing(); }, kPatience);
   }
-  /// How often a process was told of as a whole.
+  /// Returns how often a whole process was reported as changed.
   [[nodiscard]] int Times(const std::string& process) const {
     int times = 0;
     for (const ChangedParts& step : told_) times += static_cast<int>(step.count({process, {}}));

@@ -191,7 +191,8 @@ TEST_F(SessionTest, ACallFailsWhenItsProcessIsLost) {
   EXPECT_EQ(told->code, ErrorCode::kTimeout);
   EXPECT_TRUE(told->message.starts_with("process 'robot' is lost")) << told->message;
   EXPECT_TRUE(told->message.ends_with(
-      "it is unknown whether the command was executed or will still be executed"))
+      "it is unknown whether the command was executed or will still be executed: check the "
+      "component before you repeat the call"))
       << told->message;
   EXPECT_EQ(session_->activity().action(0).outcome, Action::Outcome::kRefused);
 }
@@ -280,7 +281,7 @@ TEST_F(SessionTest, ReconnectsToALostGcm) {
 
   manager_.reset();
   EXPECT_TRUE(Eventually([&] { return session_->link().state() == LinkState::State::kLost; }));
-  EXPECT_NE(Known().FindProvided(kPlantControl), nullptr);  // what was known stays
+  EXPECT_NE(Known().FindProvided(kPlantControl), nullptr);  // the known state is kept
 
   auto manager = GlobalManager::Start(
       Node(), {.address = address, .state_folder = folder_.path().toStdString()});
@@ -296,7 +297,7 @@ TEST_F(SessionTest, CanBeDestroyedDuringARequest) {
   session_->connectInterfaces(kOperated, kPlantControl);
   session_.reset();
 
-  QTest::qWait(50);  // a late answer finds nobody
+  QTest::qWait(50);  // a late answer would arrive now
 }
 
 }  // namespace

@@ -19,7 +19,7 @@
 namespace tendon::gui {
 namespace {
 
-/// Holds the sinks, so that the test plays the network.
+/// Keeps the sinks, so that the test can act as the network.
 class ScriptedTelemetry final : public TelemetryClient {
  public:
   struct Entry {
@@ -39,7 +39,7 @@ class ScriptedTelemetry final : public TelemetryClient {
   Id last_id_ = 0;
 };
 
-/// Sends rows of two doubles, `position[0..1]`, whose first is the tick.
+/// Sends rows of two doubles, `position[0..1]`. The first double is the tick.
 void SendRows(RowSink& sink, std::uint64_t epoch, std::uint64_t first, std::size_t count,
               std::chrono::nanoseconds clock_offset = {}) {
   std::vector<std::uint64_t> ticks;
@@ -77,7 +77,7 @@ class LiveSignalsTest : public ::testing::Test {
   }
 
   RowSink& Sink() { return *telemetry_.entries.begin()->second.sink; }
-  /// Subscriptions to every row.
+  /// Returns the number of subscriptions to every row.
   [[nodiscard]] long Streams() const {
     return std::count_if(telemetry_.entries.begin(), telemetry_.entries.end(), [](const auto& one) {
       return one.second.table.rows.delivery != RowDelivery::kNewest;
@@ -224,7 +224,8 @@ TEST_F(LiveSignalsTest, SignalsStalenessOnce) {
 
   Sink().OnStale({ErrorCode::kUnreachable, "process 'robot' is lost (...); start it again first"});
   live_.drain();
-  EXPECT_EQ(stale.back().at(1).toString(), "");  // whose rows are waited for says enough
+  // No reason is needed, because the legend shows the missing source.
+  EXPECT_EQ(stale.back().at(1).toString(), "");
 }
 
 TEST_F(LiveSignalsTest, NamesTheInvalidPartOfAPath) {
@@ -260,7 +261,7 @@ TEST_F(LiveSignalsTest, CountsLostRowsByPlace) {
   Sink().OnSubscribed({PositionSchema()});
   EXPECT_EQ(live_.losses(first_), RowLosses{});
 
-  RowBatch batch;  // of losses alone
+  RowBatch batch;  // a batch that reports only losses
   batch.lost.table = 7;
   batch.lost.network = 2;
   Sink().OnRows(batch);

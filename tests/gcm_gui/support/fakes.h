@@ -39,8 +39,8 @@ class RecordingActions final : public SystemActions {
   QStringList asked;
 };
 
-/// Knows one type, and records the calls: "robot/arm/Control.MoveTo {...}". The test gives the
-/// answers.
+/// Knows the schema of one type, and records the calls: "robot/arm/Control.MoveTo {...}". The test
+/// gives the answers.
 class ScriptedCalls final : public CommandCalls {
  public:
   void findSchema(const std::string& process, Fingerprint type, SchemaHandler handler) override;
@@ -49,24 +49,24 @@ class ScriptedCalls final : public CommandCalls {
   void readValue(const std::string& path, ValueHandler handler) override;
 
   Result<Schema> schema = Error{ErrorCode::kTimeout, "no answer"};
-  std::map<Fingerprint, Schema> schemas;  ///< of types that have another schema than `schema`
+  std::map<Fingerprint, Schema> schemas;  ///< schemas of further types
   int asked_for_schema = 0;
   QStringList calls;
-  AnswerHandler answer;  ///< of the newest call
-  QStringList read;      ///< paths
-  ValueHandler value;    ///< of the newest of them
+  AnswerHandler answer;  ///< the handler of the newest call
+  QStringList read;      ///< paths of the read requests
+  ValueHandler value;    ///< the handler of the newest read request
 };
 
-/// Records the questions; the test answers them.
+/// Records the requests; the test answers them.
 class ScriptedChecks final : public ConnectionChecks {
  public:
   void diagnose(const message::Wire& wire, DiagnosisHandler handler) override;
 
   std::vector<message::Wire> diagnosed;
-  DiagnosisHandler diagnosis;  ///< of the newest question
+  DiagnosisHandler diagnosis;  ///< the handler of the newest request
 };
 
-/// Records the plan; the test sets the outcomes of its steps.
+/// Records the plan; the test sets the results of its steps.
 class ScriptedPlans final : public PlanRunner {
  public:
   void carryOut(Plan wanted, AfterError after, Progress on_step, Done on_end) override {
@@ -86,7 +86,7 @@ class ScriptedPlans final : public PlanRunner {
   int stopped = 0;
 };
 
-/// Keeps the requests; the test answers them by its Qt signals.
+/// Stores the requests; the test answers them with its Qt signals.
 class ScriptedRecordings final : public RecordingRunner {
   Q_OBJECT
 
@@ -100,7 +100,7 @@ class ScriptedRecordings final : public RecordingRunner {
   int stopped = 0;
 };
 
-/// Receives the folders that are to be shown, while it exists, instead of the file manager.
+/// While this object exists, folders to show are passed to it instead of the file manager.
 class ScriptedFileManager final : public QObject {
   Q_OBJECT
 
@@ -114,7 +114,7 @@ class ScriptedFileManager final : public QObject {
   void show(const QUrl& url) { shown << url.toLocalFile(); }
 };
 
-/// Records the requested signals and columns; the test sends rows and values by its Qt signals.
+/// Records the requested signals and columns; the test sends rows and values with its Qt signals.
 class ScriptedSignals final : public SignalSource {
   Q_OBJECT
 
@@ -131,7 +131,7 @@ class ScriptedSignals final : public SignalSource {
 
   /// All signals that are watched.
   [[nodiscard]] QSet<QString> watched() const;
-  /// Sends a newest row of `column`, whose value has this schema.
+  /// Sends a newest row of `column`. Its value has this schema.
   void send(const QString& column, const Schema& schema, const std::vector<double>& values);
   /// Sends a newest row of a column that holds a picture.
   void sendPicture(const QString& column, const RawImage& picture);
@@ -145,7 +145,7 @@ class ScriptedSignals final : public SignalSource {
   QMap<QString, NumericFieldList> shapes_;
 };
 
-/// Records its requests; the test gives the answers, and sends log and events by its Qt signals.
+/// Records the requests; the test gives the answers, and sends log and events with its Qt signals.
 class ScriptedReports final : public SystemReports {
   Q_OBJECT
 
@@ -169,21 +169,21 @@ class ScriptedReports final : public SystemReports {
   Result<message::SystemHealth> health = message::SystemHealth();
   Result<ConnectionCounts> counts = Error{ErrorCode::kNotFound, "nothing is known"};
   QStringList counted;         ///< the connections whose counts were requested
-  bool answers_counts = true;  ///< at once; otherwise the test answers
-  std::vector<Handler<ConnectionCounts>> count_handlers;  ///< that the test must call
+  bool answers_counts = true;  ///< true: answers at once; false: the test answers
+  std::vector<Handler<ConnectionCounts>> count_handlers;  ///< handlers that the test must call
   Result<MailboxFill> fill = MailboxFill();
-  /// The answer; if there is none, the request is never answered.
+  /// The answer; if empty, the request is never answered.
   std::optional<Result<message::Children>> children = message::Children();
-  QStringList asked_for_classes;                          ///< the processes
-  std::vector<Handler<message::Classes>> class_handlers;  ///< that the test must call
+  QStringList asked_for_classes;  ///< the processes that were asked for their classes
+  std::vector<Handler<message::Classes>> class_handlers;  ///< handlers that the test must call
 
  private:
   QMap<const QObject*, QStringList> wanted_;
 };
 
-/// period, lateness, compute in s, overruns.
+/// Returns a schema with period, lateness, compute (in s) and overruns.
 Schema CycleSchema();
-/// A summary of `CycleSummary`'s type; all times in s.
+/// The values of a row of `CycleSummary`; all times in s.
 struct SummaryValues {
   double cycles = 0;
   double period = 0;

@@ -8,7 +8,7 @@ std::string LargeComponent(int i) { return "component_" + std::to_string(100 + i
 SystemBuilder LargeSystem(int processes, int of_each, int commands) {
   const SystemBuilder look = LookSystem(0);
   ComponentDescription model = *look.catalogue().FindComponent("robot", "controller");
-  model.required.resize(1);  // what the arm offers
+  model.required.resize(1);  // keeps only the interface that the arm offers
   model.provided.push_back(look.catalogue().FindComponent("robot", "arm")->provided.front());
   constexpr int kOfAnInterface = 10;
   for (int i = 0; i < commands; ++i) {

@@ -6,8 +6,8 @@
 
 namespace tendon::gui {
 
-/// Components that are nearly all connected to the component before: `process_100/component_100`, …
-/// Each also has this number of commands, ten in an interface.
+/// Returns a system with components `process_100/component_100`, … Nearly every component is
+/// connected to the previous one. Each component has `commands` commands, ten per interface.
 SystemBuilder LargeSystem(int processes, int of_each, int commands = 0);
 
 std::string LargeProcess(int i);

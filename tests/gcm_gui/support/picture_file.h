@@ -5,8 +5,8 @@
 
 namespace tendon::gui {
 
-/// The file in which a test saves the picture `name` for people, in this program's build folder.
-/// Creates the folder.
+/// Returns the file in which a test saves the picture `name` for people. The file is in this
+/// program's build folder; the folder is created.
 inline QString PictureFile(const QString& name) {
   const QDir folder(QCoreApplication::applicationDirPath() + "/../pictures");
   folder.mkpath(".");

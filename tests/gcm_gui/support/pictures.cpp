@@ -14,7 +14,7 @@ void KeepPictures(QWidget& window, const QString& name) {
   for (const auto& [choice, look] :
        {std::pair{Theme::Choice::kDark, "dark"}, std::pair{Theme::Choice::kLight, "light"}}) {
     Theme::instance().choose(choice);
-    QTest::qWait(100);  // timers that lay out and draw have their turn
+    QTest::qWait(100);  // time for the timers that lay out and draw
     for (const int dots : {1, 2}) {
       QImage image(window.size() * dots, QImage::Format_ARGB32_Premultiplied);
       image.setDevicePixelRatio(dots);

@@ -11,7 +11,8 @@ namespace tendon::gui {
 /// Builds a catalogue step by step, as the changes of a GCM would.
 class SystemBuilder {
  public:
-  /// `reason` says why it is lost or, for a living process, which hosts cannot reach it.
+  /// `reason` says why the process is lost. For a living process, it says which hosts cannot reach
+  /// the process.
   SystemBuilder& Process(const std::string& name, ProcessState state = ProcessState::kAlive,
                          std::int64_t since = 0, std::uint64_t instance = 1,
                          const std::string& reason = {});
@@ -25,7 +26,7 @@ class SystemBuilder {
   SystemBuilder& Disconnect(const InterfaceName& required);
 
   [[nodiscard]] const Catalogue& catalogue() const { return catalogue_; }
-  /// The changes since the last call, to be applied to another copy.
+  /// Returns the changes since the last call, so that they can be applied to another copy.
   [[nodiscard]] std::vector<CatalogueChange> TakeChanges();
 
  private:
@@ -36,7 +37,7 @@ class SystemBuilder {
   std::uint64_t last_connection_ = 0;
 };
 
-// Short forms for descriptions. The fingerprint of a type is computed from its name.
+// Short forms for descriptions. The fingerprint of a type is computed from the name of the type.
 MemberDescription Write(const std::string& name, const std::string& type);
 MemberDescription Read(const std::string& name, const std::string& type);
 MemberDescription Void(const std::string& name);
@@ -47,8 +48,8 @@ ComponentDescription Task(const std::string& name, double period,
                           std::vector<ColumnDescription> columns);
 ColumnDescription Column(const std::string& name, const std::string& type);
 
-/// The system of the look: robot with arm, force_sensor and controller, desk with teleoperation,
-/// host_monitor and view, and vision, which is lost since `lost_since`.
+/// The system in the reference pictures: robot with arm, force_sensor and controller; desk with
+/// teleoperation, host_monitor and view; and vision, which is lost since `lost_since`.
 SystemBuilder LookSystem(std::int64_t lost_since);
 
 }  // namespace tendon::gui

@@ -12,7 +12,7 @@
 namespace tendon::gui {
 namespace {
 
-/// A robot that runs, and a file that wants one more component in it.
+/// A running robot, and a system file with one more component in the robot.
 class PlanControllerTest : public ::testing::Test {
  protected:
   PlanControllerTest() {
@@ -98,10 +98,10 @@ TEST_F(PlanControllerTest, DoesNotReuseThePlanOfAnotherSystem) {
   EXPECT_TRUE(restore_.plan().steps.empty());
 }
 
-/// Saves what runs in a new file.
+/// Saves the running system in a new file.
 class SavingTest : public PlanControllerTest {
  protected:
-  /// What the window says of it.
+  /// Saves, and returns the notice of the window.
   QString Save() {
     QSignalSpy told(&document_, &SystemDocument::notice);
     document_.save(Path());

@@ -32,7 +32,7 @@ constexpr int kFlowPatience = 60000;  // ms; bounds a test that fails
 const InterfaceName kFlowRequired{"desk", "operator", "Robot"};
 const InterfaceName kFlowProvided{"robot", "plant", "Control"};
 
-/// A whole window over a GCM and two processes with real components.
+/// A whole window, a GCM, and two processes with real components.
 class SystemFlowTest : public ::testing::Test {
  protected:
   SystemFlowTest() {
@@ -98,7 +98,7 @@ class SystemFlowTest : public ::testing::Test {
     QTest::mouseClick(&Button(name), Qt::LeftButton);
   }
 
-  /// Ctrl+S, and the name of the file where it is asked for.
+  /// Presses Ctrl+S, and types the name of the file in the dialog.
   void SaveByKeys() {
     QTest::keyClick(window_.get(), Qt::Key_S, Qt::ControlModifier);
     ASSERT_TRUE(Eventually([&] { return window_->findChild<QFileDialog*>() != nullptr; }));
@@ -194,7 +194,7 @@ TEST_F(SystemFlowTest, RestoresASavedSystemAndUndoesIt) {
   ASSERT_TRUE(Eventually([&] { return IsConnected(); }));
   Click("plan.undo");
   ASSERT_TRUE(Eventually([&] { return Button("plan.carryOut").isVisible(); }));
-  Click("plan.back");  // an undo that was only looked at can still be had
+  Click("plan.back");  // after only a preview, the undo is still available
   EXPECT_TRUE(Words("plan.summary").contains("1 done"));
   EXPECT_TRUE(IsConnected());
   Click("plan.undo");

@@ -13,7 +13,7 @@
 namespace tendon::gui {
 namespace {
 
-/// "robot" with an arm, to which a desk is connected.
+/// Returns the system of "robot" with an arm, to which a desk is connected.
 SystemFile ArmSystem() {
   SystemFile system;
   system.processes = {{.name = "robot", .components = {{.name = "arm", .class_name = "Arm"}}},
@@ -105,7 +105,7 @@ TEST(PlanModel, EachStepShowsItsOutcome) {
   model.show(restore);
   ASSERT_GE(model.rowCount(), 2);
   const int steps = static_cast<int>(restore.plan().steps.size());
-  const int first = model.rowCount() - steps;  // after what is in its way
+  const int first = model.rowCount() - steps;  // the obstacles come before the steps
   EXPECT_EQ(model.row(first).kind, PlanLine::Kind::kWaiting);
 
   restore.execute(AfterError::kStop);

@@ -14,7 +14,7 @@ QImage Drawn(const QIcon& icon, int size = 16, QIcon::Mode mode = QIcon::Normal)
   return icon.pixmap(QSize(size, size), mode).toImage().convertToFormat(QImage::Format_ARGB32);
 }
 
-// Of the most opaque pixel.
+// Returns the colour of the most opaque pixel.
 QRgb ColorOf(const QImage& image) {
   QRgb strongest = 0;
   for (int y = 0; y < image.height(); ++y) {

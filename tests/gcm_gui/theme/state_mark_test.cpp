@@ -9,7 +9,7 @@
 namespace tendon::gui {
 namespace {
 
-// Which pixels it covers, whatever the colour.
+// Returns the pixels that the shape covers, whatever the colour.
 std::string ShapeOf(StateMark mark) {
   QImage image(24, 24, QImage::Format_ARGB32);
   image.fill(Qt::transparent);

@@ -12,7 +12,7 @@ namespace {
 constexpr auto kGroup = "org.freedesktop.appearance";
 constexpr auto kKey = "color-scheme";
 
-// What the desktop portal says when the user switches.
+// Sends the signal of the desktop portal when the user switches the appearance.
 void Say(SystemAppearance& appearance, const QString& key, const QVariant& value) {
   QMetaObject::invokeMethod(&appearance, "onSettingChanged", Q_ARG(QString, kGroup),
                             Q_ARG(QString, key), Q_ARG(QDBusVariant, QDBusVariant(value)));

@@ -57,7 +57,7 @@ TEST_F(ThemeTest, ALabelFollowsItsRoleAndTheTheme) {
 
 class BadInput61InTheWindow : public ThemeTest {};
 
-/// A name that an unknown peer may have chosen.
+/// A name with markup, as an unknown peer might choose it.
 const QString kMarkup = QStringLiteral("<img src=x><b>bold</b> <a href=\"x\">here</a>");
 
 TEST_F(BadInput61InTheWindow, ALabelShowsMarkupVerbatim) {

@@ -40,7 +40,7 @@ class CatalogueColumnsTest : public WindowFixture {
     const auto view = std::ranges::find(actions, QStringLiteral("&View"), &QAction::text);
     return *(*view)->menu();
   }
-  /// As a person does, who reads it.
+  /// Triggers the menu entry with this text, as a user does.
   void Choose(const QString& text) const {
     for (QAction* action : viewMenu().actions()) {
       if (action->text() == text) return action->trigger();

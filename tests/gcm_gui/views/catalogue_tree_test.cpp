@@ -15,10 +15,10 @@
 namespace tendon::gui {
 namespace {
 
-constexpr auto kMany = "component";  // far more rows than a filter opens by itself
+constexpr auto kMany = "component";  // matches far more rows than a filter expands by itself
 constexpr auto kManyOthers = "component_1";
 
-/// The rows of many components, opened and closed by hand.
+/// A tree with many components; the test expands and collapses rows like a user.
 class CatalogueTreeTest : public WindowFixture {
  protected:
   CatalogueTreeTest() : first_(PathOf(3, 7)), second_(PathOf(4, 9)) {
@@ -38,7 +38,7 @@ class CatalogueTreeTest : public WindowFixture {
     EXPECT_TRUE(index.isValid()) << qPrintable(path);
     return tree().isExpanded(index);
   }
-  /// Opens a row that is closed, or closes one that is open.
+  /// Expands a collapsed row, or collapses an expanded row.
   void Turn(const QString& path) const {
     const bool open = isOpen(path);
     tree().setCurrentIndex(filter().indexOf(path));
@@ -91,7 +91,7 @@ TEST_F(CatalogueTreeTest, RowsOpenedByAFilterCloseWithoutIt) {
   EXPECT_FALSE(isOpen(second_));
 }
 
-/// A catalogue of its own, in which `vision` is lost, by a clock that the test turns.
+/// A separate catalogue, in which `vision` is lost, with a clock that the test advances.
 class HiddenProcessesTest : public ::testing::Test {
  protected:
   HiddenProcessesTest() {

@@ -11,7 +11,7 @@
 namespace tendon::gui {
 namespace {
 
-/// Two rows of a red and a green pixel, with a byte that fills up each row.
+/// Two rows with a red and a green pixel each; a padding byte ends each row.
 robot::Image SmallImage() {
   robot::Image image;
   image.header.frame_id = "camera";
@@ -99,7 +99,7 @@ TEST(RawImage, ReportsInconsistentPictures) {
   const std::vector<std::pair<RawImage, std::string>> wrong = {
       {Grey(4, 2, 7), "2 rows of 4 bytes do not match the 7 bytes of data"},
       {Grey(4, 2, 9), "2 rows of 4 bytes do not match the 9 bytes of data"},
-      {short_rows, "a row of 4 pixels in mono8 needs 4 bytes, but step is 3"},
+      {short_rows, "a row of 4 pixels in mono8 needs 4 bytes, but the field step is 3"},
       {unknown, "a picture with encoding '32FC1' cannot be drawn"},
       {Grey(0, 2, 0), "a picture of 0 × 2 pixels is empty: width and height must be above 0"},
       {Grey(std::uint64_t{1} << 40U, 2, 4), "too large to be drawn"},

@@ -17,6 +17,7 @@
 #include <QComboBox>
 #include <QContextMenuEvent>
 #include <QInputDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QScrollBar>
@@ -33,7 +34,7 @@ namespace {
 
 const QString kSignal = QStringLiteral("robot/arm/state.Joints.position[0]");
 
-/// What Qt makes for itself within a control that has a name.
+/// Returns true for a widget that Qt creates inside a control with a name.
 bool IsInside(const QWidget& widget) {
   const QWidget* above = widget.parentWidget();
   const auto* area = qobject_cast<const QAbstractScrollArea*>(above);
@@ -45,7 +46,8 @@ bool IsInside(const QWidget& widget) {
          qobject_cast<const QTabBar*>(above) != nullptr || widget.objectName().startsWith("qt_");
 }
 
-/// It can be worked with, or says something that no text near it does.
+/// Returns true if the user can operate the widget, or if it shows information that no text near it
+/// contains.
 bool NeedsName(const QWidget& widget) {
   const bool is_reached = (widget.focusPolicy() & Qt::TabFocus) != 0;
   const bool is_picture = qobject_cast<const ImageView*>(&widget) != nullptr ||
@@ -54,10 +56,10 @@ bool NeedsName(const QWidget& widget) {
          (is_reached || is_picture || qobject_cast<const QAbstractButton*>(&widget) != nullptr);
 }
 
-/// A walk through all that can be seen of the window, with its newer parts open.
+/// Visits everything that is visible in the window; additional parts are opened first.
 class AccessibleTest : public WindowFixture {
  protected:
-  /// Of those without a name for a screen reader, class and object name.
+  /// Returns the class and object name of each widget without a name for screen readers.
   [[nodiscard]] QStringList Nameless() const {
     QStringList nameless;
     for (QWidget* widget : window_.findChildren<QWidget*>()) {
@@ -74,7 +76,7 @@ class AccessibleTest : public WindowFixture {
   void ExpectNames(const char* where) const {
     EXPECT_EQ(Nameless(), QStringList()) << where << ": " << qPrintable(Nameless().join("; "));
   }
-  /// Whether Tab comes to it from where the focus is, before it has been everywhere.
+  /// Returns true if repeated Tab reaches the widget before it returns to the start.
   [[nodiscard]] bool IsReached(const QWidget& wanted) const {
     const QWidget* start = window_.focusWidget();
     for (int step = 0; step < 100 && window_.focusWidget() != &wanted; ++step) {
@@ -162,8 +164,9 @@ TEST_F(AccessibleTest, TheGraphMapAndSearchHaveNames) {
   ASSERT_TRUE(window_.graphCommands().map().isVisible());
   ExpectNames("graph");
 
-  EXPECT_EQ(search.field().accessibleDescription(), search.countText());
-  EXPECT_FALSE(search.countText().isEmpty());
+  EXPECT_EQ(search.field().accessibleDescription(),
+            search.findChild<QLabel*>("graphSearch.count")->text());
+  EXPECT_FALSE(search.field().accessibleDescription().isEmpty());
   for (const char* button : {"graphSearch.previous", "graphSearch.next", "graphSearch.close"}) {
     EXPECT_TRUE(IsReached(Named(button))) << button;
   }

@@ -22,7 +22,7 @@ void ClickOn(MainWindow& window, const PortName& port) {
   QTest::mouseClick(graph.viewport(), Qt::LeftButton, {}, graph.pointOf(port).value());
 }
 
-/// From the table of connections, and in a window that may not.
+/// Tests connecting from the table of connections, and in a read-only window.
 class ConnectingTest : public WindowFixture {
  protected:
   void ShowTable() {

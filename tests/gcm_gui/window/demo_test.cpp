@@ -16,7 +16,7 @@ namespace {
 
 using Kind = PlanStep::Kind;
 
-/// Nothing is running.
+/// At first, no program runs.
 class DemoTest : public WindowFixture {
  protected:
   DemoTest() { store_.replace(Catalogue::At(0)); }

@@ -16,7 +16,7 @@ namespace {
 
 const QString kValue = "robot/arm/state.Joints.position[1]";
 
-/// What a drag carries and who takes it; the drag itself belongs to the desktop.
+/// Tests the data of a drag and the widgets that accept it. The drag itself is done by the desktop.
 class DragTest : public WindowFixture {
  protected:
   DragTest() {
@@ -24,7 +24,7 @@ class DragTest : public WindowFixture {
     window_.catalogue().tree().reveal(kValue);
   }
 
-  /// Lets go of the value's row in the middle of `place`, over whatever is there.
+  /// Drops the row of the value in the middle of `place`, on the widget that is there.
   void DropOn(const QWidget& place) {
     const CatalogueTree& tree = window_.catalogue().tree();
     const QModelIndex row = tree.indexAt(tree.visibleRows().value(kValue).center());

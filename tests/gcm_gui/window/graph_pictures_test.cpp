@@ -18,7 +18,7 @@
 namespace tendon::gui {
 namespace {
 
-/// The graph in each of its looks, kept as pictures for people.
+/// Saves pictures of the graph in each of its states for people.
 class GraphPicturesTest : public WindowFixture {
  protected:
   GraphPicturesTest() {

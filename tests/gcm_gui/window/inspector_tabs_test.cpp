@@ -11,7 +11,7 @@
 namespace tendon::gui {
 namespace {
 
-/// Which tab is in front when something is selected.
+/// Tests which tab is shown after a selection.
 class InspectorTabs : public WindowFixture {
  protected:
   void Bring(const QString& title) {

@@ -180,7 +180,7 @@ TEST_F(MainWindowTest, ConnectModeListsTheCandidates) {
   QTest::keyClicks(&candidates.filterField(), "drives");
   QTest::keyClick(&candidates.filterField(), Qt::Key_Return);
   EXPECT_TRUE(Notice().contains("pick a provided interface"));
-  EXPECT_TRUE(actions_.asked.isEmpty());  // it does not fit
+  EXPECT_TRUE(actions_.asked.isEmpty());  // the port does not fit
 
   candidates.filterField().clear();
   QTest::keyClick(&candidates.filterField(), Qt::Key_Return);
@@ -272,7 +272,7 @@ TEST_F(MainWindowTest, PPlotsTheSelectionAndRowsReachTheCurve) {
   const std::vector<Sample> samples{{1, 1, 0.5}, {2, 2, 0.75}};
   Q_EMIT source_.samplesArrived("robot/arm/state.Joints.position[0]", samples);
   const auto& curves = window_.plots().currentPlot().curves();
-  EXPECT_EQ(curves.find("robot/arm/state.Joints.position[0]")->latestValue(), 0.75);
+  EXPECT_EQ(curves.find("robot/arm/state.Joints.position[0]")->latestNumber(), 0.75);
 }
 
 TEST_F(MainWindowTest, ADoubleClickOnAValuePlotsIt) {
@@ -305,7 +305,7 @@ TEST_F(MainWindowTest, OnlyVisibleColumnsAreSubscribed) {
                               kPatience));
 
   window_.catalogue().tree().collapse(
-      window_.catalogue().tree().model()->index(1, 0));  // robot; desk comes before
+      window_.catalogue().tree().model()->index(1, 0));  // the row of robot; desk comes first
   EXPECT_TRUE(QTest::qWaitFor([&] { return source_.watched().isEmpty(); }, kPatience));
 }
 
@@ -366,7 +366,7 @@ TEST_F(MainWindowTest, RestoresOpenRowsAndSelectionAfterAProcessRestart) {
   system_.Process("robot", ProcessState::kLost, 1);
   Show();
   system_.Process("robot", ProcessState::kAlive, 0, 2);
-  Show();  // for a moment without components
+  Show();  // the restarted process has no components for a moment
   EXPECT_FALSE(tree.visibleRows().contains("robot/arm"));
   system_.Component("robot", arm);
   Show();

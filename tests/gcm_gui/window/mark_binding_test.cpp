@@ -1,9 +1,12 @@
 #include <gcm_gui/models/text.h>
+#include <gcm_gui/plot/controls/legend.h>
 #include <gcm_gui/plot/plot_panel.h>
+#include <gcm_gui/plot/plot_view.h>
 #include <gcm_gui/window/audit_line.h>
 #include <gcm_gui/window/mark_binding.h>
 #include <gmock/gmock.h>
 
+#include <QTest>
 #include <chrono>
 
 #include "support/fakes.h"
@@ -35,7 +38,7 @@ class MarkBindingTest : public testing::Test {
   void raise(const QString& path, std::int64_t when = WallClock()) {
     Q_EMIT reports_.eventsArrived({{when, path, "{\"joint\": 2}"}});
   }
-  /// A line of robot's audit log.
+  /// Sends a line of robot's audit log.
   void sent(const std::string& what, bool is_current) {
     LogBatch batch{.is_current = is_current};
     batch.records.push_back({.time = WallClock(),
@@ -117,7 +120,7 @@ TEST_F(MarkBindingTest, MarksOnlyEventsOfPlottedComponents) {
   EXPECT_EQ(panel_.marks().all().back().kind, Mark::Kind::kEvent);
   EXPECT_EQ(panel_.marks().all().back().text, "robot/arm/Control.LimitExceeded {\"joint\": 2}");
 
-  panel_.removeSignal(kMarkedSignal);
+  QTest::keyClick(panel_.currentPlot().legendBox().rows().front(), Qt::Key_Delete);
   EXPECT_TRUE(reports_.listened().isEmpty());
 }
 
@@ -151,7 +154,7 @@ TEST_F(MarkBindingTest, MarksAuditedCommandsOfOtherPrograms) {
   panel_.addSignal(kMarkedSignal, "rad");
   ASSERT_TRUE(reports_.watches_log);
   sent("before this window watched", false);
-  sent("arm/Control.MoveTo: allowed", true);  // the first that is new comes behind it
+  sent("arm/Control.MoveTo: allowed", true);  // new records come after this old one
   sent("arm/Control.MoveTo: allowed", true);
   sent("arm/Control.Stop: refused", true);
 
@@ -162,7 +165,7 @@ TEST_F(MarkBindingTest, MarksAuditedCommandsOfOtherPrograms) {
   EXPECT_TRUE(panel_.marks().all().back().is_bad);
 }
 
-/// A form of this window or another asks what to begin with; nobody has called anything.
+/// A form of this or another window requests its initial values. No user has called a command.
 TEST_F(MarkBindingTest, DoesNotMarkReadCommands) {
   panel_.addSignal(kMarkedSignal, "rad");
   sent("nothing", true);

@@ -17,10 +17,11 @@ namespace tendon::gui {
 namespace {
 
 constexpr auto kJoints = "robot/arm/state.Joints";
-constexpr std::chrono::milliseconds kFresh{-60'000};  // however slow the machine is
+// Low enough that the values are fresh on any machine.
+constexpr std::chrono::milliseconds kFresh{-60'000};
 constexpr auto kVelocity = "robot/arm/state.Joints.velocity[0]";
 
-/// The arm is suspended while it moves.
+/// The arm is suspended during a motion.
 class OldValues : public WindowFixture {
  protected:
   OldValues() {
@@ -31,7 +32,7 @@ class OldValues : public WindowFixture {
   static std::int64_t SteadyNow() {
     return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
   }
-  /// A row of that age.
+  /// Sends a row of this age.
   void SendRow(std::chrono::milliseconds age) {
     const std::int64_t time = SteadyNow() - std::chrono::nanoseconds(age).count();
     const auto shape =

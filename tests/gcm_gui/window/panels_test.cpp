@@ -19,7 +19,7 @@ class PanelsTest : public WindowFixture {
     return window_.dockWidgetArea(&dock(title));
   }
 
-  /// By its title, as a hand would, to a place of the window.
+  /// Drags the panel by its title to a position in the window, as a user would.
   void Drag(QDockWidget& dock, const QPoint& to) {
     const QPoint grip(40, 8);
     const QPoint from = dock.mapTo(&window_, grip);

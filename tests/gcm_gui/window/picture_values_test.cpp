@@ -20,7 +20,7 @@ class PictureValuesTest : public WindowFixture {
     auto& tabs = *window_.inspector().findChild<QTabBar*>("inspectorTabs.tabs");
     QTest::mouseClick(&tabs, Qt::LeftButton, {}, tabs.tabRect(1).center());
   }
-  /// From black to red downwards, to green sideways.
+  /// Returns a picture that changes from black to red downwards, and to green to the right.
   static RawImage Colours(int width, int height) {
     RawImage picture{.width = static_cast<std::uint64_t>(width),
                      .height = static_cast<std::uint64_t>(height),

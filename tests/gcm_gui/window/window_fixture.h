@@ -21,7 +21,7 @@ class WindowFixture : public ::testing::Test {
   explicit WindowFixture(std::int64_t lost_since = 0);
 
   [[nodiscard]] WindowParts Parts();
-  /// Waits until every item has its place in the graph.
+  /// Waits until every item of the graph has its position.
   void Show();
 
   SystemBuilder system_;

@@ -20,8 +20,8 @@ namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;
 
-/// Draws the window as the look shows it and keeps the picture for people; asserts what can be
-/// asserted of it.
+/// Draws the window in the state of the reference pictures, and saves the picture for people. Also
+/// checks everything that can be checked automatically.
 class WindowPicturesTest : public WindowFixture {
  protected:
   WindowPicturesTest() : WindowFixture(WallClock() - 12 * kSecond) {}
@@ -64,7 +64,7 @@ class WindowPicturesTest : public WindowFixture {
   }
 
   QImage Grab(const QString& name) {
-    // Timers that lay out and draw have had their turn.
+    // Time for the timers that lay out and draw.
     QTest::qWait(400);
     const QImage image = window_.grab().toImage();
     EXPECT_TRUE(image.save(PictureFile(name)));

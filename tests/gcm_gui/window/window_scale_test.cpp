@@ -19,8 +19,8 @@ namespace {
 constexpr int kProcesses = 20;
 constexpr int kOfEach = 50;
 
-/// What the handlers of a whole window use for a thousand components, in CPU time of this thread;
-/// reported, as it depends on the build.
+/// Measures the CPU time of the handlers of a whole window for a thousand components. The times are
+/// only reported, because they depend on the build.
 class WindowScaleTest : public WindowFixture {
  protected:
   WindowScaleTest() : large_(LargeSystem(kProcesses, kOfEach)) {}
@@ -32,7 +32,7 @@ class WindowScaleTest : public WindowFixture {
     Note(what, os::ThreadCpuTime() - before);
   }
 
-  /// Until `done`, the longest turn of the event loop.
+  /// Processes events until `done` is true, and reports the longest turn of the event loop.
   template <typename Done>
   void TimeTurns(const char* what, Done done) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(kPatience);
@@ -62,7 +62,7 @@ TEST_F(WindowScaleTest, HandlesAThousandComponents) {
   EXPECT_EQ(window_.graph().graph().components().size(), std::size_t{kProcesses * kOfEach});
   TimeTurns("the longest turn until it has settled",
             [turns = 0]() mutable { return ++turns > 50; });
-  (void)large_.TakeChanges();  // they are in the catalogue that was shown
+  (void)large_.TakeChanges();  // the shown catalogue already contains these changes
 
   large_.Disconnect({LargeProcess(3), LargeComponent(7), "Arm"});
   Time("one is disconnected", [&] { store_.apply(large_.TakeChanges()); });

@@ -9,7 +9,7 @@
 
 namespace tendon::test {
 
-/// Keeps the log that a viewer receives.
+/// Stores the log that a viewer receives.
 class LogKeeper final : public GcmListener {
  public:
   void OnSnapshot(const Catalogue& /*catalogue*/) override {}

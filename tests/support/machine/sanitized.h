@@ -1,8 +1,8 @@
 #pragma once
 
-// Weak symbols: their address is null if the program is linked without this sanitizer. Macros of
-// the compiler do not tell, because a test may be compiled without the sanitizer that it is linked
-// with. NOLINTBEGIN(bugprone-reserved-identifier)
+// Weak symbols: their addresses are null if the program is linked without this sanitizer. Macros of
+// the compiler would not be reliable, because a test may be compiled without the sanitizer with
+// which it is linked. NOLINTBEGIN(bugprone-reserved-identifier)
 extern "C" {
 [[gnu::weak]] void __asan_init();
 [[gnu::weak]] void __tsan_init();
@@ -11,7 +11,7 @@ extern "C" {
 
 namespace tendon::test {
 
-/// True if a sanitizer slows this program and its child programs several times.
+/// Returns true if a sanitizer makes this program and its child programs several times slower.
 inline bool IsSanitized() { return &__asan_init != nullptr || &__tsan_init != nullptr; }
 
 }  // namespace tendon::test

@@ -9,13 +9,13 @@
 namespace tendon::test {
 
 /// Measures the longest time in which this machine ran no thread of the test. Components miss their
-/// deadlines in such a time, and a test must not count that as a failure.
+/// deadlines during such a time. A test must not count this as a failure.
 class StallMeter {
  public:
   using Time = std::chrono::milliseconds;
 
   [[nodiscard]] Time longest() const { return longest_; }
-  /// True if the machine stood still for so long that leases may have expired.
+  /// Returns true if the machine stalled for so long that leases may have expired.
   [[nodiscard]] bool has_stood_still() const { return longest() >= kMuch; }
 
  private:

@@ -12,8 +12,8 @@
 
 namespace tendon::test {
 
-/// A third party that listens and answers a Hello under the name of a process, without knowing the
-/// cookie. Keeps everything it receives.
+/// A program that listens under the name of a process and answers a Hello, without knowing the
+/// cookie. Stores everything that it receives.
 class Impostor {
  public:
   Impostor(std::shared_ptr<Middleware> middleware, const std::string& name)

@@ -15,7 +15,7 @@
 
 namespace tendon::test {
 
-/// A middleware that records the address in memory of each frame that is sent on its links.
+/// A middleware that records the memory address of each frame that is sent on its links.
 class TracedMiddleware final : public WrappedMiddleware {
  public:
   using WrappedMiddleware::WrappedMiddleware;
@@ -91,7 +91,7 @@ class TracedChannel {
   [[nodiscard]] const std::shared_ptr<Channel>& get() const { return channel_; }
   Channel* operator->() const { return channel_.get(); }
 
-  /// See TracedMiddleware.
+  /// Does the same as TracedMiddleware::PlacesOf() for this channel.
   [[nodiscard]] std::vector<const std::byte*> PlacesOf(MessageType type) const {
     return client_.PlacesOf(type);
   }

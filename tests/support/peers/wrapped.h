@@ -12,8 +12,8 @@
 
 namespace tendon::test {
 
-/// A link that passes everything on to another link; a test overrides parts of it. It queues all
-/// frames, unless Send() is overridden.
+/// A link that passes everything on to another link. A test overrides parts of it. All frames are
+/// queued, unless Send() is overridden.
 class WrappedLink : public Link {
  public:
   explicit WrappedLink(std::shared_ptr<Link> below) : below_(std::move(below)) {}
@@ -34,7 +34,7 @@ class WrappedLink : public Link {
   const std::shared_ptr<Link> below_;
 };
 
-/// The same for a middleware.
+/// A middleware that passes everything on to another middleware. A test overrides parts of it.
 class WrappedMiddleware : public Middleware {
  public:
   explicit WrappedMiddleware(std::shared_ptr<Middleware> below) : below_(std::move(below)) {}

@@ -19,7 +19,7 @@ struct LampConfiguration {
   double brightness = 0.5;
 };
 
-/// Its constructor fails if its colour is black.
+/// A task whose constructor fails if its colour is black.
 class Lamp final : public tendon::PeriodicTask {
  public:
   using Configuration = LampConfiguration;
@@ -52,7 +52,8 @@ struct GateConfiguration {
   std::string file;
 };
 
-/// Its constructor creates the file name plus `.reached`, then waits for the file.
+/// A component whose constructor creates the file `file`.reached, and then waits until `file`
+/// exists.
 class Gate final : public tendon::Component {
  public:
   using Configuration = GateConfiguration;
@@ -62,7 +63,7 @@ class Gate final : public tendon::Component {
   }
 };
 
-/// Its Startup() creates the file name plus `.reached`, then waits for the file.
+/// A task whose Startup() creates the file `file`.reached, and then waits until `file` exists.
 class SlowStarter final : public tendon::PeriodicTask {
  public:
   using Configuration = GateConfiguration;
@@ -83,7 +84,7 @@ class SlowStarter final : public tendon::PeriodicTask {
   std::int32_t cycles_ = 0;
 };
 
-/// Its Startup() fails once its file exists.
+/// A task whose Startup() fails as soon as its file exists.
 class Refuser final : public tendon::PeriodicTask {
  public:
   using Configuration = GateConfiguration;
@@ -100,7 +101,7 @@ class Refuser final : public tendon::PeriodicTask {
   const std::string file_;
 };
 
-/// A cycle creates the file name plus `.reached`, then waits for the file.
+/// A task whose cycle creates the file `file`.reached, and then waits until `file` exists.
 class Hung final : public tendon::PeriodicTask {
  public:
   using Configuration = GateConfiguration;
@@ -120,7 +121,7 @@ class Hung final : public tendon::PeriodicTask {
   tendon::ReadFunction<double> get_;
 };
 
-/// Its Configure() waits for its file, in the thread of the caller.
+/// A component whose Configure() waits until its file exists, in the thread of the caller.
 class SlowConfigurer final : public tendon::Component {
  public:
   using Configuration = GateConfiguration;

@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 
 enum class Mode : std::int32_t { kFault = -3, kIdle = 0, kMoving = 7 };
 
-/// Doubles that are easily printed wrong.
+/// Doubles that are often printed wrong.
 struct Edges {
   double zero = -0.0;
   double none = std::numeric_limits<double>::quiet_NaN();
@@ -46,8 +46,8 @@ inline constexpr auto tendon::kPayload<odometer::Edges> =
 
 namespace odometer {
 
-/// States, and numbers beyond the precision of a double: the counter starts at the largest integer
-/// up to which doubles are exact.
+/// States, and numbers beyond the precision of a double. The counter starts at the largest integer
+/// below which every integer is exact as a double.
 class Odometer final : public tendon::PeriodicTask {
  public:
   explicit Odometer(std::string name) : PeriodicTask(std::move(name), 10ms) {

@@ -18,7 +18,7 @@ void __tsan_switch_to_fiber(void* fiber, unsigned);  // NOLINT
 namespace tendon {
 namespace {
 
-/// Tells ThreadSanitizer, if present, which stack runs.
+/// Tells ThreadSanitizer, if the program uses it, which stack is running.
 class SanitizedStack {
  public:
 #ifdef __SANITIZE_THREAD__
@@ -39,7 +39,7 @@ class SanitizedStack {
 #endif
 };
 
-/// Stacks are reused: an exploration creates a million fibers.
+/// Stacks for reuse: an exploration creates about a million fibers.
 std::vector<std::vector<std::byte>>& FreeStacks() {
   static thread_local std::vector<std::vector<std::byte>> stacks;
   return stacks;

@@ -5,11 +5,11 @@
 
 namespace tendon {
 
-/// A function with its own stack, which runs in turns with its caller in one thread.
+/// A function with its own stack. It runs alternately with its caller, in one thread.
 class Fiber {
  public:
   explicit Fiber(std::function<void()> body);
-  /// The body should have ended before; otherwise the objects on its stack leak.
+  /// The body should have ended before. Otherwise the objects on its stack leak.
   ~Fiber();
   Fiber(const Fiber&) = delete;
   Fiber& operator=(const Fiber&) = delete;

@@ -10,9 +10,9 @@
 
 namespace tendon {
 
-/// The memory of one simulated execution under the C++ memory model: each atomic keeps all its
-/// values. The view of a thread holds, for each atomic, the oldest value that the thread may still
-/// read; release, acquire and fences pass views between threads. (Limit: a load never reads a value
+/// The memory of one simulated execution under the C++ memory model. Each atomic keeps all its
+/// values. For each atomic, the view of a thread holds the oldest value that the thread may still
+/// read. Release, acquire and fences pass views between threads. (Limit: a load never reads a value
 /// that is stored later in the execution.)
 class MemoryModel {
  public:
@@ -23,16 +23,17 @@ class MemoryModel {
   Location AddAtomic(Thread thread, std::uint64_t value);
   Location AddPlain();
 
-  /// The number of values that a load by `thread` may return, the newest first.
+  /// Returns the number of values that a load by `thread` may return. Choice 0 is the newest value.
   [[nodiscard]] std::size_t Choices(Thread thread, Location location) const;
   /// For a sequentially consistent load, the fence must come before Choices().
   std::uint64_t Load(Thread thread, Location location, std::memory_order order, std::size_t choice);
   void Store(Thread thread, Location location, std::uint64_t value, std::memory_order order);
-  /// Read-modify-write: reads the newest value and stores `value(old)` right after it.
+  /// Read-modify-write: reads the newest value `old` and stores `value(old)` directly after it.
   template <typename Change>
   std::uint64_t Modify(Thread thread, Location location, std::memory_order order, Change change) {
     const std::uint64_t old = Load(thread, location, order, 0);
-    const View inherited = atomics_[location].back().view;  // continues a release sequence
+    // The new value continues a release sequence.
+    const View inherited = atomics_[location].back().view;
     Store(thread, location, change(old), order);
     atomics_[location].back().view.Join(inherited);
     return old;
@@ -41,18 +42,19 @@ class MemoryModel {
   /// A full fence in every thread at once.
   void ProcessBarrier();
 
-  /// Access to memory that is not atomic; false if it races with another thread.
+  /// Accesses memory that is not atomic. Returns false if the access races with another thread.
   [[nodiscard]] bool ReadPlain(Thread thread, Location location);
   [[nodiscard]] bool WritePlain(Thread thread, Location location);
 
-  /// Fork: `child` starts with the view of `parent`. Join: `parent` adds the view of `child`.
+  /// Fork() gives `child` the view of `parent`. Join() adds the view of `child` to the view of
+  /// `parent`.
   void Fork(Thread parent, Thread child);
   void Join(Thread parent, Thread child);
 
   [[nodiscard]] std::uint64_t Newest(Location location) const;
 
  private:
-  /// For each atomic the oldest readable value; for each thread the number of its plain accesses
+  /// For each atomic, the oldest readable value. For each thread, the number of its plain accesses
   /// that happened before.
   struct View {
     std::vector<std::uint32_t> oldest;
@@ -68,8 +70,8 @@ class MemoryModel {
   };
   struct ThreadState {
     View current;
-    View read;      // from relaxed loads; joins the view at an acquire fence
-    View released;  // view at the last release fence; relaxed stores pass it on
+    View read;      // views of relaxed loads; an acquire fence adds them to the view
+    View released;  // the view at the last release fence; relaxed stores pass it on
   };
   struct Plain {
     std::array<std::uint32_t, kMaxThreads> reads{};

@@ -8,14 +8,14 @@
 
 namespace tendon::simulation {
 
-/// No execution within the limits failed, and there were more than `executions`.
+/// Matches if no execution within the limits failed, and if there were more than `executions`.
 inline auto Passes(std::size_t executions = 0) {
   return testing::AllOf(testing::Field("failure", &Report::failure, testing::IsEmpty()),
                         testing::Field("is_complete", &Report::is_complete, true),
                         testing::Field("executions", &Report::executions, testing::Gt(executions)));
 }
 
-/// An execution failed with this sentence.
+/// Matches if an execution failed with this sentence.
 inline auto FailsWith(const std::string& sentence) {
   return testing::Field("failure", &Report::failure, testing::HasSubstr(sentence));
 }

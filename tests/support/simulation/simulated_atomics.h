@@ -10,8 +10,8 @@
 
 namespace tendon {
 
-/// The policy with which lock-free classes run in a simulation. Time stands still, so no wait ever
-/// times out.
+/// The atomics policy with which lock-free classes run in a simulation. Time does not advance, so
+/// no wait times out.
 struct SimulatedAtomics {
   template <typename T>
   class Atomic {
@@ -83,7 +83,7 @@ struct SimulatedAtomics {
   static SteadyTime Now() noexcept { return {}; }
 };
 
-/// Plain memory in a simulation: a data race fails the execution.
+/// Plain memory in a simulation. A data race makes the execution fail.
 template <typename T>
 class Plain {
  public:

@@ -12,8 +12,8 @@ namespace {
 
 using Location = MemoryModel::Location;
 
-/// The decisions of one execution, in order. The next execution repeats them up to the last
-/// decision with an untried alternative, and takes that alternative.
+/// The decisions of one execution, in order. The next execution repeats these decisions up to the
+/// last one that has an untried alternative. There it takes the alternative.
 class Decisions {
  public:
   std::size_t Take(std::size_t alternatives) {
@@ -23,7 +23,7 @@ class Decisions {
     return taken_[position_++].choice;
   }
 
-  /// Returns false once every alternative has been tried.
+  /// Returns false when every alternative has been tried.
   bool Next() {
     position_ = 0;
     while (!taken_.empty() && ++taken_.back().choice == taken_.back().alternatives) {
@@ -41,8 +41,8 @@ class Decisions {
   std::size_t position_ = 0;
 };
 
-/// One execution. Only one thread runs at a time, until the next step at which another one may
-/// continue.
+/// One execution. Only one thread runs at a time. At each step, another thread may continue
+/// instead.
 class Execution {
  public:
   Execution(Decisions& decisions, const Limits& limits)
@@ -113,7 +113,8 @@ void Execution::Run(const std::function<void(Scenario&)>& build) {
   running = kSetUp;
   for (std::size_t thread = 1; thread < threads_.size(); ++thread) memory.Join(kSetUp, thread);
   if (failure_.empty() && scenario.finally) scenario.finally();
-  for (Thread& thread : threads_) thread.fiber.reset();  // shared objects end with this execution
+  // The shared objects end together with this execution.
+  for (Thread& thread : threads_) thread.fiber.reset();
 }
 
 void Execution::RunAll() {
@@ -137,7 +138,7 @@ void Execution::RunAll() {
   }
 }
 
-/// Called after a failure: lets the threads end, so that their stacks are unwound.
+/// Called after a failure. Lets the threads run to their end, so that their stacks are unwound.
 void Execution::RunToTheEnd() {
   constexpr int kTurns = 10'000;
   for (int turn = 0; turn < kTurns; ++turn) {

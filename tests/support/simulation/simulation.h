@@ -10,14 +10,15 @@
 #include <vector>
 
 /// An interleaving simulator for lock-free code. It runs a scenario of two or three small threads
-/// repeatedly, each time in another order and with other values that the memory model allows, until
-/// all possibilities have been tried. Code under test uses SimulatedAtomics.
+/// repeatedly. Each execution has another order of steps, or loads return other values that the
+/// memory model allows. The simulator ends when all possibilities have been tried. Code under test
+/// uses SimulatedAtomics.
 namespace tendon::simulation {
 
 /// The limits of an exploration. Small limits find nearly every fault.
 struct Limits {
   int preemptions = 2;                 ///< switches away from a thread that could continue
-  int stale_reads = 2;                 ///< loads that do not return the newest value
+  int stale_reads = 2;                 ///< loads that return an older value than the newest
   std::size_t executions = 1'000'000;  ///< the exploration ends after this number
 };
 
@@ -38,15 +39,17 @@ class Scenario {
   std::function<void()> finally;
 };
 
-/// Stops at the first failure: a Check(), a race on plain memory, or a deadlock.
+/// Runs the scenario until all executions are tried. Stops at the first failure: a Check(), a race
+/// on plain memory, or a deadlock.
 Report Explore(const std::function<void(Scenario&)>& build, Limits limits = {});
 
-/// Called in a thread of a scenario: fails the execution with `sentence` if `condition` is false.
+/// Fails the execution with `sentence` if `condition` is false. Call it in a thread of a scenario.
 void Check(bool condition, std::string_view sentence);
 
-/// The thread that builds the scenario and runs `finally`; the others count from 1.
+/// The number of the thread that builds the scenario and runs `finally`. The other threads count
+/// from 1.
 inline constexpr std::size_t kSetUp = 0;
-/// In a scenario: the number of the running thread.
+/// Returns the number of the running thread. Call it in a scenario.
 std::size_t RunningThread();
 
 // The primitives of SimulatedAtomics: operations of the running thread.

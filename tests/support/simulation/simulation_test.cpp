@@ -144,7 +144,8 @@ TEST(Simulation, ReportsADeadlock) {
   const Report report = Explore([](Scenario& scenario) {
     const auto word = std::make_shared<SimulatedAtomics::Atomic<std::uint32_t>>();
     scenario.Thread([=] { SimulatedAtomics::Sleep(*word, 0, {}); });
-    scenario.Thread([=] { SimulatedAtomics::Wake(*word); });  // too early in one order
+    // In one order of steps, this comes before the wait.
+    scenario.Thread([=] { SimulatedAtomics::Wake(*word); });
   });
   EXPECT_THAT(report.failure, HasSubstr("every thread waits"));
 }

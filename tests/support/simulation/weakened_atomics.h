@@ -6,8 +6,8 @@
 
 namespace tendon {
 
-/// SimulatedAtomics with one guarantee removed. A lock-free class that needs the guarantee must
-/// fail without it; otherwise its scenario proves nothing.
+/// SimulatedAtomics without one guarantee. A lock-free class that needs the guarantee must fail
+/// without it. Otherwise the scenario of the class proves nothing.
 template <std::memory_order kOrder>
 struct WithoutFence : SimulatedAtomics {
   static void Fence(std::memory_order order) noexcept {

@@ -20,12 +20,13 @@ using testing::Not;
 
 constexpr const char* kLedgerOfDesk = "desk/client/Ledger";
 
-/// T11: GCM and desk on one host, robot on another.
+/// The GCM and desk are on one host, robot is on another host.
 class Addresses : public FaultTest {
  protected:
   void SetUp() override {
-    if (!islands_.ok()) GTEST_SKIP() << "T11: " << islands_.reason();
-    gcm_address_ = std::string(Islands::kHere) + ":10705";  // where nobody else is
+    if (!islands_.ok()) GTEST_SKIP() << islands_.reason();
+    // No other program uses this port on the island.
+    gcm_address_ = std::string(Islands::kHere) + ":10705";
     gcm_ = Run(islands_.Here(), "gcm", {"--insecure", "serve"});
     ASSERT_TRUE(Eventually([this] { return gcm_->out().starts_with("GCM at "); })) << gcm_->err();
   }
@@ -47,7 +48,7 @@ class Addresses : public FaultTest {
                 {"--insecure", "--listen", std::string(Islands::kHere) + ":0", "--name", "desk",
                  "--system", home_.path() / "system.json"});
   }
-  /// Of a verb that is run on the GCM's host.
+  /// Runs a verb on the GCM's host.
   [[nodiscard]] Outcome Ask(Words words) const {
     words.insert(words.begin(), "--insecure");
     const auto program = Run(islands_.Here(), "gcm", words);
@@ -128,7 +129,7 @@ TEST_P(Addresses, WarnsOfListeningOnAnotherNetwork) {
   EXPECT_THAT(robot_->err(), HasSubstr("--listen 10.77.0.2:0"));
 }
 
-/// The robot is all right; it is the desk's host that does not know the way.
+/// The robot works. The host of the desk has no route to it.
 TEST_P(Addresses, AMissingRouteIsBlamedOnTheRightHost) {
   ASSERT_NO_FATAL_FAILURE(StartRobot({"--listen", "0.0.0.0:0", "--advertise", "10.99.0.1"}));
   StartDesk();
@@ -173,7 +174,7 @@ TEST_P(Addresses, AClientIsNotWarnedAboutInsecure) {
 }
 
 TEST_P(Addresses, APendingPairIsNotReportedAsConnected) {
-  ASSERT_NO_FATAL_FAILURE(StartRobot({}));  // which nobody reaches
+  ASSERT_NO_FATAL_FAILURE(StartRobot({}));  // no other host can reach the robot
   StartDesk();
   ASSERT_TRUE(EventuallySays({"explain", kLedgerOfDesk}, "the connection is pending"));
 

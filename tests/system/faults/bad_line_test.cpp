@@ -5,12 +5,13 @@
 namespace faults {
 namespace {
 
-/// GCM and desk on one island; robot, and mate which works with it, on the other.
+/// The GCM and desk are on one island. robot, and mate as its client, are on the other island.
 class BadLine : public FaultTest {
  protected:
   void SetUp() override {
-    if (!islands_.ok()) GTEST_SKIP() << "rows 6 to 8: " << islands_.reason();
-    gcm_address_ = std::string(Islands::kHere) + ":10705";  // where nobody else is
+    if (!islands_.ok()) GTEST_SKIP() << islands_.reason();
+    // No other program uses this port on the island.
+    gcm_address_ = std::string(Islands::kHere) + ":10705";
   }
 
   [[nodiscard]] std::unique_ptr<Program> Run(Words island, const std::string& program,
@@ -29,7 +30,7 @@ class BadLine : public FaultTest {
     gcm_ = Run(islands_.Here(), "gcm", {"--insecure", "serve"});
     ASSERT_TRUE(Eventually([this] { return gcm_->out().starts_with("GCM at "); })) << gcm_->err();
   }
-  /// Waits until the GCM says so of a process.
+  /// Waits until the GCM lists the process in this state.
   [[nodiscard]] bool EventuallyListed(const std::string& process, const std::string& state) const {
     return Eventually([&] {
       const auto listing = Run(islands_.Here(), "gcm", {"--insecure", "ls"});
@@ -43,7 +44,6 @@ class BadLine : public FaultTest {
 
 INSTANTIATE_TEST_SUITE_P(Over, BadLine, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
-/// Rows 6 and 7.
 TEST_P(BadLine, BothSidesWorkDuringACutAndReconnect) {
   ASSERT_NO_FATAL_FAILURE(ServeHere());
   robot_ = RunLcm(islands_.There(), Islands::kThere, "robot");
@@ -75,7 +75,7 @@ TEST_P(BadLine, BothSidesWorkDuringACutAndReconnect) {
   ExpectHonestCommands();
 }
 
-/// Row 8. All that the robot says and hears goes over a line that is slow and loses some.
+/// All data from and to the robot goes over a slow line that loses some of it.
 TEST_P(BadLine, ASlowLossyLineLosesNoProcess) {
   ASSERT_NO_FATAL_FAILURE(ServeHere());
   const std::string here = Islands::kHere;

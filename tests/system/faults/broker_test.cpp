@@ -25,8 +25,8 @@ bool HasMemoryLimit(pid_t process) {
 
 INSTANTIATE_TEST_SUITE_P(Over, BrokerTest, testing::Values("ice"), NameOfMiddleware);
 
-/// Sixteen watch one stream, which the process sends once; one of them stops. The others go on,
-/// nothing grows, and the one knows what it has missed.
+/// Sixteen viewers watch one stream, which the process sends only once. One viewer stops. The
+/// others continue, no memory grows, and the stopped viewer later knows what it has missed.
 TEST_P(BrokerTest, AStoppedSubscriberHarmsNoOther) {
   std::vector<std::shared_ptr<StreamChecker>> streams;
   for (int i = 0; i < 15; ++i) {
@@ -78,7 +78,8 @@ TEST_P(BrokerTest, AStoppedSubscriberHarmsNoOther) {
   Tell(told.str());
 }
 
-/// The broker is a program of Ice: what kills such is refused there, too, for want of memory.
+/// The broker is a program of Ice. Some messages make Ice allocate too much memory; the memory
+/// limit of the broker makes Ice refuse these messages.
 TEST_P(BrokerTest, TheBrokerSurvivesMalformedIceMessages) {
   ASSERT_NO_FATAL_FAILURE(Watch(stream_));
   ASSERT_TRUE(AllGetMore({stream_}, 100)) << robot_->err();
@@ -102,7 +103,7 @@ TEST_P(BrokerTest, TheBrokerSurvivesMalformedIceMessages) {
       << "it was of no use";
 }
 
-/// Without the broker, viewers are told that there are no rows, and get them directly.
+/// Without the broker, viewers are told that rows have stopped. Then they get the rows directly.
 TEST_P(BrokerTest, RowsArriveDirectlyIfTheBrokerDies) {
   ASSERT_NO_FATAL_FAILURE(Watch(stream_));
   ASSERT_TRUE(AllGetMore({stream_}, 100)) << robot_->err();
@@ -122,7 +123,7 @@ TEST_P(BrokerTest, RowsArriveDirectlyIfTheBrokerDies) {
   ExpectNeverLost("well");
 }
 
-/// Who subscribes after it has returned hears by it again.
+/// A new subscriber uses the broker again after its restart.
 TEST_P(BrokerTest, ARestartedBrokerIsUsedAgain) {
   const auto first = std::make_shared<StreamChecker>();
   ASSERT_NO_FATAL_FAILURE(Watch(first));

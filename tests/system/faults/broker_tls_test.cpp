@@ -19,7 +19,7 @@ using tendon::CertificateAuthority;
 using tendon::Role;
 using tendon::Status;
 
-/// Broker, GCM, process and viewers have certificates of one CA.
+/// The broker, the GCM, the process and the viewers have certificates of one CA.
 class CertifiedBroker : public BrokerTest {
  protected:
   CertifiedBroker() {
@@ -27,7 +27,8 @@ class CertifiedBroker : public BrokerTest {
                          {"TENDON_CERTIFICATE", CertificateOf("anna", Role::kViewer)}};
   }
 
-  /// The file of a certificate, of a process of that name; issued where there is none.
+  /// Returns the file of the certificate of this process; issues the certificate if it does not
+  /// exist.
   [[nodiscard]] std::string CertificateOf(const std::string& name, Role role) const {
     const auto folder = home_.path() / "issued";
     const auto file = folder / (name + ".crt");
@@ -89,7 +90,7 @@ TEST_P(CertifiedBroker, AStoppedSubscriberHarmsNoOther) {
       << "it was of no use";
 }
 
-/// Who may only look may hear topics, and make them, but the broker passes nothing of his on.
+/// A viewer may subscribe to topics and may create topics, but the broker drops its messages.
 TEST_P(CertifiedBroker, ABrokerDropsMessagesPublishedByAViewer) {
   const std::string topic = "lamps";
   const tendon_test::LogRecord log("broker");

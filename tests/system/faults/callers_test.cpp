@@ -9,7 +9,7 @@ namespace {
 
 class Callers : public FaultTest {
  protected:
-  /// A program that waits for a call to end is killed while the call is being executed.
+  /// Kills a program that waits for the end of a call while the call is executed.
   void KillOneInACall() {
     const std::size_t held = Lines("held");
     Program caller(Command("gcm", {"call", "robot/ledger/Control.Hold", "30"}), environment());
@@ -21,13 +21,12 @@ class Callers : public FaultTest {
 
 INSTANTIATE_TEST_SUITE_P(Over, Callers, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
-/// Row 13.
 TEST_P(Callers, KilledCallersLeakNothing) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   constexpr int kWarmUp = 3;
   for (int i = 0; i < kWarmUp; ++i) ASSERT_NO_FATAL_FAILURE(KillOneInACall());
   Footprint before;
-  ASSERT_TRUE(Eventually([&] {  // once those are gone
+  ASSERT_TRUE(Eventually([&] {  // waits until the killed callers have ended
     const Footprint earlier = std::exchange(before, FootprintOf(robot_->pid()));
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
     return earlier.descriptors == before.descriptors && earlier.threads == before.threads;
@@ -42,7 +41,8 @@ TEST_P(Callers, KilledCallersLeakNothing) {
     return IsFlat(before, after);
   })) << before
       << "; now " << after;
-  EXPECT_EQ(Lines("held"), static_cast<std::size_t>(kWarmUp + rounds));  // each executed once
+  // Each call was executed exactly once.
+  EXPECT_EQ(Lines("held"), static_cast<std::size_t>(kWarmUp + rounds));
   ASSERT_TRUE(Flows());
   ExpectNoRowLost();
   ExpectHonestCommands();

@@ -19,7 +19,7 @@ using tendon::Holder;
 using tendon::Role;
 using testing::HasSubstr;
 
-/// A GCM under TLS, and a CA that makes whatever certificates a row needs.
+/// A GCM under TLS, and a CA that makes any certificate that a test needs.
 class Certificates : public FaultTest {
  protected:
   using Request = CertificateAuthority::Request;
@@ -28,7 +28,8 @@ class Certificates : public FaultTest {
     more_environment_ = {{"TENDON_CA", authority_->folder()}, {"TENDON_CERTIFICATE", Anna()}};
   }
 
-  /// The file of a new certificate; by `authority`, if that is not ours.
+  /// Returns the file of a new certificate, from `authority` or, by default, from the CA of the
+  /// test.
   [[nodiscard]] fs::path Issue(const Request& request) const {
     return Issue(request, *authority_, "issued");
   }
@@ -41,7 +42,7 @@ class Certificates : public FaultTest {
   [[nodiscard]] static Request ProcessNamed(const std::string& name) {
     return {.name = name, .role = Role::kOperator, .holder = Holder::kProcess};
   }
-  /// The same, which has expired a minute ago.
+  /// Returns the file of a certificate that expired a minute ago.
   [[nodiscard]] fs::path Expired(const std::string& name) const {
     fs::path file = Issue(ProcessNamed(name));
     const auto key = tendon::ReadPrivateKey(fs::path(file).replace_extension(".key"));
@@ -53,7 +54,7 @@ class Certificates : public FaultTest {
     home_.Write("issued/" + name + ".crt", tendon::openssl::PemOf(*made));
     return file;
   }
-  /// A new one takes the place of all that there were of that name.
+  /// Replaces all certificates with this name by a new one.
   void Renew(const Request& request) const {
     const fs::path renewed = Issue(request, *authority_, "renewed");
     for (const char* extension : {".key", ".crt"}) {
@@ -78,7 +79,7 @@ class Certificates : public FaultTest {
     return Gcm({"ls"}).out.find(process + "\talive") != std::string::npos;
   }
 
-  /// One who has all that belongs to a certificate, and speaks TLS by himself.
+  /// Connects by TLS with all files of a certificate, without a program of Tendon.
   void Knock(const fs::path& certificate) const {
     const std::string script = "echo hello | timeout 10 openssl s_client -connect " + gcm_address_ +
                                " -cert " + certificate.string() + " -key " +
@@ -86,10 +87,10 @@ class Certificates : public FaultTest {
     RunProgram({"/bin/sh", "-c", script});
   }
 
-  /// Somebody who comes with a certificate that is not good, and what is said of it.
+  /// A program with an invalid certificate, and the expected messages.
   struct Row {
     std::string what;
-    std::string name;  // by which it would join
+    std::string name;  // the name under which the program joins
     fs::path certificate;
     fs::path authority;
     std::string own_words;
@@ -137,7 +138,7 @@ class Certificates : public FaultTest {
   [[nodiscard]] fs::path Anna() const { return Issue({.name = "anna", .role = Role::kOperator}); }
 };
 
-/// TLS is there with Ice alone.
+/// Returns the middlewares; TLS needs Ice.
 std::vector<std::string> MiddlewaresUnderTls() {
   std::vector<std::string> all = Middlewares();
   std::erase_if(all, [](const std::string& name) { return name != "ice"; });
@@ -148,8 +149,8 @@ GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(Certificates);
 INSTANTIATE_TEST_SUITE_P(Over, Certificates, testing::ValuesIn(MiddlewaresUnderTls()),
                          NameOfMiddleware);
 
-/// Row 31: what whoever comes with such a certificate says, and what the GCM
-/// says of one who does not look at his own.
+/// Checks the messages of a program with an invalid certificate, and the message of the GCM about a
+/// program that does not check its own certificate.
 TEST_P(Certificates, BothSidesReportARejectedCertificate) {
   ASSERT_NO_FATAL_FAILURE(Serve());
   const fs::path open_key = Issue(ProcessNamed("open"));
@@ -176,7 +177,6 @@ TEST_P(Certificates, BothSidesReportARejectedCertificate) {
   Tell(std::to_string(matrix.size() + 1) + " kinds of certificates were refused, a good one not");
 }
 
-/// Row 31: without a restart.
 TEST_P(Certificates, ARenewedCertificateIsUsedWithoutARestart) {
   ASSERT_NO_FATAL_FAILURE(Serve());
   robot_ = Run("robot", Issue(ProcessNamed("robot")));

@@ -7,7 +7,7 @@
 #include "system/faults/harness/process_watch.h"
 #include "system/faults/harness/stream_checker.h"
 
-// Those that judge must see what is wrong.
+// The checkers of the fault tests must detect mistakes.
 
 namespace faults {
 namespace {
@@ -16,7 +16,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Journals as one client and one ledger might have left them.
+/// Writes journals as one client and one ledger might have left them.
 class CommandChecker : public testing::Test {
  protected:
   void Given(const std::string& lines) const { folder_.Write("given-7", lines); }
@@ -69,7 +69,8 @@ TEST_F(CommandChecker, DetectsDamage) {
   EXPECT_THAT(Mistakes(), ElementsAre(HasSubstr("damaged")));
 }
 
-/// Hands samples of these numbers to a checker, each in the row of that tick.
+/// Passes samples with these numbers to a checker. Each sample is in the row with the tick of the
+/// same index.
 StreamChecker::Verdict Judge(const std::vector<Numbered>& samples,
                              const std::vector<std::uint64_t>& ticks) {
   StreamChecker checker;

@@ -13,15 +13,15 @@ namespace {
 
 using tendon::ProcessState;
 
-/// All programs of this test have a clock of their own, which tells the time of day as the test
-/// wants; how much time passes they know as everybody does.
+/// All programs of this test have their own wall clock, which the test can set. Their steady clocks
+/// are normal.
 class Clock : public FaultTest {
  protected:
   void SetUp() override {
     const std::string library = TENDON_TEST_FAKETIME;
-    if (library.empty()) GTEST_SKIP() << "row 21: there is no libfaketime";
+    if (library.empty()) GTEST_SKIP() << "there is no libfaketime: install the package faketime";
     if (tendon::test::IsSanitized()) {
-      GTEST_SKIP() << "row 21: a sanitizer suffers no library before its own";
+      GTEST_SKIP() << "a sanitizer must be the first library, so libfaketime cannot be used";
     }
     Set("+0");
     more_environment_ = {{"LD_PRELOAD", library},
@@ -31,18 +31,20 @@ class Clock : public FaultTest {
                          {"DONT_FAKE_MONOTONIC", "1"}};
   }
 
-  /// How far the clocks go wrong, and how fast: at one instant, for they are read all the time.
+  /// Sets the offset and the speed of the wall clocks. The change takes effect at once, because the
+  /// programs read the clocks all the time.
   void Set(const std::string& offset) const {
     home_.Write("clock.new", offset + "\n");
     std::filesystem::rename(home_.path() / "clock.new", home_.path() / "clock");
   }
-  /// By how much the GCM's clock differs from ours: it says when a process has joined.
+  /// Returns the difference of the GCM's clock from the test's clock, from the time at which a
+  /// process has joined.
   [[nodiscard]] std::chrono::nanoseconds Difference() const {
     const auto mate = MakeLcm("mate");
     EXPECT_TRUE(EventuallyIs("mate", ProcessState::kAlive)) << mate->err();
     const auto now = std::chrono::system_clock::now().time_since_epoch();
     const std::chrono::nanoseconds since(viewer_->catalogue().FindProcess("mate")->process.since);
-    // Until it knows that it has joined it has nothing to leave.
+    // A process that does not know yet that it has joined would not leave the GCM.
     EXPECT_TRUE(Eventually([&] { return mate->err().find("joined") != std::string::npos; }));
     mate->Signal(SIGTERM);
     EXPECT_EQ(mate->Wait(), 0) << mate->err();
@@ -53,7 +55,6 @@ class Clock : public FaultTest {
 
 INSTANTIATE_TEST_SUITE_P(Over, Clock, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
-/// Row 21.
 TEST_P(Clock, AJumpingOrFastClockDoesNotDisturbTheSystem) {
   using std::chrono::days;
   using std::chrono::hours;

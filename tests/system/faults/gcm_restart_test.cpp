@@ -20,7 +20,6 @@ class GcmRestart : public FaultTest {
 
 INSTANTIATE_TEST_SUITE_P(Over, GcmRestart, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
-/// Row 1.
 TEST_P(GcmRestart, RepeatedKillsUnderLoadLoseNothing) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const tendon::Fingerprint before = Hash();
@@ -51,7 +50,6 @@ TEST_P(GcmRestart, RepeatedKillsUnderLoadLoseNothing) {
   ExpectHonestCommands();
 }
 
-/// Row 2.
 TEST_P(GcmRestart, ALongAbsenceLogsFewLines) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const tendon::Fingerprint before = Hash();
@@ -78,7 +76,6 @@ TEST_P(GcmRestart, ALongAbsenceLogsFewLines) {
   ExpectHonestCommands();
 }
 
-/// Row 20.
 TEST_P(GcmRestart, ManyLcmsRejoinWithoutLosses) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const int count = Size(12, 100);

@@ -18,7 +18,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Whether all threads of the process have heard a SIGSTOP.
+/// Returns true if all threads of the process have stopped after a SIGSTOP.
 bool HasStopped(int pid) {
   const std::filesystem::path threads = "/proc/" + std::to_string(pid) + "/task";
   const auto is_stopped = [](const auto& thread) {
@@ -40,7 +40,6 @@ class HungLcm : public FaultTest {
 
 INSTANTIATE_TEST_SUITE_P(Over, HungLcm, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
-/// Row 4.
 TEST_P(HungLcm, AStoppedLcmIsLostAndRejoins) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const auto rounds = static_cast<std::size_t>(Size(2, 20));
@@ -76,7 +75,7 @@ TEST_P(HungLcm, AStoppedLcmIsLostAndRejoins) {
   ExpectHonestCommands();
 }
 
-/// Row 4: what was stopped for less than that is no member less.
+/// The process is stopped for less than its lease, so it remains a member.
 TEST_P(HungLcm, ABrieflyStoppedLcmLosesNothing) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
 
@@ -92,7 +91,7 @@ TEST_P(HungLcm, ABrieflyStoppedLcmLosesNothing) {
   ExpectHonestCommands();
 }
 
-/// Row 4: an order that was read late.
+/// The process reads the order only after the order has expired.
 TEST_P(HungLcm, AResumedLcmDoesNotExecuteExpiredCommands) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   robot_->Signal(SIGSTOP);
@@ -108,7 +107,7 @@ TEST_P(HungLcm, AResumedLcmDoesNotExecuteExpiredCommands) {
   robot_->Signal(SIGCONT);
 
   ASSERT_FALSE(stopped);
-  if (MayExpireLeases()) return;  // it may have been lost before it was asked
+  if (MayExpireLeases()) return;  // the process may have been lost before the command was sent
   EXPECT_EQ(stopped.error().code, tendon::ErrorCode::kFailed) << stopped.error().message;
   ASSERT_TRUE(Eventually([&] {
     return robot_->err().find("ordered remotely: stop 'ledger': nothing was done") !=
@@ -118,7 +117,6 @@ TEST_P(HungLcm, AResumedLcmDoesNotExecuteExpiredCommands) {
   Tell(stopped.error().message);
 }
 
-/// Rows 1 and 4.
 TEST_P(HungLcm, AStoppedLcmAndGcmDoNotBlockOtherProcesses) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const auto middleware = NewMiddleware();
@@ -140,7 +138,8 @@ TEST_P(HungLcm, AStoppedLcmAndGcmDoNotBlockOtherProcesses) {
 
   long longest = 0;  // ms
   const Stopwatch all;
-  while (all.milliseconds() < Size(2000, 60000)) {  // longer than two links are waited for
+  // Longer than the links to two hanging peers can block.
+  while (all.milliseconds() < Size(2000, 60000)) {
     const Stopwatch one;
     ASSERT_TRUE(says("is pending"));
     longest = std::max(longest, one.milliseconds());
@@ -157,7 +156,6 @@ TEST_P(HungLcm, AStoppedLcmAndGcmDoNotBlockOtherProcesses) {
   ExpectHonestCommands();
 }
 
-/// Row 4: fencing.
 TEST_P(HungLcm, AReplacedLcmNamesItsSuccessorAndIsFenced) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   robot_->Signal(SIGSTOP);
@@ -167,7 +165,7 @@ TEST_P(HungLcm, AReplacedLcmNamesItsSuccessorAndIsFenced) {
   ASSERT_TRUE(Eventually([&] { return stream_->verdict().ledgers == 2; }));
   ASSERT_TRUE(Flows());
 
-  robot_->Signal(SIGCONT);  // a zombie
+  robot_->Signal(SIGCONT);  // the replaced process runs again
   ASSERT_TRUE(Eventually([&] {
     return robot_->err().find("keeps running, but is not registered") != std::string::npos;
   })) << robot_->err();

@@ -18,7 +18,6 @@ class LcmKill : public FaultTest {
 
 INSTANTIATE_TEST_SUITE_P(Over, LcmKill, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
-/// Row 3.
 TEST_P(LcmKill, AKilledLcmFreesItsNameAtOnce) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const auto rounds = static_cast<std::size_t>(Size(4, 50));
@@ -51,7 +50,6 @@ TEST_P(LcmKill, AKilledLcmFreesItsNameAtOnce) {
   ExpectHonestCommands();
 }
 
-/// Rows 3 and 13, the other side: who gives the commands dies.
 TEST_P(LcmKill, AKilledClientDoesNotHinderTheNext) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const Footprint before = FootprintOf(robot_->pid());
@@ -71,7 +69,6 @@ TEST_P(LcmKill, AKilledClientDoesNotHinderTheNext) {
   ExpectHonestCommands();
 }
 
-/// Row 32.
 TEST_P(LcmKill, AChildProgramOfAComponentHoldsNoPort) {
   const std::string port = "127.0.0.1:" + std::to_string(FreePort());
   ASSERT_NO_FATAL_FAILURE(StartGcm());
@@ -81,10 +78,10 @@ TEST_P(LcmKill, AChildProgramOfAComponentHoldsNoPort) {
   const Outcome spawned = Gcm({"call", "robot/ledger/Control.Spawn"});
   ASSERT_EQ(spawned.exit_code, 0) << spawned.err;
   const pid_t child = std::stoi(spawned.out);
-  ASSERT_GT(child, 0);  // kill() would take others for meant
+  ASSERT_GT(child, 0);  // kill() with 0 or less would signal other processes
 
   Kill(*robot_);
-  const bool seen = EventuallyIs("robot", ProcessState::kLost);  // its end of the link is closed
+  const bool seen = EventuallyIs("robot", ProcessState::kLost);  // the end of its link is closed
   robot_ = MakeLcm("robot", {"--listen", port});
   const bool is_back = EventuallyIs("robot", ProcessState::kAlive);
   const bool outlived = kill(child, 0) == 0;

@@ -12,7 +12,7 @@ class Names : public FaultTest {
  protected:
   using Programs = std::vector<std::unique_ptr<Program>>;
 
-  /// How many have not ended once all but one have.
+  /// Waits until all programs except one have ended. Returns the number of running programs.
   static std::ptrdiff_t Survivors(Programs& programs) {
     std::ptrdiff_t alive = 0;
     const auto count = [&] {
@@ -28,7 +28,6 @@ class Names : public FaultTest {
 
 INSTANTIATE_TEST_SUITE_P(Over, Names, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
-/// Row 9.
 TEST_P(Names, ExactlyOneOfManySimultaneousLcmsGetsTheName) {
   ASSERT_NO_FATAL_FAILURE(StartGcm());
   ASSERT_NO_FATAL_FAILURE(StartViewer());
@@ -57,7 +56,6 @@ TEST_P(Names, ExactlyOneOfManySimultaneousLcmsGetsTheName) {
   ExpectNeverLost("robot");
 }
 
-/// Row 9: the first is not disturbed.
 TEST_P(Names, LateDuplicatesDoNotDisturbTheFirstLcm) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   Programs late;
@@ -71,7 +69,6 @@ TEST_P(Names, LateDuplicatesDoNotDisturbTheFirstLcm) {
   ExpectHonestCommands();
 }
 
-/// Row 10.
 TEST_P(Names, ExactlyOneOfManySimultaneousGcmsServes) {
   Programs gcms;
   for (int i = 0; i < Size(6, 50); ++i) gcms.push_back(MakeGcm());
@@ -92,7 +89,6 @@ TEST_P(Names, ExactlyOneOfManySimultaneousGcmsServes) {
   EXPECT_EQ(Gcm({"ls"}).exit_code, 0);
 }
 
-/// Row 10: the first is not disturbed.
 TEST_P(Names, ASecondGcmDoesNotDisturbTheFirst) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
 

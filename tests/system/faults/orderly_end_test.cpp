@@ -10,20 +10,21 @@ namespace {
 
 using nlohmann::json;
 
-/// How the driver sends, and how busy the drive is.
+/// The sending rate of the driver, and the load of the drive.
 struct Load {
   double cycle = 0.0;  // s
   bool floods = false;
 };
 
-/// Process cab has a driver, which moves the drive of process garage and stops it at its own end.
+/// Process cab has a driver. The driver moves the drive of process garage, and stops the drive at
+/// its own end.
 class OrderlyEnd : public FaultTest {
  protected:
-  /// What the GCM has started would run on.
+  /// Ends the processes that the GCM has started; otherwise they would continue.
   void TearDown() override {
     if (gcm_starts_) (void)Gcm({"kill", "*", "--yes"});
   }
-  /// Without processes; with a `start` the GCM starts them.
+  /// Starts a GCM without processes. With a `start`, the GCM starts the processes of the file.
   void StartGcmFor(const Load& load, const std::string& start = {}) {
     gcm_starts_ = !start.empty();
     const std::string folder = home_.path() / "journals";
@@ -45,13 +46,13 @@ class OrderlyEnd : public FaultTest {
     robot_ = MakeLcm("garage");
     ASSERT_TRUE(EventuallyActive("garage", "drive")) << robot_->err();
   }
-  /// Returns once the drive moves.
+  /// Starts cab, and returns when the drive moves.
   void StartCab() {
     const std::size_t moved = Lines("moved");
     desk_ = MakeLcm("cab");
     ASSERT_TRUE(Eventually([&] { return Lines("moved") > moved; })) << desk_->err();
   }
-  /// Whether exactly so many drivers have ended by now, and their stops were executed.
+  /// Expects that exactly `count` drivers have ended, and that their stops were executed.
   void ExpectStops(int count) const {
     EXPECT_EQ(Lines("ended", "queued"), static_cast<std::size_t>(count));
     EXPECT_EQ(Lines("ended"), static_cast<std::size_t>(count));
@@ -68,7 +69,6 @@ class OrderlyEnd : public FaultTest {
 
 INSTANTIATE_TEST_SUITE_P(Over, OrderlyEnd, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
-/// Transition T4.
 TEST_P(OrderlyEnd, ASignalExecutesTheLastStop) {
   const int rounds = Size(3, 30);
   long longest = 0;  // ms
@@ -88,7 +88,6 @@ TEST_P(OrderlyEnd, ASignalExecutesTheLastStop) {
   Tell(std::to_string(rounds) + " ends, the longest took " + std::to_string(longest) + " ms");
 }
 
-/// Transition T4.
 TEST_P(OrderlyEnd, ExecutesTheLastStopDespiteAFullQueue) {
   const int rounds = Size(3, 30);
   ASSERT_NO_FATAL_FAILURE(StartGcmFor({.cycle = 0.03, .floods = true}));
@@ -103,7 +102,6 @@ TEST_P(OrderlyEnd, ExecutesTheLastStopDespiteAFullQueue) {
   }
 }
 
-/// Transition T4.
 TEST_P(OrderlyEnd, AStopCommandExecutesTheLastStop) {
   const int rounds = Size(2, 30);
   int stops = 0;
@@ -127,7 +125,7 @@ TEST_P(OrderlyEnd, AStopCommandExecutesTheLastStop) {
   }
 }
 
-/// Transition T4: clients first, whatever the order of their names.
+/// Clients end first, whatever the order of their names.
 TEST_P(OrderlyEnd, TheGcmEndsClientProcessesFirst) {
   const int rounds = Size(2, 30);
   ASSERT_NO_FATAL_FAILURE(StartGcmFor({}, R"("start": {}, )"));
@@ -142,7 +140,7 @@ TEST_P(OrderlyEnd, TheGcmEndsClientProcessesFirst) {
   }
 }
 
-/// Transition T4: the same within one order, component by component.
+/// One command stops all components.
 TEST_P(OrderlyEnd, StoppingAllStopsClientComponentsFirst) {
   ASSERT_NO_FATAL_FAILURE(StartGcmFor({.cycle = 0.005, .floods = true}));
   ASSERT_NO_FATAL_FAILURE(StartGarage());
@@ -153,7 +151,7 @@ TEST_P(OrderlyEnd, StoppingAllStopsClientComponentsFirst) {
   ExpectStops(1);
 }
 
-/// Transition T4 and row 33: peer and GCM hang.
+/// The peer and the GCM hang.
 TEST_P(OrderlyEnd, AnLcmDoesNotWaitLongForHangingPeers) {
   ASSERT_NO_FATAL_FAILURE(StartGcmFor({.cycle = 0.0, .floods = true}));
   ASSERT_NO_FATAL_FAILURE(StartGarage());
@@ -174,7 +172,7 @@ TEST_P(OrderlyEnd, AnLcmDoesNotWaitLongForHangingPeers) {
   EXPECT_LT(static_cast<double>(took), 2000.0 * Slowness());
 }
 
-/// Transition T4, of what is shipped: goals of the teleoperation last 0.4 s, stops less.
+/// Uses the components of Tendon. Goals of the teleoperation last 0.4 s; a stop is shorter.
 TEST_P(OrderlyEnd, EndingTheTeleoperationLeavesTheArmAtRest) {
   home_.Write("system.json", R"({"version": 1, "name": "arms", "processes": [
       {"name": "robot", "components": [

@@ -15,7 +15,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Takes its time with each batch, as long as it is told to.
+/// A reader that needs a chosen time for each batch.
 class SlowReader final : public tendon::RowSink {
  public:
   void set_nap(std::chrono::milliseconds nap) { nap_ = nap; }
@@ -36,7 +36,8 @@ class SlowReader final : public tendon::RowSink {
   std::atomic<std::chrono::milliseconds> nap_{0ms};
 };
 
-/// What is logged by whom, and how late that was known here, by the clock of this machine.
+/// Records the log lines by source, and their delay until they arrive here, by the clock of this
+/// machine.
 class LogWatch final : public tendon::GcmListener {
  public:
   struct Heard {
@@ -65,13 +66,13 @@ class LogWatch final : public tendon::GcmListener {
     }
   }
 
-  static constexpr const char* kMissed = "missed ";  // its task's own words, on a busy machine
+  static constexpr const char* kMissed = "missed ";  // the task logs this itself on a busy machine
 
   mutable std::mutex mutex_;
   std::map<std::string, Heard> heard_;
 };
 
-/// In the one of its records that tells of the most.
+/// Returns the number in the record that reports the most suppressed lines.
 unsigned long long MostSuppressed(const LogWatch::Heard& raver) {
   const std::string told = "suppressed ";
   unsigned long long most = 0;
@@ -93,7 +94,7 @@ class Overload : public FaultTest {
     return viewer;
   }
 
-  /// What the rows' process takes once `slow` has missed `rows` more.
+  /// Returns the footprint of the rows' process after `slow` has missed `rows` more rows.
   [[nodiscard]] Footprint AfterMore(std::uint64_t rows, const SlowReader& slow) const {
     const std::uint64_t lost = slow.verdict().counted;
     EXPECT_TRUE(Eventually([&] { return slow.verdict().counted >= lost + rows; }))
@@ -101,7 +102,8 @@ class Overload : public FaultTest {
     return FootprintOf(robot_->pid());
   }
 
-  /// A thousand rows of 8 KiB that are kept anywhere are far more than a twentieth.
+  /// Returns true if memory grew by less than a twentieth. A thousand stored rows of 8 KiB would be
+  /// far more.
   static bool IsSteady(const Footprint& before, const Footprint& now) {
     constexpr std::size_t kTwentieth = 20;
     return IsFlat(before, now) && (tendon::test::IsSanitized() ||
@@ -111,8 +113,8 @@ class Overload : public FaultTest {
 
 INSTANTIATE_TEST_SUITE_P(Over, Overload, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
-/// Row 11: who reads slowly misses rows, and is told how many; the others miss none, and nothing
-/// grows where the rows come from.
+/// A slow reader misses rows and is told how many. The other readers miss none, and the memory of
+/// the source does not grow.
 TEST_P(Overload, ASlowConsumerHarmsNoOther) {
   ASSERT_NO_FATAL_FAILURE(StartGcm());
   ASSERT_NO_FATAL_FAILURE(StartViewer());
@@ -157,8 +159,8 @@ TEST_P(Overload, ASlowConsumerHarmsNoOther) {
   ExpectNeverLost("well");
 }
 
-/// Row 29: one component that raves is cut short, and is told to have been; what its neighbour in
-/// the same process says arrives, all of it and soon.
+/// The flood of one component is suppressed and reported. All log lines of another component in the
+/// same process arrive in time.
 TEST_P(Overload, ALogFloodHarmsNoOtherComponent) {
   ASSERT_NO_FATAL_FAILURE(StartGcm());
   ASSERT_NO_FATAL_FAILURE(StartViewer());

@@ -28,7 +28,8 @@ class Payloads : public FaultTest {
 
 INSTANTIATE_TEST_SUITE_P(Over, Payloads, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
-/// Row 14: whoever has edited his copy of a type is told what differs, and the others are served.
+/// A program with an edited copy of a type is told the difference. Other programs are not
+/// disturbed.
 TEST_P(Payloads, ConnectNamesTheFirstDifferenceOfAnEditedType) {
   const std::map<std::string, std::string> differences{
       {"InFloats", "fx of faults.Force: float32 needed, float64 offered"},
@@ -66,8 +67,8 @@ TEST_P(Payloads, ConnectNamesTheFirstDifferenceOfAnEditedType) {
   Tell(std::to_string(differences.size()) + " edited types were refused, the same one connected");
 }
 
-/// Row 18. A sequence of bytes is four bytes longer on the wire. What a sanitizer makes of the
-/// largest would not fit into a usual machine, nor the others into the time of a lease.
+/// A sequence of bytes is four bytes longer on the wire. With a sanitizer, the largest payloads
+/// would need too much memory, and the others would take longer than a lease.
 TEST_P(Payloads, SendsPayloadsUpToTheSizeLimitAndRefusesLargerOnes) {
   std::vector<std::size_t> taken{kMaxPayload / 10 * 9, kMaxPayload};
   std::vector<std::size_t> refused{kMaxPayload + kMaxPayload / 10'000, 10 * kMaxPayload};

@@ -22,7 +22,7 @@ namespace mcap = tendon::mcap;
 /// Follows the ledger's samples, which have consecutive numbers.
 class NewestNumber final : public tendon::RowSink {
  public:
-  /// Of the newest sample that has arrived; 0 before the first.
+  /// Returns the number of the newest sample that has arrived; 0 before the first.
   [[nodiscard]] std::uint64_t number() const {
     const std::scoped_lock lock(mutex_);
     return number_;
@@ -46,9 +46,10 @@ class NewestNumber final : public tendon::RowSink {
 struct KilledRecording {
   std::filesystem::path file;
   std::unique_ptr<Program> program;
-  std::uint64_t begin = 0;   ///< of the newest sample when it had begun
-  std::uint64_t moment = 0;  ///< the number of the sample after which it is killed
-  std::uint64_t newest = 0;  ///< of the samples that had arrived here by then
+  std::uint64_t begin = 0;   ///< the number of the newest sample at the start
+  std::uint64_t moment = 0;  ///< the number of the sample after which the recording is killed
+  /// The number of the newest sample that had arrived here before the kill.
+  std::uint64_t newest = 0;
 };
 
 class RecordingFaults : public FaultTest {
@@ -62,10 +63,10 @@ class RecordingFaults : public FaultTest {
     ASSERT_TRUE(Eventually([this] { return newest_->number() > 0; }));
   }
 
-  /// Starts this many recordings, and kills each after some samples.
+  /// Starts this many recordings, and kills each of them after some samples.
   std::vector<KilledRecording> KillSome(int count) {
     constexpr std::array kCompressions{"none", "lz4", "zstd"};
-    constexpr std::uint64_t kMostSamples = 2500;  // of a millisecond each
+    constexpr std::uint64_t kMostSamples = 2500;  // one sample is a millisecond
     std::vector<KilledRecording> all(static_cast<std::size_t>(count));
     for (KilledRecording& one : all) {
       one.file = home_.path() / ("run" + std::to_string(files_++) + ".mcap");
@@ -94,7 +95,7 @@ class RecordingFaults : public FaultTest {
     return all;
   }
 
-  /// The numbers of the samples in a file.
+  /// Returns the numbers of the samples in a file.
   static std::vector<std::uint64_t> NumbersIn(mcap::Reader& reader) {
     std::vector<std::uint64_t> numbers;
     mcap::MessageStream messages = reader.Messages({.order = mcap::Query::Order::kFile});
@@ -119,11 +120,10 @@ class RecordingFaults : public FaultTest {
 INSTANTIATE_TEST_SUITE_P(Over, RecordingFaults, testing::Values(Middlewares().front()),
                          NameOfMiddleware);
 
-/// Row 27.
 TEST_P(RecordingFaults, AKilledRecorderLosesASecondAtMostAndLeavesWholeChunks) {
   constexpr int kAtOnce = 10;
   const int rounds = Size(5, 50);
-  std::uint64_t most_lost = 0;  // samples of a millisecond
+  std::uint64_t most_lost = 0;  // number of samples; one sample is a millisecond
 
   for (int round = 0; round < rounds; ++round) {
     for (const KilledRecording& one : KillSome(kAtOnce)) {

@@ -11,7 +11,8 @@ using testing::Not;
 
 class Signals : public FaultTest {
  protected:
-  /// Tells a program to end after a random part of its start and life; how long it then took, ms.
+  /// Sends a termination signal at a random time during the start or the life of a program. Returns
+  /// the time until its end in ms.
   long EndAtARandomMoment(Program& program) {
     std::uniform_real_distribution<double> moment(0.0, 400.0 * Slowness());  // ms
     const int signal = random_() % 2 == 0 ? SIGTERM : SIGINT;
@@ -20,7 +21,7 @@ class Signals : public FaultTest {
     program.Signal(signal);
     const auto exit_code = program.Wait(std::chrono::ceil<std::chrono::seconds>(Patience()));
     EXPECT_TRUE(exit_code) << "it goes on";
-    // Before main() has taken the signals, they end it as any program.
+    // Before main() handles the signals, a signal kills the program.
     EXPECT_THAT(exit_code.value_or(-1), AnyOf(0, 128 + signal)) << program.err();
     EXPECT_THAT(program.err(), Not(testing::HasSubstr("terminate called")));
     return since_told.milliseconds();
@@ -31,7 +32,6 @@ class Signals : public FaultTest {
 
 INSTANTIATE_TEST_SUITE_P(Over, Signals, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
-/// Row 33.
 TEST_P(Signals, EndAnLcmInOrderAtAnyTime) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   robot_->Signal(SIGTERM);
@@ -50,7 +50,6 @@ TEST_P(Signals, EndAnLcmInOrderAtAnyTime) {
   ExpectHonestCommands();
 }
 
-/// Row 33.
 TEST_P(Signals, EndAGcmInOrderAtAnyTime) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   gcm_->Signal(SIGTERM);
@@ -70,7 +69,7 @@ TEST_P(Signals, EndAGcmInOrderAtAnyTime) {
   ExpectHonestCommands();
 }
 
-/// Row 33: the first waits for a component that does not come to an end.
+/// The first signal waits for a component that does not end.
 TEST_P(Signals, ASecondSignalEndsAnLcmAtOnce) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const Program caller(Command("gcm", {"call", "robot/ledger/Control.Hold", "600000"}),

@@ -7,7 +7,7 @@
 #include "system/faults/harness/motion_checker.h"
 #include "system/faults/instruments/jogger.h"
 
-// What happens between two good states of a system that moves.
+// Tests transitions between two safe states of a moving system.
 
 namespace faults {
 namespace {
@@ -18,8 +18,8 @@ using testing::HasSubstr;
 constexpr arm::JointVector kHome{0.0, -0.785398, 0.0, -2.356194, 0.0, 1.570796, 0.785398};
 constexpr arm::JointVector kElsewhere{1.5, 0.3, -0.5, -1.2, 0.4, 2.4, -1.0};
 
-/// Process robot has two arms that stand apart; desk a teleoperation and a hand that turns a joint,
-/// not connected yet.
+/// Process robot has two arms in different postures. Process desk has a teleoperation, and a hand
+/// that turns a joint; both are not connected yet.
 class Transitions : public FaultTest {
  protected:
   void StartArms() {
@@ -57,9 +57,9 @@ class Transitions : public FaultTest {
   void Lead(const std::string& name) {
     Do({"connect", "desk/teleoperation/Robot", "robot/" + name + "/Control", "--replace"});
   }
-  /// All rows that a suspended arm has written have come.
+  /// Waits until all rows of a suspended arm have arrived.
   static bool EventuallyStandsStill(const MotionChecker& one) {
-    constexpr int kLooks = 40;  // which is longer than rows wait for their batch
+    constexpr int kLooks = 40;  // together longer than rows wait for their batch
     int same = 0;
     std::size_t rows = one.rows();
     return Eventually([&] {
@@ -75,18 +75,18 @@ class Transitions : public FaultTest {
   static bool EventuallyMoves(const MotionChecker& one) {
     return Eventually([&] { return one.speed() > kMoving; });
   }
-  /// While so many more cycles of the arm are made.
+  /// Returns the peak during `cycles` further cycles of the arm.
   static Peak PeakWithin(MotionChecker& one, std::size_t cycles) {
     const std::size_t rows = one.rows();
     EXPECT_TRUE(Eventually([&] { return one.rows() >= rows + cycles; }));
     return one.TakePeak();
   }
-  /// From its rest until it has been led for 2 s.
+  /// Returns the peak from rest until the arm has been led for 2 s.
   static Peak PeakLed(MotionChecker& one) {
     EXPECT_TRUE(EventuallyMoves(one));
     return PeakWithin(one, 2000);
   }
-  /// Nobody leads it; it goes there and rests.
+  /// Moves an arm without a leader to a posture, where it rests.
   void Place(const std::string& name, MotionChecker& one, const arm::JointVector& posture) {
     const json goal = {{"position", posture}, {"duration", 1.0}};
     Do({"call", "robot/" + name + "/Control.MoveTo", goal.dump()});
@@ -102,7 +102,7 @@ class Transitions : public FaultTest {
     EXPECT_TRUE(EventuallyRests(one));
     (void)one.TakePeak();
   }
-  /// What it reaches when it is led from rest at `posture`.
+  /// Returns the peak of an arm that is led from rest at `posture`.
   Peak GentleFrom(const std::string& name, MotionChecker& one, const arm::JointVector& posture) {
     Do({"disconnect", "desk/teleoperation/Robot"});
     EXPECT_TRUE(EventuallyRests(one));
@@ -110,14 +110,15 @@ class Transitions : public FaultTest {
     Lead(name);
     return PeakLed(one);
   }
-  /// Whether `round` is one of so many, or one more because the machine stood still in all of them.
+  /// Returns true if another round is needed: fewer than `rounds` were made, or the machine stalled
+  /// in all rounds.
   bool GoesOn(int round, int rounds) const {
     constexpr int kMostRounds = 5;
     return round < rounds || (judged_ == 0 && round < kMostRounds);
   }
   void ExpectNoLeap(const std::string& what, const Peak& peak, const Peak& gentle) {
-    // An arm whose cycles are late falls behind its leader, and catches up. Where they are late,
-    // those of the leader are late as well, and its goals leap.
+    // An arm with late cycles falls behind its leader, and then catches up. On such a machine, the
+    // cycles of the leader are late as well, and its goals jump.
     constexpr double kCalm = 0.004;   // s
     constexpr double kStall = 0.020;  // s
     const double stall = std::max(peak.stall, gentle.stall);
@@ -143,7 +144,7 @@ class Transitions : public FaultTest {
   const std::shared_ptr<MotionChecker> arm2_ = std::make_shared<MotionChecker>();
 };
 
-/// All of them where the faults are at their full size.
+/// Returns one middleware; if the faults have their full size, all middlewares.
 std::vector<std::string> SomeMiddlewares() {
   auto all = Middlewares();
   all.resize(static_cast<std::size_t>(Size(1, static_cast<int>(all.size()))));
@@ -152,7 +153,6 @@ std::vector<std::string> SomeMiddlewares() {
 
 INSTANTIATE_TEST_SUITE_P(Over, Transitions, testing::ValuesIn(SomeMiddlewares()), NameOfMiddleware);
 
-/// T1.
 TEST_P(Transitions, AnotherArmIsDrivenFromItsPosition) {
   ASSERT_NO_FATAL_FAILURE(StartArms());
   const int rounds = Size(1, 30);
@@ -178,7 +178,6 @@ TEST_P(Transitions, AnotherArmIsDrivenFromItsPosition) {
   }
 }
 
-/// T1: a new epoch.
 TEST_P(Transitions, ARestartedArmIsDrivenFromItsPosition) {
   ASSERT_NO_FATAL_FAILURE(StartArms());
   ASSERT_NO_FATAL_FAILURE(Lead("arm"));
@@ -198,7 +197,6 @@ TEST_P(Transitions, ARestartedArmIsDrivenFromItsPosition) {
   }
 }
 
-/// T2.
 TEST_P(Transitions, AResumedClientStartsFromTheCurrentPosition) {
   ASSERT_NO_FATAL_FAILURE(StartArms());
   for (int round = 0; GoesOn(round, Size(1, 30)); ++round) {
@@ -217,7 +215,6 @@ TEST_P(Transitions, AResumedClientStartsFromTheCurrentPosition) {
   }
 }
 
-/// T3.
 TEST_P(Transitions, AResumedServerDoesNotContinueToItsOldGoal) {
   ASSERT_NO_FATAL_FAILURE(StartArms());
   const json goal = {{"position", kElsewhere}, {"duration", 3.0}};
@@ -238,7 +235,6 @@ TEST_P(Transitions, AResumedServerDoesNotContinueToItsOldGoal) {
   EXPECT_THAT(robot_->err(), HasSubstr("holds its position"));
 }
 
-/// T3, with who leads it: it is led anew.
 TEST_P(Transitions, AResumedServerIsDrivenFromItsPosition) {
   ASSERT_NO_FATAL_FAILURE(StartArms());
   ASSERT_NO_FATAL_FAILURE(Lead("arm"));
@@ -259,11 +255,10 @@ TEST_P(Transitions, AResumedServerIsDrivenFromItsPosition) {
   }
 }
 
-/// T5.
 TEST_P(Transitions, AnArmComesToRestWhenItsClientIsKilledOrHangs) {
   ASSERT_NO_FATAL_FAILURE(StartArms());
   ASSERT_NO_FATAL_FAILURE(Do({"connect", "desk/hand/Robot", "robot/arm/Control"}));
-  long longest = 0;  // ms in motion after it
+  long longest = 0;  // ms in motion after the fault
   for (int round = 0; round < Size(2, 30); ++round) {
     SCOPED_TRACE(round);
     const bool kills = round % 2 == 0;

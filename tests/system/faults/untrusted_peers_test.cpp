@@ -33,7 +33,7 @@ Bytes BytesOf(std::string_view text) {
   return {bytes.begin(), bytes.end()};
 }
 
-/// What programs of other kinds say first, and what nobody says.
+/// Returns the first bytes of other kinds of programs, and bytes that no program sends.
 std::vector<Bytes> Hellos() {
   return {BytesOf("GET / HTTP/1.1\r\nHost: 127.0.0.1\r\nUser-Agent: curl\r\n\r\n"),
           BytesOf("SSH-2.0-OpenSSH_9.2p1 Debian-2+deb12u3\r\n"),
@@ -41,7 +41,7 @@ std::vector<Bytes> Hellos() {
           Bytes(4096, std::byte{0}), Bytes(4096, std::byte{0xff})};
 }
 
-/// Messages that are right, before they are damaged.
+/// Returns valid messages; the test damages them.
 std::vector<Bytes> Messages() {
   tendon::FrameHeader header;
   header.request = 1;
@@ -52,7 +52,7 @@ std::vector<Bytes> Messages() {
   return {std::move(frame), std::move(request)};
 }
 
-/// Keeps the refusal that it hears.
+/// Stores the refusal that it receives.
 class RefusalListener final : public tendon::LinkHandler {
  public:
   void OnFrame(std::span<const std::byte> frame) override {
@@ -81,7 +81,7 @@ class UntrustedPeers : public FaultTest {
     EXPECT_TRUE(socket) << socket.error().message;
     return socket ? *std::move(socket) : os::Socket();
   }
-  /// The frame with which a program of this protocol version begins.
+  /// Returns the first frame of a program with this protocol version.
   static Bytes HelloOfVersion(std::uint16_t version) {
     constexpr std::uint32_t kSize = 64;
     Bytes frame;
@@ -98,7 +98,7 @@ class UntrustedPeers : public FaultTest {
     return Eventually([&] { return !os::ReceiveSome(socket, buffer); });
   }
 
-  /// Of both programs that listen.
+  /// Starts the system. Finds the addresses of both listening programs.
   void Begin() {
     ASSERT_NO_FATAL_FAILURE(StartSystem());
     ports_ = {gcm_address_, AddressOf("robot")};
@@ -124,7 +124,6 @@ class UntrustedPeers : public FaultTest {
 
 INSTANTIATE_TEST_SUITE_P(Over, UntrustedPeers, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
-/// Row 16.
 TEST_P(UntrustedPeers, OtherProtocolsAreDisconnected) {
   ASSERT_NO_FATAL_FAILURE(Begin());
 
@@ -141,7 +140,6 @@ TEST_P(UntrustedPeers, OtherProtocolsAreDisconnected) {
   ExpectNobodyDisturbed();
 }
 
-/// Row 16.
 TEST_P(UntrustedPeers, DamagedMessagesDoNotDisturbTheSystem) {
   ASSERT_NO_FATAL_FAILURE(Begin());
   const std::vector<Bytes> messages = Messages();
@@ -164,7 +162,6 @@ TEST_P(UntrustedPeers, DamagedMessagesDoNotDisturbTheSystem) {
   }
 }
 
-/// Row 17.
 TEST_P(UntrustedPeers, AllProgramsSurviveMalformedIceMessages) {
   ASSERT_NO_FATAL_FAILURE(Begin());
 
@@ -178,7 +175,6 @@ TEST_P(UntrustedPeers, AllProgramsSurviveMalformedIceMessages) {
   ExpectNobodyDisturbed();
 }
 
-/// Row 15.
 TEST_P(UntrustedPeers, AnotherProtocolVersionIsRefusedWithAReason) {
   ASSERT_NO_FATAL_FAILURE(Begin());
   const auto middleware = NewMiddleware();
@@ -203,7 +199,6 @@ TEST_P(UntrustedPeers, AnotherProtocolVersionIsRefusedWithAReason) {
   ExpectNobodyDisturbed();
 }
 
-/// Row 19.
 TEST_P(UntrustedPeers, AConnectionFloodIsServedAndIdleOnesAreClosed) {
   ASSERT_NO_FATAL_FAILURE(Begin());
   const int count = Size(60, 500);
@@ -211,7 +206,7 @@ TEST_P(UntrustedPeers, AConnectionFloodIsServedAndIdleOnesAreClosed) {
   for (int i = 0; i < count; ++i) {
     idle.push_back(Knock(gcm_address_));
     idle.push_back(Knock(gcm_address_));
-    (void)os::SendSome(idle.back(), Bytes(11, std::byte{0x54}));  // half a header
+    (void)os::SendSome(idle.back(), Bytes(11, std::byte{0x54}));  // half of a header
   }
 
   const Stopwatch since_storm;
@@ -243,7 +238,6 @@ TEST_P(UntrustedPeers, AConnectionFloodIsServedAndIdleOnesAreClosed) {
   ExpectNobodyDisturbed();
 }
 
-/// Row 30.
 TEST_P(UntrustedPeers, OutOfDescriptorsKeepsOldConnectionsAndDelaysNewOnes) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const int used = static_cast<int>(FootprintOf(gcm_->pid()).descriptors);
@@ -254,7 +248,8 @@ TEST_P(UntrustedPeers, OutOfDescriptorsKeepsOldConnectionsAndDelaysNewOnes) {
 
   std::vector<os::Socket> crowd;
   const auto place = tendon::ParseAddress(gcm_address_, 1);
-  for (int i = 0; i < 30; ++i) {  // they wait, or are refused: Ice stops listening for a second
+  // They wait or are refused, because Ice stops listening for a second.
+  for (int i = 0; i < 30; ++i) {
     if (auto one = os::ConnectTo(place->host, place->port, Patience())) {
       crowd.push_back(*std::move(one));
     }
@@ -273,14 +268,13 @@ TEST_P(UntrustedPeers, OutOfDescriptorsKeepsOldConnectionsAndDelaysNewOnes) {
   ExpectHonestCommands();
 }
 
-/// Row 30.
 TEST_P(UntrustedPeers, OutOfThreadsKeepsConnectionsAndRefusesACommand) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   {
     const ThreadLimit of_gcm(gcm_->pid());
     const ThreadLimit of_robot(robot_->pid());
     if (!of_gcm.holds() || !of_robot.holds()) {
-      GTEST_SKIP() << "row 30: nothing here can keep a process from making threads";
+      GTEST_SKIP() << "this machine offers no way to limit the threads of a process";
     }
 
     const Outcome order = Gcm({"classes", "robot"});
@@ -298,10 +292,9 @@ TEST_P(UntrustedPeers, OutOfThreadsKeepsConnectionsAndRefusesACommand) {
   ExpectHonestCommands();
 }
 
-/// Row 30.
 TEST_P(UntrustedPeers, OutOfMemoryKeepsConnectionsAndRefusesALargeMessage) {
   if (tendon::test::IsSanitized()) {
-    GTEST_SKIP() << "row 30: a sanitizer ends the process instead of throwing";
+    GTEST_SKIP() << "a sanitizer ends the process instead of throwing";
   }
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const auto middleware = NewMiddleware();

@@ -14,7 +14,7 @@ using nlohmann::json;
 
 const std::string kNumbers = "robot/ledger/state.Sample.number";
 
-/// The program `gcm-gui` without a screen, and what it says of itself.
+/// The program `gcm-gui` without a screen, and its description of its own state.
 class Window {
  public:
   Window(const Program::Words& command, const std::map<std::string, std::string>& environment,
@@ -24,14 +24,14 @@ class Window {
   void Signal(int signal) const { program_.Signal(signal); }
   [[nodiscard]] std::string err() const { return program_.err(); }
 
-  /// How many rows of the plotted number have come.
+  /// Returns the number of received rows of the plotted number.
   [[nodiscard]] std::uint64_t rows() const {
     const json facts = Describe().value("facts", json::object());
     const json curve = facts.value("curves", json::object()).value(kNumbers, json::object());
     return static_cast<std::uint64_t>(curve.value("rows", 0.0));
   }
 
-  /// The names of the components and the connections that its graph has.
+  /// Returns the names of the components and connections in its graph.
   [[nodiscard]] std::set<std::string> graph() const {
     const json all = Describe();
     const json nodes = all.value("nodes", json::object());
@@ -59,7 +59,7 @@ class Window {
 
 class WindowFault : public FaultTest {
  protected:
-  /// Plots the ledger's samples.
+  /// Opens a window that plots the ledger's samples.
   [[nodiscard]] std::unique_ptr<Window> OpenWindow() {
     const std::string number = std::to_string(++windows_);
     const std::string description = home_.path() / ("window" + number + ".json");
@@ -73,7 +73,7 @@ class WindowFault : public FaultTest {
         with_platform, description);
   }
 
-  /// Its graph is whole and its plot runs, from now on.
+  /// Returns true when the graph is complete and the plot receives new rows.
   [[nodiscard]] static bool Shows(const Window& window) {
     const std::uint64_t before = window.rows();
     return Eventually([&] { return window.rows() >= before + kRows; }) &&
@@ -84,7 +84,7 @@ class WindowFault : public FaultTest {
     return {"robot/ledger", "desk/client", "desk/client/Ledger -> robot/ledger/Control active"};
   }
 
-  /// Until the robot keeps nothing open that it had not before there was a window.
+  /// Waits until the robot has no more descriptors than before the window was opened.
   [[nodiscard]] bool EventuallyReleases(const Footprint& before) const {
     return Eventually([&] { return FootprintOf(robot_->pid()).descriptors <= before.descriptors; });
   }
@@ -97,7 +97,6 @@ class WindowFault : public FaultTest {
 
 INSTANTIATE_TEST_SUITE_P(Over, WindowFault, testing::ValuesIn(Middlewares()), NameOfMiddleware);
 
-/// Row 28: killed.
 TEST_P(WindowFault, AKilledWindowHarmsNoOtherAndTheNextShowsAll) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const Footprint before = FootprintOf(robot_->pid());
@@ -121,7 +120,8 @@ TEST_P(WindowFault, AKilledWindowHarmsNoOtherAndTheNextShowsAll) {
   ExpectHonestCommands();
 }
 
-/// Row 28: hung. It is given up like one that was killed, and heals once it is awake.
+/// The window hangs. Its subscriptions are ended as after a kill, and it recovers when it runs
+/// again.
 TEST_P(WindowFault, AHangingWindowIsReleasedAndRecovers) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const Footprint alone = FootprintOf(robot_->pid());

@@ -1,4 +1,4 @@
-"""Where programs of Tendon are: "127.0.0.1:10705"."""
+"""Addresses of programs of Tendon, such as "127.0.0.1:10705"."""
 
 from __future__ import annotations
 
@@ -47,8 +47,8 @@ def parse_address(text: str, is_encrypted: bool = False) -> Address:
 
 
 def gcm_address(chosen: str | None) -> str:
-    """`chosen`, otherwise $TENDON_GCM, otherwise this machine. A host without a port gets the
-    default port."""
+    """The address of the GCM: `chosen`, otherwise $TENDON_GCM, otherwise this machine. A host
+    without a port gets the default port."""
     address = chosen or os.environ.get("TENDON_GCM") or "127.0.0.1"
     is_host = ":" not in address or address.endswith("]")
     return f"{address}:{DEFAULT_GCM_PORT}" if is_host else address

@@ -1,5 +1,4 @@
-"""Certificates: the one that this program shows under TLS, and the owner of the one that a peer
-shows."""
+"""The certificate that this program shows under TLS, and the owner of a peer's certificate."""
 
 from __future__ import annotations
 
@@ -26,7 +25,7 @@ class Credentials(NamedTuple):
 
     @property
     def key(self) -> Path:
-        """That of the certificate."""
+        """The key of the certificate."""
         return self.certificate.with_suffix(".key")
 
 
@@ -39,8 +38,9 @@ class Shown(NamedTuple):
 
 def chosen_credentials(certificate: str | os.PathLike[str] | None,
                        authority: str | os.PathLike[str] | None) -> Credentials | None:
-    """These files; the defaults are $TENDON_CERTIFICATE, $TENDON_CA and the user's own CA. None if
-    no certificate is chosen. Raises NotFound or Denied if the files cannot be used."""
+    """The chosen files. The default of the certificate is $TENDON_CERTIFICATE; the defaults of the
+    CA are $TENDON_CA and the user's own CA. None if no certificate is chosen. Raises NotFound or
+    Denied if the files cannot be used."""
     file = certificate or os.environ.get("TENDON_CERTIFICATE")
     if not file:
         return None
@@ -59,7 +59,7 @@ def holder_of(text: str) -> Shown:
     """The owner of a certificate (PEM), whose subject has one CN and one OU. Does not check whether
     the certificate is valid. Raises Invalid."""
     if len(text) > MAX_CERTIFICATE:
-        raise Invalid("its certificate cannot be read")
+        raise Invalid("the certificate is too long to be read")
     try:
         (tag, parts), = _values(ssl.PEM_cert_to_DER_cert(text))
         if tag != _SEQUENCE:
@@ -74,8 +74,8 @@ def holder_of(text: str) -> Shown:
             found.setdefault(kind, []).append(value.decode())
         (name,), (role,) = found[_COMMON_NAME], found[_UNIT]
     except (ValueError, KeyError, IndexError, StopIteration):
-        raise Invalid("its certificate is not a certificate of Tendon: such a certificate has one "
-                      "name and one role") from None
+        raise Invalid("this is not a certificate of Tendon: such a certificate has one name and "
+                      "one role") from None
     return Shown(name, role)
 
 

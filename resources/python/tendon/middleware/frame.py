@@ -1,4 +1,4 @@
-"""Frames: the fixed 24 bytes before every body, little-endian, without padding."""
+"""Frames: a header of 24 bytes (little-endian, without padding), then a body."""
 
 from __future__ import annotations
 
@@ -13,29 +13,30 @@ HEADER_SIZE = 24
 MAX_PIECE_SIZE = 256 << 10
 """The largest frame in bytes, header included. Larger frames are sent in parts."""
 MAX_UNAUTHENTICATED_FRAME_SIZE = 64 << 10
-"""The same limit for a peer that is not authenticated."""
+"""The largest frame of a peer that is not authenticated yet."""
 MAX_BODY_SIZE = (64 << 20) + (64 << 10)
-"""For a frame that comes in parts: the largest payload plus the other fields of its message."""
+"""The largest body of a frame that is sent in parts: the largest payload plus the other fields of
+its message."""
 MAX_REPLIES = 256
-"""The largest number of answers in one message."""
+"""The largest number of answers in one message of type REPLIES."""
 MAX_REPLIES_SIZE = (16 << 10) - HEADER_SIZE
-"""Bytes of its body, at most."""
+"""The largest body of such a message, in bytes."""
 
 _REPLY = struct.Struct("<QI")  # before each answer of a batch: request, size
 _HEADER = struct.Struct("<IHHQII")
 
 
 class Header(NamedTuple):
-    """What stands before a body."""
+    """The header of a frame."""
 
     type: int
     request: int = 0  # 0: no answer is wanted
-    handle: int = 0  # what it is for: issued by the receiver
+    handle: int = 0  # a number that the receiver gave, such as that of a subscription
     version: int = PROTOCOL_VERSION
 
 
 def write_frame(header: Header, body: bytes) -> bytes:
-    """Header and body in one."""
+    """A frame of this header and this body."""
     packed = _HEADER.pack(MAGIC, header.version, header.type, header.request, len(body),
                           header.handle)
     return packed + body
@@ -52,7 +53,8 @@ def claimed_size(begun: bytes, limit: int = MAX_PIECE_SIZE) -> int | None:
 
 
 def read_frame(frame: bytes, limit: int = MAX_PIECE_SIZE) -> tuple[Header, bytes] | None:
-    """Header and body of exactly one frame; None if its size differs from the size that it claims."""
+    """The header and the body of a frame. None if the frame does not have the size that it
+    claims."""
     if claimed_size(frame, limit) != len(frame):
         return None
     _, version, type_number, request, _, handle = _HEADER.unpack_from(frame)
@@ -60,8 +62,8 @@ def read_frame(frame: bytes, limit: int = MAX_PIECE_SIZE) -> tuple[Header, bytes
 
 
 def read_replies(body: bytes) -> list[tuple[int, bytes]]:
-    """Several answers that came in one message: for each, the number of its request and its body.
-    Raises Invalid if the bytes are not such a batch."""
+    """The answers in a message of type REPLIES: for each, the number of its request and its body.
+    Raises Invalid if the body is malformed."""
     replies = []
     rest = memoryview(body)
     while rest and len(replies) < MAX_REPLIES:

@@ -1,12 +1,12 @@
-"""The opener of a link proves that it knows this user's cookie, without sending it. Under TLS
-certificates prove the identities, and the proofs are zeroes:
+"""The handshake. Each end of a link proves that it knows this user's cookie, without sending the
+cookie. Under TLS, certificates prove the identities, and the proofs are zeroes:
 
     opener     HELLO      Greeting
     acceptor   CHALLENGE  Challenge: its greeting and its proof
     opener     PROOF      Proof
     acceptor   WELCOME
 
-The header of each frame has the protocol version of its sender. Both must speak the same.
+The header of each frame has the protocol version of its sender. Both versions must be equal.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ MAX_COOKIE = 256  # bytes of its file
 
 
 def runtime_folder() -> Path:
-    """Where this user's cookie is."""
+    """The folder of this user's cookie."""
     chosen = os.environ.get("XDG_RUNTIME_DIR")
     if not chosen:
         return Path(tempfile.gettempdir()) / f"tendon-{os.getuid()}"
@@ -41,8 +41,8 @@ def runtime_folder() -> Path:
 
 
 def loopback_cookie() -> int:
-    """The secret of this user on this machine: a file of mode 0600, made by the first program of
-    Tendon. Raises Denied if it does not exist yet, or if others may read it."""
+    """The secret of this user on this machine. The first program of Tendon writes it to a file of
+    mode 0600. Raises Denied if the file does not exist yet, or if other users may read it."""
     file = runtime_folder() / "cookie"
     try:
         descriptor = os.open(file, os.O_RDONLY | os.O_CLOEXEC | os.O_NOFOLLOW)
@@ -68,7 +68,7 @@ def loopback_cookie() -> int:
 
 
 class Answer(NamedTuple):
-    """What is to be sent."""
+    """The next message to send."""
 
     type: MessageType
     body: bytes
@@ -91,15 +91,15 @@ class Opener:
         self.is_welcome = False
 
     def greet(self) -> Answer:
-        """What is said first."""
+        """The first message of the handshake."""
         return Answer(MessageType.HELLO, messages.encode("Greeting", self._mine))
 
     def take(self, header: Header, body: bytes) -> Answer | None:
-        """Returns the answer to the peer's next frame; nothing once `is_welcome` is true. If the
-        peer refuses this program, raises the reason."""
+        """Returns the answer to the peer's next frame; None if the handshake is complete, which
+        sets `is_welcome`. If the peer refuses this program, raises the reason."""
         if header.type == MessageType.REFUSAL:
             raise messages.read_refusal(body, self._address)
-        if header.version != PROTOCOL_VERSION:  # its body is unknown here
+        if header.version != PROTOCOL_VERSION:  # this program cannot read the body
             raise self._versions_differ(header.version)
         if self.peer:
             if header.type != MessageType.WELCOME:

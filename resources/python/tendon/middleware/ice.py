@@ -21,16 +21,16 @@ from .certificate import Credentials, Shown, holder_of
 from .frame import MAX_PIECE_SIZE, MAX_UNAUTHENTICATED_FRAME_SIZE, Header, read_frame
 
 Ice.loadSlice("", [str(Path(__file__).with_name("tendon.ice").resolve())])
-_CONTRACT = Ice.openModule("tendon")  # the contract's module has this package's name: same place
+_CONTRACT = Ice.openModule("tendon")  # the module of tendon.ice
 _IDENTITY = Ice.Identity("tendon", "")
-_ENCAPSULATION = struct.Struct("<iBB")  # size with this, version
+_ENCAPSULATION = struct.Struct("<iBB")  # size including these fields, version
 _NOTHING = _ENCAPSULATION.pack(_ENCAPSULATION.size, 1, 1)
 _NO_ANSWER_YET = _ENCAPSULATION.pack(_ENCAPSULATION.size + 1, 1, 1) + b"\0"
 
-ENVELOPE = 16 << 10  # what Ice puts around a frame
+ENVELOPE = 16 << 10  # bytes that Ice may add to a frame
 
-# All settings of a communicator, as in core/tendon/ice/settings.cpp; the environment has no influence. Times are in
-# ms, those of ACM in s; clients send heartbeats.
+# All settings of a communicator, as in core/tendon/ice/settings.cpp. The environment cannot change them. Timeouts are
+# in ms, except for ACM: in s. Clients send heartbeats.
 _SETTINGS = {
     "Ice.Admin.Enabled": "0",
     "Ice.MessageSizeMax": str((MAX_PIECE_SIZE + ENVELOPE) >> 10),
@@ -74,7 +74,7 @@ class Network:
 
     @property
     def is_encrypted(self) -> bool:
-        """True if all of its links use TLS."""
+        """True if the links use TLS."""
         return self._credentials is not None
 
     def address(self, text: str) -> Address:
@@ -83,8 +83,8 @@ class Network:
 
     def open(self, address: Address, on_frame: OnFrame, on_closed: OnClosed,
              timeout: float) -> IceLink:
-        """Opens a connection to the program at an address, within `timeout` seconds. Received
-        frames are passed on in one thread of Ice, which must not be blocked."""
+        """Opens a connection to the program at an address, within `timeout` seconds. One thread of
+        Ice calls `on_frame` and `on_closed`, which must not block."""
         deadline = time.monotonic() + timeout
         with self._lock:
             if self._is_closed:
@@ -96,7 +96,7 @@ class Network:
             protocol = "tcp" if self._credentials is None else "ssl"
             proxy = self._communicator.stringToProxy(
                 f'tendon:{protocol} -h "{address.host}" -p {address.port}')
-            # One of its own for each link.
+            # The connection id makes Ice open a separate connection for each link.
             opening = proxy.ice_connectionId(str(number)).ice_getConnectionAsync()
             connection = opening.result(_left(deadline))
             link = IceLink(connection, on_frame, on_closed)
@@ -108,7 +108,7 @@ class Network:
             return link
         except Ice.Exception as why:
             if opening is not None:
-                opening.add_done_callback(_close)  # at once, or when it comes too late
+                opening.add_done_callback(_close)  # also if it opens after the timeout
             raise _why_not_opened(why, address, timeout, self._credentials) from None
 
     def close(self) -> None:
@@ -136,8 +136,8 @@ class IceLink:
         self.peer_address = _peer_of(connection)
         self._on_frame = on_frame
         self._connection = connection
-        self._limit = MAX_UNAUTHENTICATED_FRAME_SIZE  # of a frame
-        self.shown = _shown_by(connection)  # by the peer, under TLS
+        self._limit = MAX_UNAUTHENTICATED_FRAME_SIZE  # of the size of a frame
+        self.shown = _shown_by(connection)  # the peer's certificate, under TLS
         self._peer = _CONTRACT.EndpointPrx.uncheckedCast(
             connection.createProxy(_IDENTITY).ice_oneway())
 
@@ -150,7 +150,8 @@ class IceLink:
             raise Unreachable(f"{self.peer_address} is not connected") from None
 
     def post(self, frame: bytes) -> None:
-        """The same for a thread of Ice: never waits, and does not report a link that has ended."""
+        """Like send(), but for a thread of Ice. Never waits, and does nothing if the link is
+        closed."""
         try:
             self._peer.frameAsync(frame)
         except Ice.Exception:
@@ -161,7 +162,7 @@ class IceLink:
         self._limit = MAX_PIECE_SIZE
 
     def close(self) -> None:
-        """Ends it at once; on_closed is called."""
+        """Closes the connection at once. Ice then calls on_closed."""
         self._connection.close(Ice.ConnectionClose.Forcefully)
 
     def deliver(self, data: bytes | None) -> None:
@@ -174,15 +175,14 @@ class IceLink:
 
 
 class _Endpoint(Ice.Blobject):  # type: ignore[misc]
-    """The opener's end of the contract, for all connections. Dispatched by our own code, because
-    the code that Ice generates from the contract crashes on a malformed message, in Python as in
-    C++."""
+    """Receives the messages of all connections. Reads them itself, because the code that Ice
+    generates from the contract crashes on a malformed message, in Python as in C++."""
 
     def __init__(self, links: dict[Any, IceLink]) -> None:
         self._links = links
 
     def ice_invoke(self, parameters: bytes, current: Any) -> tuple[bool, bytes]:
-        """What a peer asks of us."""
+        """Called by Ice for each operation that a peer invokes."""
         link = self._links.get(current.con)
         if link is None:
             raise Ice.ObjectNotExistException(current.id, current.facet, current.operation)
@@ -193,8 +193,8 @@ class _Endpoint(Ice.Blobject):  # type: ignore[misc]
 
 
 def only_parameter(encapsulation: bytes) -> bytes | None:
-    """The only parameter of an operation, a sequence of bytes. None if the encapsulation is
-    malformed or contains anything else."""
+    """The bytes that are the only parameter of an operation. None if the encapsulation is malformed
+    or contains anything else."""
     if len(encapsulation) < _ENCAPSULATION.size + 1:
         return None
     claimed, major, minor = _ENCAPSULATION.unpack_from(encapsulation)
@@ -202,7 +202,7 @@ def only_parameter(encapsulation: bytes) -> bytes | None:
         return None
     start = _ENCAPSULATION.size + 1
     size = encapsulation[start - 1]
-    if size == 255:  # the long form
+    if size == 255:  # the size follows in four bytes
         start += 4
         size = int.from_bytes(encapsulation[start - 4:start], "little")
     return encapsulation[start:] if start + size == len(encapsulation) else None
@@ -218,8 +218,8 @@ def _left(deadline: float) -> float:
 
 
 def _tls_settings(credentials: Credentials | None) -> dict[str, str]:
-    """The settings for TLS, as in core/tendon/ice/tls.cpp; the list of revoked certificates is read
-    once."""
+    """The settings for TLS, as in core/tendon/ice/tls.cpp. Ice reads the list of revoked
+    certificates once, when it starts."""
     if credentials is None:
         return {}
     return {
@@ -251,11 +251,11 @@ def _shown_by(connection: Any) -> Shown | None:
 
 
 def _peer_of(connection: Any) -> str:
-    """The address in the same form as the peer uses it in the handshake."""
+    """The address of the peer, in the form that the handshake uses."""
     info = connection.getInfo()
     while info.underlying is not None:
         info = info.underlying
-    host = info.remoteAddress.removeprefix("::ffff:")  # IPv4 on a socket of IPv6
+    host = info.remoteAddress.removeprefix("::ffff:")  # an IPv4 address on an IPv6 socket
     return str(Address(host, info.remotePort))
 
 

@@ -24,7 +24,7 @@ OnNotice = Callable[[Header, bytes], None]
 OnReply = Callable[[bytes], Any]
 OnClosed = Callable[[Error], None]
 
-_STEPS = 4  # of a handshake, at most
+_STEPS = 4  # frames of a handshake, at most
 _OF_HANDSHAKES = (MessageType.HELLO, MessageType.CHALLENGE, MessageType.PROOF, MessageType.WELCOME)
 
 
@@ -37,8 +37,8 @@ class Asked(NamedTuple):
 
 
 class Link:
-    """One end of a link. The constructor opens it, and raises the reason if that fails; under TLS,
-    it also fails if the process at the address is not the `wanted` one. Thread-safe.
+    """One end of a link. The constructor opens the link, or raises the reason why it cannot. Under
+    TLS, it also raises an error if the process at the address is not called `wanted`. Thread-safe.
 
     `on_notice` and `on_closed` are called in a thread of Ice and must not wait for anything.
     """
@@ -50,15 +50,15 @@ class Link:
         self._on_closed = on_closed
         self._timeout = timeout
         self._lock = threading.Lock()
-        self._last_request = 1  # that of the handshake
+        self._last_request = 1  # the number of the handshake's request
         self._pending: dict[int, Asked] = {}
         self._greeting: queue.Queue[tuple[Header, bytes] | None] | None
         self._greeting = queue.Queue(_STEPS)
-        self._is_known = False  # the peer has proved who it is
-        self._reason: Error | None = None  # why it is closed
-        self._assembly = PartAssembly()  # of the thread of Ice
+        self._is_known = False  # True after the peer has proved its identity
+        self._reason: Error | None = None  # why the link is closed
+        self._assembly = PartAssembly()  # used only in the thread of Ice
         self._parts = PartSender(self._send_piece)
-        self.peer_name = str(address)  # until it has said it
+        self.peer_name = str(address)  # until the peer sends its name
         deadline = time.monotonic() + timeout
         cookie = 0 if network.is_encrypted else loopback_cookie()
         self._link = network.open(address, self._on_frame, self._closed, timeout)
@@ -73,7 +73,7 @@ class Link:
 
     @property
     def is_open(self) -> bool:
-        """True if the link is still open, as far as is known."""
+        """False after the link was closed or was found to be lost."""
         return self._reason is None
 
     def close(self) -> None:
@@ -85,8 +85,8 @@ class Link:
         self._send(Header(message_type, 0, handle), b"")
 
     def start(self, message_type: MessageType, body: bytes, on_reply: OnReply | None) -> Asked:
-        """Sends a request. `on_reply` converts its answer, in a thread of Ice, before any later
-        message of the peer is handled."""
+        """Sends a request. `on_reply` converts the answer. A thread of Ice calls it before it
+        handles the next message of the peer."""
         with self._lock:
             if self._reason is not None:
                 raise self._reason
@@ -135,7 +135,8 @@ class Link:
 
     def _send(self, header: Header, body: bytes) -> None:
         if len(body) > MAX_BODY_SIZE:
-            raise Invalid(f"a message of {len(body)} bytes exceeds {MAX_BODY_SIZE}")
+            raise Invalid(f"a message of {len(body)} bytes is too large: at most "
+                          f"{MAX_BODY_SIZE} bytes can be sent")
         frame = write_frame(header, body)
         if len(frame) <= MAX_PIECE_SIZE:
             self._send_piece(frame)
@@ -150,7 +151,7 @@ class Link:
         try:
             self._link.send(frame)
         except Unreachable as why:
-            self._end(why)  # the thread of Ice may hear of it later
+            self._end(why)  # do not wait until the thread of Ice notices the lost connection
             raise
 
     def _end(self, reason: Error) -> None:
@@ -159,19 +160,19 @@ class Link:
         self._link.close()
 
     def _on_frame(self, header: Header, body: bytes) -> None:
-        """In a thread of Ice."""
+        """Called in a thread of Ice."""
         try:
             if self._greeting is None:
                 self._on_message(header, body)
                 return
             self._greeting.put_nowait((header, body))
             if self._is_known and header.type == MessageType.WELCOME:
-                self._greeting = None  # what follows is for those who wait
+                self._greeting = None  # the handshake is complete
         except (Invalid, queue.Full):
             self._link.close()
 
     def _on_message(self, header: Header, body: bytes) -> None:
-        """Raises Invalid where the peer sends nonsense."""
+        """Handles a message after the handshake. Raises Invalid if the peer may not send it."""
         if header.version != PROTOCOL_VERSION or header.type in _OF_HANDSHAKES:
             raise Invalid(f"{self.peer_name} said Hello twice, or speaks another protocol")
         if header.type == MessageType.PART:
@@ -202,12 +203,12 @@ class Link:
         with self._lock:
             asked = self._pending.pop(request, None)
         if asked is None:
-            return  # it comes too late
+            return  # the answer came too late
         try:
             if refusal is not None:
                 raise refusal
             asked.answer.set_result(asked.on_reply(body) if asked.on_reply else body)
-        except Exception as why:  # whoever waits must hear it
+        except Exception as why:  # passed on to the thread that waits for the answer
             asked.answer.set_exception(why)
 
     def _give_up(self, asked: Asked) -> None:
@@ -215,14 +216,14 @@ class Link:
             self._pending.pop(asked.request, None)
 
     def _closed(self, reason: Error) -> None:
-        """In a thread of Ice."""
+        """Called in a thread of Ice."""
         with self._lock:
             reason = self._reason = self._reason or reason
             pending = list(self._pending.values())
             self._pending.clear()
             greeting = self._greeting
         if greeting is not None:
-            with contextlib.suppress(queue.Full):  # then there is something else to be read
+            with contextlib.suppress(queue.Full):  # then _greet() does not wait anyway
                 greeting.put_nowait(None)
         self._parts.close(reason)
         for asked in pending:
@@ -233,7 +234,7 @@ class Link:
 
 
 def reading(name: str) -> OnReply:
-    """Makes a message of an answer."""
+    """Returns a function that decodes an answer as the message `name`."""
     def read(body: bytes) -> Any:
         return messages.decode(name, body)
     return read

@@ -23,7 +23,8 @@ not take long on a slow line."""
 PARTS_AHEAD = 1 << 20
 """The maximum number of sent bytes that the peer has not acknowledged."""
 MAX_CLAIMED = HEADER_SIZE + MAX_BODY_SIZE + (8 << 20)
-"""The limit of unfinished frames of a peer: one huge frame, and a window of others."""
+"""The limit of the total size of a peer's unfinished frames: one of the largest size, and 8 MiB of
+others."""
 
 
 class PartAssembly:
@@ -32,12 +33,13 @@ class PartAssembly:
 
     def __init__(self) -> None:
         self.taken = 0
-        """Bytes that have come."""
+        """The number of bytes of parts that were received."""
         self._begun: dict[int, tuple[int, bytearray]] = {}
 
     def add(self, number: int, part: bytes) -> tuple[Header, bytes] | None:
-        """The frame that this part completes, or None. `number` distinguishes frames that arrive at
-        the same time. Raises Invalid if the part belongs to no frame."""
+        """Adds a part. Returns the frame if the part completes it, otherwise None. `number` tells
+        apart frames that arrive at the same time. Raises Invalid if the part belongs to no
+        frame."""
         if number not in self._begun:
             size = claimed_size(part, HEADER_SIZE + MAX_BODY_SIZE)
             claimed = sum(one for one, _ in self._begun.values())
@@ -69,8 +71,9 @@ class PartSender:
         self._reason: Error | None = None  # why the link is closed
 
     def send(self, frame: bytes, timeout: float) -> None:
-        """If the peer does not read, waits for at most `timeout` seconds in total. If that is not
-        enough, the link must be closed, because the peer has only a part of the frame."""
+        """Sends one frame in parts. Waits for a slow peer for at most `timeout` seconds in total,
+        then raises TimedOut. The caller must then close the link, because the peer has only a part
+        of the frame."""
         deadline = time.monotonic() + timeout
         with self._turn:
             self._last_number += 1
@@ -78,7 +81,7 @@ class PartSender:
                 self._wait_for_room(deadline)
                 part = frame[start:start + PART_SIZE]
                 with self._changed:
-                    self._sent += len(part)  # before the peer can have taken it
+                    self._sent += len(part)  # before the peer can acknowledge the part
                 header = Header(MessageType.PART, 0, self._last_number)
                 self._send(write_frame(header, part))
 
@@ -93,7 +96,7 @@ class PartSender:
             self._changed.notify_all()
 
     def close(self, reason: Error) -> None:
-        """Whoever waits hears the reason."""
+        """Makes waiting and later calls of send() raise the reason."""
         with self._changed:
             self._reason = reason
             self._changed.notify_all()

@@ -1,8 +1,8 @@
-"""Many values of one type as arrays of numpy, from their bodies.
+"""Decodes many values of one type into an array of numpy.
 
-Numbers keep their types. A structure becomes a structured array, an array of n numbers one more
-axis of length n, an enum int32, and a duration timedelta64[ns], which is exact. Values with text or
-a sequence differ in size; they become an array of Python objects.
+Numbers keep their types. A structure becomes a structured array, an enum int32, and a duration
+timedelta64[ns], which is exact. An array of n numbers adds an axis of length n. Values that contain
+text or a sequence differ in size; they become an array of Python objects.
 """
 
 from __future__ import annotations
@@ -16,15 +16,15 @@ from ..paths import select, steps_of
 from .schema import NANOSECONDS, NUMBERS, Duration, Enum, Field, List, Number, Schema, Structure
 
 MOST_PIECES = 10_000
-"""The most numbers, or arrays of them, that are copied one by one for each value. Larger types are
-decoded like those of variable size."""
+"""The most parts (numbers or arrays of numbers) of a value for which each part is copied
+separately. Types with more parts are decoded like types of variable size."""
 
 _OF_LETTER = {"B": "u1", "b": "i1", "h": "i2", "H": "u2", "i": "i4", "I": "u4", "q": "i8",
               "Q": "u8", "f": "f4", "d": "f8"}
 
 
 class Shape(NamedTuple):
-    """The type of one value in an array, and its own axes."""
+    """The numpy type of one value, and the axes that the value adds to an array."""
 
     dtype: np.dtype[Any]
     axes: tuple[int, ...] = ()
@@ -36,7 +36,8 @@ class Part(NamedTuple):
     schema: Schema
     unit: str
     start: int | None
-    """Where it is in a body, before its alignment; None if that differs from value to value."""
+    """The position of the part in a body, before alignment. None if it differs from value to
+    value."""
 
 
 def part_of(schema: Schema, field: str, unit: str = "") -> Part:
@@ -48,7 +49,7 @@ def part_of(schema: Schema, field: str, unit: str = "") -> Part:
 
 
 def shape_of(schema: Schema) -> Shape | None:
-    """None if values of this type differ in size, or have no content."""
+    """The numpy type of a schema. None if its values differ in size, or have no content."""
     if isinstance(schema, Number):
         return Shape(np.dtype("?" if schema.kind == "bool" else _OF_LETTER[NUMBERS[schema.kind]]))
     if isinstance(schema, Enum):
@@ -67,7 +68,7 @@ def shape_of(schema: Schema) -> Shape | None:
 
 
 def leaves_of(schema: Schema, unit: str = "", prefix: str = "") -> list[tuple[str, str]]:
-    """The fields that are no structures, each with its unit: [(".position", "rad"), ...]."""
+    """All fields except for structures, each with its unit: [(".position", "rad"), ...]."""
     if not isinstance(schema, Structure) or not schema.fields:
         return [(prefix, unit)]
     return [leaf for field in schema.fields
@@ -75,15 +76,15 @@ def leaves_of(schema: Schema, unit: str = "", prefix: str = "") -> list[tuple[st
 
 
 def is_vectorised(schema: Schema, field: str) -> bool:
-    """True if decode() is fast for this part: about 10 ns for each number, not microseconds."""
+    """True if decode_fixed() can decode this part. It takes about 10 ns for each number."""
     part = part_of(schema, field)
     return part.start is not None and shape_of(part.schema) is not None \
         and _pieces(part.schema) <= MOST_PIECES
 
 
 def decode_fixed(bodies: np.ndarray[Any, Any], schema: Schema, field: str) -> np.ndarray[Any, Any]:
-    """The part at `field` of many values, whose bodies are the rows of an array of bytes, at least
-    as long as fixed_end(). Only for parts with is_vectorised()."""
+    """The part at `field` of many values. The bodies are the rows of an array of bytes, and have at
+    least fixed_end() bytes. is_vectorised() must be true for the part."""
     part = part_of(schema, field)
     shape = shape_of(part.schema)
     assert part.start is not None and shape is not None
@@ -93,7 +94,7 @@ def decode_fixed(bodies: np.ndarray[Any, Any], schema: Schema, field: str) -> np
 
 
 def decode_each(bodies: Sequence[bytes], schema: Schema, field: str) -> np.ndarray[Any, Any]:
-    """As decode_fixed(), for bodies of any size: some microseconds a value."""
+    """Like decode_fixed(), for bodies of any size. Takes some microseconds for each value."""
     part = part_of(schema, field)
     shape = shape_of(part.schema)
     if shape is None:
@@ -105,7 +106,7 @@ def decode_each(bodies: Sequence[bytes], schema: Schema, field: str) -> np.ndarr
     for index, body in enumerate(bodies):
         try:
             value = select(schema.decode(body), field)
-        except NotFound as why:  # an element of a sequence that is shorter here
+        except NotFound as why:  # the sequence of this row is too short
             raise NotFound(f"row {index}: {why}") from None
         if shape is None:
             values[index] = value
@@ -115,8 +116,8 @@ def decode_each(bodies: Sequence[bytes], schema: Schema, field: str) -> np.ndarr
 
 
 def fixed_end(schema: Schema, start: int = 0) -> int | None:
-    """Where a value ends in a body if it begins at `start`; None if that differs from value to
-    value."""
+    """The end of a value in a body if the value begins at `start`. None if the end differs from
+    value to value."""
     if isinstance(schema, (Number, Enum)):
         return _aligned(start, schema.minimum_size) + schema.minimum_size
     if isinstance(schema, Duration):
@@ -174,7 +175,7 @@ def _pieces(schema: Schema) -> int:
 
 def _fill(values: np.ndarray[Any, Any], bodies: np.ndarray[Any, Any], schema: Schema,
           start: int) -> int:
-    """Fills `values` and returns where the part ends in a body."""
+    """Fills `values` with the part of each body at `start`. Returns the end of the part."""
     if isinstance(schema, Number) or (isinstance(schema, List)
                                       and isinstance(schema.element, Number)):
         number = schema.element if isinstance(schema, List) else schema
@@ -215,7 +216,7 @@ def _numbers(bodies: np.ndarray[Any, Any], dtype: str, start: int,
 
 
 def _store(values: Any, index: int, schema: Schema, value: Any) -> None:
-    """Stores a value of the form of Schema.decode() into an element of an array."""
+    """Stores a value that Schema.decode() returned into an element of an array."""
     if isinstance(schema, Structure):
         for field in schema.fields:
             _store(values[field.name], index, field.schema, value[field.name])

@@ -1,5 +1,5 @@
-"""The primitives of CDR (XCDR1, little-endian): a number is aligned to its size, counted from the
-start of the body; padding is zero."""
+"""Writes and reads the primitives of CDR (XCDR1, little-endian). A number is aligned to its size,
+counted from the start of the body. Padding is zero."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ MAX_ALIGNMENT = 8
 
 
 class Writer:
-    """Builds a body, which grows."""
+    """Builds a body. Each function appends to it."""
 
     def __init__(self) -> None:
         self.body = bytearray()
 
     def numbers(self, letter: str, *values: Any) -> None:
-        """Writes numbers of one kind in a row; `letter` is that of module struct. Raises
-        struct.error or OverflowError if one does not fit."""
+        """Writes numbers of one kind. `letter` is their format character in the module struct.
+        Raises struct.error or OverflowError if a number does not fit."""
         if not values:
             return
         packed = struct.pack(f"<{len(values)}{letter}", *values)
@@ -45,8 +45,8 @@ class Reader:
         self._position = 0
 
     def numbers(self, letter: str, count: int) -> tuple[Any, ...]:
-        """Reads `count` numbers of one kind in a row. Allocates nothing before it has checked that
-        there are enough bytes."""
+        """Reads `count` numbers of one kind. Checks that there are enough bytes before it allocates
+        memory."""
         if count == 0:
             return ()
         size = struct.calcsize(letter)
@@ -80,7 +80,7 @@ class Reader:
 
     @property
     def remaining(self) -> int:
-        """Bytes that were not read yet."""
+        """The number of bytes that were not read yet."""
         return len(self._body) - self._position
 
     @property

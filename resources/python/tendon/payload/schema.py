@@ -23,7 +23,7 @@ MAX_SECONDS = 1 << 31
 
 
 class Mistake(Exception):
-    """A value does not fit its type; `place` says where in it: ".position[3]"."""
+    """A value does not fit its type. `place` is the part of the value: ".position[3]"."""
 
     def __init__(self, what: str) -> None:
         super().__init__(what)
@@ -39,15 +39,16 @@ class Schema:
 
     @property
     def type_name(self) -> str:
-        """One word for tables and errors: "arm.JointState", "float64[7]"."""
+        """A short name of the type for tables and errors: "arm.JointState", "float64[7]"."""
         raise NotImplementedError
 
     def text(self, indent: str = "") -> str:
-        """The canonical text: exactly the properties that must be equal at both ends."""
+        """The canonical text. It has exactly the properties that must be equal at both ends of a
+        link."""
         return self.type_name
 
     def encode(self, value: Any) -> bytes:
-        """The body of a value. The error says where, what was expected and found:
+        """The body of a value. An error names the place, what was expected and what was found:
         "position[3]: expected a number (rad), got string 'x'"."""
         writer = Writer()
         try:
@@ -58,7 +59,7 @@ class Schema:
         return bytes(writer.body)
 
     def decode(self, body: bytes) -> Any:
-        """The value in an untrusted body, after which there may only be padding."""
+        """The value of an untrusted body. Only padding may follow the value."""
         reader = Reader(body)
         try:
             value = self.read(reader)
@@ -71,11 +72,12 @@ class Schema:
         return value
 
     def write(self, writer: Writer, value: Any, unit: str) -> None:
-        """Appends a value, or raises Mistake; `unit` is that of the field around it."""
+        """Appends a value, or raises Mistake. `unit` is the unit of the field that has the
+        value."""
         raise NotImplementedError
 
     def read(self, reader: Reader) -> Any:
-        """Removes a value from the front and returns it, or raises Invalid."""
+        """Reads the next value, or raises Invalid."""
         raise NotImplementedError
 
 
@@ -87,7 +89,7 @@ class Number(Schema):
 
     @cached_property
     def letter(self) -> str:
-        """That of module struct."""
+        """The format character in the module struct."""
         return NUMBERS[self.kind]
 
     @cached_property
@@ -129,7 +131,7 @@ class Number(Schema):
         return self.read_many(reader, 1)[0]
 
     def read_many(self, reader: Reader, count: int) -> list[Any] | bytes:
-        """As many values in a row."""
+        """Reads `count` values, one after the other."""
         if self.kind == "uint8":
             return reader.raw(count)
         values = reader.numbers(self.letter, count)
@@ -153,7 +155,7 @@ class String(Schema):
     def write(self, writer: Writer, value: Any, unit: str) -> None:
         if not isinstance(value, str):
             raise expected("a string", unit, value)
-        if "\0" in value:  # in DDS and ROS it would end there
+        if "\0" in value:  # DDS and ROS would cut the string there
             raise expected("a string without '\\0'", "", value)
         writer.string(value)
 
@@ -212,7 +214,7 @@ class Enum(Schema):
         writer.numbers("i", self.values[value])
 
     def read(self, reader: Reader) -> str | int:
-        """A value without a name is returned as a number, so that people can see it."""
+        """The name of the value. A value without a name is returned as a number."""
         number = reader.number("i")
         return self._names.get(number, number)
 
@@ -223,7 +225,7 @@ class Enum(Schema):
 
 @dataclass(frozen=True)
 class List(Schema):
-    """Several values of one type: an array of `length`, or a sequence if that is None."""
+    """Several values of one type: an array of `length`, or a sequence if `length` is None."""
 
     element: Schema
     length: int | None = None
@@ -326,7 +328,7 @@ NUMBERS = {"bool": "B", "int8": "b", "uint8": "B", "int16": "h", "uint16": "H", 
 
 
 def inside(step: str, write: Callable[[], None]) -> None:
-    """Adds this step to the place of a mistake that is raised inside."""
+    """Calls `write`. If it raises a Mistake, puts this step before the place of the mistake."""
     try:
         write()
     except Mistake as mistake:
@@ -335,7 +337,7 @@ def inside(step: str, write: Callable[[], None]) -> None:
 
 
 def expected(what: str, unit: str, value: Any) -> Mistake:
-    """A short text: what was expected, and what was found."""
+    """The mistake "expected `what` (unit), got `value`"."""
     if isinstance(value, str):
         found = f"string {value[:40]!r}"
     elif isinstance(value, dict):

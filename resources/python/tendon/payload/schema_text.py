@@ -1,4 +1,4 @@
-"""Reads the canonical text of schemas, which is untrusted.
+"""Reads the canonical text of schemas. The text is untrusted.
 
     struct arm.JointState {
       position: float64[7] in rad
@@ -28,7 +28,7 @@ _TYPE_NAME = re.compile(r"[A-Za-z_]\w*(\.[A-Za-z_]\w*)*", re.ASCII)
 
 
 def parse(text: str) -> Schema:
-    """The schema of a text. The error names line and column."""
+    """The schema of a text. An error names the line and the column."""
     parser = _Parser(text)
     schema, _ = parser.type(1)
     parser.end()
@@ -36,7 +36,7 @@ def parse(text: str) -> Schema:
 
 
 def parse_all(text: str) -> dict[str, Structure]:
-    """The structures in a text of several ones, by their names."""
+    """The structures of a text with several structures, by their names."""
     parser = _Parser(text)
     found: dict[str, Structure] = {}
     while not parser.is_at_end():
@@ -57,7 +57,7 @@ class _Parser:
         self._position = 0
 
     def type(self, depth: int) -> tuple[Schema, int]:
-        """Any type, with its suffixes."""
+        """Reads a type with its suffixes, as in "float64[7]"."""
         if depth > MAX_DEPTH:
             raise self.mistake(f"more than {MAX_DEPTH} levels")
         word = self._word()
@@ -84,23 +84,23 @@ class _Parser:
         return schema, height
 
     def is_at_end(self) -> bool:
-        """Whether nothing but space follows."""
+        """True if only spaces and line ends follow."""
         self._match(_SPACE)
         return self._position == len(self._text)
 
     def end(self) -> None:
-        """Nothing may follow."""
+        """Raises Invalid if anything but spaces and line ends follows."""
         if not self.is_at_end():
             raise self.mistake("expected the end")
 
     def mistake(self, what: str) -> Invalid:
-        """An error with the current position and the mistake there."""
+        """An error with the current line and column."""
         before = self._text[:self._position]
         column = len(before) - (before.rfind("\n") + 1) + 1
         return Invalid(f"schema line {before.count(chr(10)) + 1} column {column}: {what}")
 
     def _list(self, element: Schema) -> List:
-        """The text after '[': a length for an array, nothing for a sequence."""
+        """Reads the rest after '[': a length for an array, nothing for a sequence."""
         if self._accept("]"):
             return List(element)
         length = self._number(0, (1 << 32) - 1)
@@ -117,7 +117,7 @@ class _Parser:
         height = size = 0
         self._expect("{")
         while not self._accept("}"):
-            while self._accept("#") or self._accept("@"):  # help, a range: for people and forms
+            while self._accept("#") or self._accept("@"):  # skips help texts and ranges
                 self._match(_LINE)
             field = self._name(_IDENTIFIER, "a field's name or '}'")
             if field in fields:
@@ -149,7 +149,7 @@ class _Parser:
         return Enum(name, values)
 
     def _unit(self) -> str:
-        """" in rad" up to the end of the line, or nothing."""
+        """Reads the unit of a field up to the end of the line: "rad" of " in rad", or nothing."""
         if not self._text.startswith(" in ", self._position):
             return ""
         self._position += len(" in ")
@@ -182,7 +182,7 @@ class _Parser:
             raise self.mistake(f"expected '{wanted}'")
 
     def _accept(self, wanted: str) -> bool:
-        """Takes this letter, after any spaces, if it comes next."""
+        """Skips spaces. If this letter follows, skips it and returns True."""
         before = self._position
         self._match(_SPACE)
         if self._text.startswith(wanted, self._position):

@@ -10,20 +10,20 @@
 namespace tendon::benchmark {
 namespace {
 
-/// Sockets of this machine alone.
+/// Uses only the loopback interface of this machine.
 constexpr const char* kSettings = R"(<CycloneDDS><Domain><General>
 <Interfaces><NetworkInterface name="lo"/></Interfaces><AllowMulticast>false</AllowMulticast>
 </General><Discovery><ParticipantIndex>auto</ParticipantIndex><Peers><Peer address="127.0.0.1"/>
 </Peers></Discovery></Domain></CycloneDDS>)";
-/// Where no other program of this kind usually is.
+/// A domain that other programs rarely use.
 constexpr dds_domainid_t kDomain = 117;
 
 struct Sample {
   std::uint64_t number = 0;
-  std::uint8_t bytes[sizeof(Message)] = {};  // NOLINT(modernize-avoid-c-arrays): of C
+  std::uint8_t bytes[sizeof(Message)] = {};  // C requires an array
 };
 
-/// Of the code that its compiler of IDL would make.
+/// Returns an instruction as the IDL compiler of Cyclone DDS would generate it.
 constexpr std::uint32_t Word(std::uint32_t code, std::uint32_t type, std::uint32_t of = 0) {
   return code | type | of;
 }
@@ -52,7 +52,7 @@ dds_entity_t Require(dds_entity_t entity) {
   return entity;
 }
 
-/// What both ends have: a way out and a way in, reliable, of the newest sample.
+/// Both ends have a reliable writer and a reliable reader of the newest sample.
 class End {
  public:
   End(const char* out, const char* in, dds_listener_t* listener)
@@ -73,7 +73,7 @@ class End {
   ~End() { dds_delete(domain_); }
 
   void Write(const Sample& sample) const { Require(dds_write(writer_, &sample)); }
-  /// The newest; false where there is none that was not taken.
+  /// Takes the newest sample. Returns false if there is no new sample.
   bool Take(Sample& sample) const {
     void* place = &sample;
     dds_sample_info_t info;
@@ -83,7 +83,7 @@ class End {
   [[nodiscard]] dds_entity_t participant() const { return participant_; }
 
  private:
-  /// Answers in the thread that has received the question.
+  /// Answers in the thread that has received the request.
   static void OnData(dds_entity_t /*reader*/, void* end) {
     const auto& self = *static_cast<const End*>(end);
     Sample sample;
@@ -115,7 +115,7 @@ class Client final : public RivalClient {
   Client() {
     const dds_entity_t condition = Require(dds_create_readcondition(end_.reader(), DDS_ANY_STATE));
     Require(dds_waitset_attach(arrivals_, condition, 0));
-    constexpr int kTries = 200;  // until they have found each other
+    constexpr int kTries = 200;  // until the two ends have discovered each other
     for (int i = 0; i < kTries; ++i) {
       if (Ask(DDS_MSECS(50))) return;
     }

@@ -18,7 +18,7 @@ class RivalServer {
   RivalServer& operator=(const RivalServer&) = delete;
   virtual ~RivalServer() = default;
 
-  /// For Rival::reach; one word.
+  /// The address for Rival::reach; one word.
   [[nodiscard]] virtual std::string address() const = 0;
 };
 
@@ -34,14 +34,15 @@ class RivalClient {
   virtual void Read(Message& answer) = 0;
 };
 
-/// A middleware that we are compared with in addition to raw Ice; available if its package was
+/// A middleware that Tendon is compared with in addition to raw Ice; available if its package was
 /// found when this was built.
 struct Rival {
-  std::string id;      ///< of its case
-  std::string name;    ///< for people
-  double stretch = 0;  ///< of our time, in theirs
+  std::string id;      ///< the id of its benchmark case
+  std::string name;    ///< the name in the report
+  double stretch = 0;  ///< the goal: the time of Tendon divided by the time of this middleware
   std::string
-      missing;  ///< the package that it takes; empty where it is built in, as what follows is
+      /// The missing package; if empty, the middleware is built in and the functions below are set.
+      missing;
   std::function<std::unique_ptr<RivalServer>()> serve;
   std::function<std::unique_ptr<RivalClient>(const std::string& address)> reach;
 };
@@ -49,7 +50,7 @@ struct Rival {
 Rival ZeroMq();
 Rival CycloneDds();
 
-/// All of them.
+/// Returns all other middlewares.
 std::vector<Rival> Rivals();
 
 }  // namespace tendon::benchmark

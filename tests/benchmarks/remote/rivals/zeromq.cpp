@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kPatience = 10'000;  // ms
 
-/// Of one end. Whoever waits in its socket ends when it does.
+/// The ZeroMQ context of one end. Its end also ends the waits in its sockets.
 class Context {
  public:
   Context() = default;

@@ -87,7 +87,7 @@ TEST_F(FileContentTest, DetectsChangedAndRestoredContent) {
   FileWatch watch = Watch();
   EXPECT_EQ(watch.Check(), FileWatch::State::kSame);
 
-  folder.Write("file", "Code");  // as long as before
+  folder.Write("file", "Code");  // the same length as before
   EXPECT_EQ(watch.Check(), FileWatch::State::kOther);
   EXPECT_EQ(watch.Check(), FileWatch::State::kOther);
   EXPECT_GE(watch.written_now(), watch.content().stamp.written);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kCannotBeRefused = 77;
 
-/// From now on membarrier fails in this thread; false where that cannot be had.
+/// Makes membarrier fail in this thread from now on. Returns false if this is not possible.
 bool RefuseMembarrier() {
   std::array<sock_filter, 4> steps{
       sock_filter BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
@@ -30,7 +30,7 @@ bool RefuseMembarrier() {
          prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 }
 
-/// How often three barriers warn, in a process of its own.
+/// Returns the number of warnings of three barriers, in a child process.
 int WarningsWhereTheKernelRefuses() {
   const pid_t child = fork();
   if (child == 0) {

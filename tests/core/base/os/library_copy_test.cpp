@@ -19,7 +19,8 @@ TEST(LibraryCopy, RemovesAllUnlockedFolders) {
   fs::permissions(runtime.path(), fs::perms::owner_all);
   setenv("XDG_RUNTIME_DIR", runtime.path().c_str(), 1);  // NOLINT(concurrency-mt-unsafe)
   const fs::path plugins = runtime.path() / "tendon" / "plugins";
-  const fs::path of_living = plugins / "999999999-1";  // in a container, such as another one's
+  // The folder of a process in another container.
+  const fs::path of_living = plugins / "999999999-1";
   const fs::path left_behind = plugins / "1-1";
   fs::create_directories(of_living / "1");
   fs::create_directories(left_behind / "1");

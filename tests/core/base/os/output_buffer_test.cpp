@@ -31,7 +31,7 @@ class OutputBufferTest : public testing::Test {
   }
   void CloseReader() { close(std::exchange(ends_[0], -1)); }
   [[nodiscard]] int writer() const { return ends_[1]; }
-  /// To the end, once the writer is closed.
+  /// Reads to the end. The writer must be closed.
   [[nodiscard]] std::string ReadAll() const {
     std::string all;
     std::array<char, 4096> some{};
@@ -64,7 +64,7 @@ TEST_F(OutputBufferTest, WritesOnFlushOrWhenFull) {
 }
 
 TEST_F(OutputBufferTest, SetsErrnoIfTheReaderIsGone) {
-  tendon::os::HoldTerminationSignals();  // and ignores SIGPIPE
+  tendon::os::HoldTerminationSignals();  // this also ignores SIGPIPE
   CloseReader();
   OutputBuffer buffer(writer());
   std::ostream out(&buffer);
@@ -87,7 +87,7 @@ TEST_F(OutputBufferTest, ATerminationRequestEndsABlockedWrite) {
   const pthread_t self = pthread_self();
   std::thread asker([self] { pthread_kill(self, SIGTERM); });
 
-  out << std::string(10'000'000, 'x') << std::flush;  // nobody reads
+  out << std::string(10'000'000, 'x') << std::flush;  // nobody reads the pipe
 
   asker.join();
   EXPECT_FALSE(out.good());
@@ -105,7 +105,7 @@ TEST_F(OutputBufferTest, WritesDoNotBlockAfterATerminationRequest) {
 
   out << "there is room for this" << std::flush;
   EXPECT_TRUE(out.good());
-  out << std::string(10'000'000, 'x') << std::flush;  // nobody reads
+  out << std::string(10'000'000, 'x') << std::flush;  // nobody reads the pipe
 
   EXPECT_FALSE(out.good());
   tendon::os::HoldTerminationSignals();
@@ -117,7 +117,7 @@ TEST_F(OutputBufferTest, WritesAgainAfterATerminationIsWithdrawn) {
   OutputBuffer buffer(writer());
   std::ostream out(&buffer);
   pthread_kill(pthread_self(), SIGINT);
-  out << std::string(10'000'000, 'x') << std::flush;  // nobody reads
+  out << std::string(10'000'000, 'x') << std::flush;  // nobody reads the pipe
   ASSERT_FALSE(out.good());
   out.clear();
   out << "too early" << std::flush;

@@ -90,10 +90,10 @@ TEST(Termination, AnInterruptionAffectsOnlyItsThread) {
           if (TerminationRequested(1ms)) _exit(0);
           const std::jthread user([&] { interruption.Request(); });
           if (!TerminationRequested(60s)) _exit(0);
-          interruption.Request();  // does not kill
+          interruption.Request();  // does not end this program
           if (WaitForTermination() != SIGINT || TerminationRequested(1ms)) _exit(0);
           { const TerminationUnblockScope impatient; }
-          pthread_kill(pthread_self(), SIGTERM);  // held as before
+          pthread_kill(pthread_self(), SIGTERM);  // the signal is held again
           _exit(kWasAsked);
         });
       },

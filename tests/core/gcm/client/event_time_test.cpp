@@ -55,7 +55,7 @@ class Ear final : public EventSink {
   std::string complaint_;
 };
 
-/// A robot whose arm tells how far it is, to the one who listens.
+/// A robot whose arm raises events, and a client that listens to them.
 class EventTimes : public test::GcmFixture {
  protected:
   void SetUp() override {
@@ -91,7 +91,8 @@ TEST_P(EventTimes, ConvertTheSourcesTimesToTheLocalClock) {
   robot_->SetClockAhead(kAhead);
   Listen();
 
-  const SteadyTime raised = SteadyClock().Now() - 1min;  // it has waited long to be sent
+  // The event has waited long before it is sent.
+  const SteadyTime raised = SteadyClock().Now() - 1min;
   const EventTime heard = Hear(0.25, raised + kAhead);
 
   EXPECT_LE(std::chrono::abs(heard.raised - raised), heard.uncertainty);

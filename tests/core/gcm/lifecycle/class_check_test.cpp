@@ -9,7 +9,7 @@
 namespace tendon {
 namespace {
 
-/// What the process `robot` knows: one plug-in is loaded, another one is only there.
+/// Returns the plug-ins of the process `robot`: one is loaded, another one is only available.
 message::Classes Known() {
   return {.classes = {{.name = "Arm", .library = "arms", .configuration = {}, .defaults = {}}},
           .plugins = {"arms", "tools"}};
@@ -34,7 +34,7 @@ TEST(ClassCheck, KnowsOnlyTheNameOfAnUnloadedPlugIn) {
   EXPECT_EQ(WhyNot("Gripper", "tool"), "no plug-in 'tool'; did you mean 'tools'?");
 }
 
-/// The process, with nothing in it, is to have these.
+/// Returns the obstacles if an empty process must get these components.
 std::vector<std::string> Obstacles(const std::vector<SystemFile::Component>& components) {
   Catalogue catalogue;
   CatalogueChange there{.revision = 1,

@@ -10,7 +10,8 @@ using Kind = CatalogueChange::Kind;
 using message::HistoryEntry;
 using message::LifecycleOrder;
 
-/// The process robot has an active arm of a class, desk a constructed teleoperation of none.
+/// Process robot has an active arm that was created from a class. Process desk has a constructed
+/// component that was not created from a class.
 class LifecyclePlan : public testing::Test {
  protected:
   LifecyclePlan() {
@@ -34,7 +35,7 @@ class LifecyclePlan : public testing::Test {
     Apply("robot", {.kind = Kind::kComponent, .components = {arm}});
   }
 
-  /// What a dry run says.
+  /// Returns the message of a dry run; empty if the order is possible.
   [[nodiscard]] std::string Refusal(const LifecycleOrder& order) const {
     const auto checked = CheckLifecycleOrder(catalogue_, order);
     return checked ? "" : checked.error().message;
@@ -46,7 +47,8 @@ class LifecyclePlan : public testing::Test {
     for (const Path& path : *found) all += (all.empty() ? "" : " ") + ToString(path);
     return all;
   }
-  /// The verbs that unmake a step of the arm, which was in this state before.
+  /// Returns the verbs that undo a step of the arm. `before` is the state of the arm before the
+  /// step.
   static std::string Unmaking(LifecycleVerb verb, ComponentState before) {
     const HistoryEntry step{.verb = std::string(ToString(verb)),
                             .lifecycle = {.process = "robot", .component = "arm", .state = before}};

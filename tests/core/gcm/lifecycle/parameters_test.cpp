@@ -7,7 +7,7 @@
 namespace tendon {
 namespace {
 
-/// With structures in structures, a list, a text and a choice.
+/// Returns a class whose configuration has nested structures, a list, a text and an enumeration.
 ClassDescription Servo() {
   return {.name = "Servo",
           .library = "servo",

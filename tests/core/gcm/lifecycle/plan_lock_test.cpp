@@ -47,7 +47,7 @@ TEST_P(PlanLock, RefusesASecondPlanWithoutExecutingAnyStep) {
 TEST_P(PlanLock, LosingItToAnotherClientEndsThePlan) {
   ClientExecutor executor(*client_, kLong);
   ASSERT_TRUE(executor.Begin());
-  client_->ReleasePlanLock();  // as the end of the link does
+  client_->ReleasePlanLock();  // the end of the link does the same
   ASSERT_TRUE(EventuallyTrue([&] { return static_cast<bool>(Take(*other_)); }));
   const PlanStep connect{.kind = PlanStep::Kind::kConnect, .wire = {kRobot, kControl}};
 

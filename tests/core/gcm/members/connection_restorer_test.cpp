@@ -88,7 +88,7 @@ TEST_F(ConnectionRestorerTest, ForgetsAPermanentlyRefusedConnection) {
 
 TEST_F(ConnectionRestorerTest, IgnoresTheResultOfAnEarlierInstance) {
   ASSERT_EQ(TakeDue(), kOne);
-  // It is made; then the process is killed again, before anybody heard of the outcome.
+  // The connection is made. Then the process is killed again before the outcome is known.
   const ConnectionDescription connection{
       .id = 2, .required = kWire.required, .provided = kWire.provided};
   Apply({.kind = Kind::kConnection, .process = "desk", .connections = {connection}});

@@ -29,7 +29,7 @@ class RegistryTest : public testing::Test {
     return admission ? Error{} : admission.error();
   }
 
-  /// Time passes, and the lease of nobody but these is renewed.
+  /// Advances the time. Only the leases in `renewing` are renewed.
   void Pass(std::chrono::milliseconds time, const std::vector<SessionToken>& renewing = {}) {
     constexpr auto kStep = 50ms;
     for (auto passed = 0ms; passed < time; passed += kStep) {
@@ -236,7 +236,7 @@ TEST_F(RegistryTest, AProcessCanReportOnlyAboutItself) {
     EXPECT_EQ(registry_.catalogue(), before);
   }
 
-  // Its address is its own to tell; who it is and how it does are not.
+  // A process may report its own address, but not change its identity or its state.
   ASSERT_TRUE(registry_.Report(
       robot, {{{.kind = Kind::kProcess, .process = "robot", .processes = {imposter}}}}));
   EXPECT_EQ(Process("robot").address, imposter.address);

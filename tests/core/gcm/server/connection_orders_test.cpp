@@ -134,7 +134,8 @@ TEST_P(ConnectionOrders, ConnectingToAnUnknownProcessIsPending) {
 }
 
 TEST_P(ConnectionOrders, ARefusalNamesTheFirstTypeDifference) {
-  const std::string unit = "rad/" + GetParam();  // the other network's are known by now
+  // A new type for each parameter, because types of other tests are known already.
+  const std::string unit = "rad/" + GetParam();
   robot_->Know(test::GoalIn("deg"));
   robot_->Add(test::Mover(test::GoalIn("deg")));
   desk_->Know(test::GoalIn(unit));
@@ -152,7 +153,7 @@ TEST_P(ConnectionOrders, ARefusalNamesTheFirstTypeDifference) {
       "desk/leader/Mover does not fit robot/mover/Control: needs write command 'MoveTo' of "
       "test.Goal, but the provider offers another test.Goal (position of test.Goal: float64 in " +
           unit + " needed, float64 in deg offered)"};
-  int tries = 0;  // the GCM does not wait long: on a machine that stands still one is not enough
+  int tries = 0;  // the GCM waits only briefly, so on a machine that stalls one try is not enough
   std::optional<Error> why;
 
   EXPECT_TRUE(EventuallyTrue([&] {
@@ -163,14 +164,15 @@ TEST_P(ConnectionOrders, ARefusalNamesTheFirstTypeDifference) {
   })) << (why ? why->message : "connected");
 
   EXPECT_TRUE(desk_->orders().empty());
-  EXPECT_LE(desk_->schema_requests(), tries);  // none, where the test is repeated
-  EXPECT_EQ(aide->schema_requests(), 0);       // it has nothing to do with this connection
+  // No request if the test is repeated and the type is known.
+  EXPECT_LE(desk_->schema_requests(), tries);
+  EXPECT_EQ(aide->schema_requests(), 0);  // this process has no part in the connection
 }
 
 TEST_P(ConnectionOrders, ARefusalOmitsTypesThatAnEndDoesNotReport) {
   const std::string unit = "grad/" + GetParam();
   robot_->Add(test::Mover(test::GoalIn("deg")));
-  desk_->Add(test::Leader(test::GoalIn(unit)));  // which it does not know itself
+  desk_->Add(test::Leader(test::GoalIn(unit)));  // a type that desk does not know itself
   const InterfaceName leader("desk", "leader", "Mover");
   ASSERT_TRUE(EventuallyTrue([&] {
     return gcm_->catalogue().FindRequired(leader) != nullptr &&
@@ -222,18 +224,18 @@ TEST_P(ConnectionOrders, RetriesRestoringAConnection) {
 TEST_P(ConnectionOrders, AHungDiskDelaysTheReplyButNoLease) {
   const std::string port = address_.substr(address_.find(':') + 1);
   const auto file = folder_.path() / ("history-127.0.0.1-" + port + ".jsonl");
-  ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);  // whoever opens it waits until it is read
+  ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);  // opening the pipe blocks until it is read
   std::promise<Result<ConnectionDescription>> promise;
   auto answer = promise.get_future();
   client_->Connect(kRobot, kControl, [&](auto made) { promise.set_value(std::move(made)); });
   ASSERT_TRUE(EventuallyTrue([&] { return Connection().has_value(); }));
 
-  // The GCM's own thread ticks; here is only made time.
+  // The GCM ticks in its own thread, with the simulated time of this test.
   EXPECT_TRUE(EventuallyTrue([&] {
     clock_.Advance(1ms);
     return StateOf("robot") == ProcessState::kLost;
   }));
-  EXPECT_EQ(Steps(*client_).size(), 1U);  // known, if not kept
+  EXPECT_EQ(Steps(*client_).size(), 1U);  // the step is known, although it was not saved
   EXPECT_EQ(answer.wait_for(0ms), std::future_status::timeout);
 
   const std::ifstream disk_that_works_again(file);
@@ -300,7 +302,7 @@ TEST_P(ConnectionOrders, AnUndoIsRefusedIfTheConnectionHasChanged) {
   robot_->Add(second);
   ASSERT_TRUE(EventuallyTrue([&] { return gcm_->catalogue().FindComponent("robot", "second"); }));
   ASSERT_TRUE(Connect(*client_));
-  // Behind the GCM's back the process connects it to something else.
+  // The process connects the interface to another one without an order of the GCM.
   const ConnectionDescription other{.id = Connection()->id,
                                     .required = kRobot,
                                     .provided = {"robot", "second", "Control"},

@@ -16,7 +16,7 @@ class RegistryHealth : public testing::Test {
     EXPECT_TRUE(admission) << admission.error().message;
     return admission ? admission->session : 0;
   }
-  /// Of the only process that has told.
+  /// Returns the health of the only process that has reported.
   [[nodiscard]] message::ProcessHealth Only() const {
     const auto health = registry_.health();
     EXPECT_EQ(health.processes.size(), 1U);
@@ -40,7 +40,8 @@ TEST_F(RegistryHealth, CpuLoadUsesTheLastTwoReports) {
       registry_.UpdateHealth(robot, {.cpu_time = kOneSecond, .memory = kMiB, .time = kOneSecond}));
   EXPECT_LT(Only().cpu, 0.0);
   EXPECT_EQ(Only().memory, kMiB);
-  clock_.Advance(100ms);  // the ways of the two differ; their own clock counts
+  // The load is computed with the clock of the process, on which two seconds pass.
+  clock_.Advance(100ms);
   ASSERT_TRUE(registry_.UpdateHealth(
       robot, {.cpu_time = 4 * kOneSecond, .memory = 2 * kMiB, .time = 3 * kOneSecond}));
 

@@ -15,7 +15,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-/// A robot, and others who know its session.
+/// A robot, and other programs that know its session.
 class Impostors : public test::GcmFixture {
  protected:
   void SetUp() override {
@@ -24,7 +24,7 @@ class Impostors : public test::GcmFixture {
     session_ = joined->session;
   }
 
-  /// With the robot's session.
+  /// Opens a channel with the robot's session.
   std::shared_ptr<Channel> OpenAs(const std::string& name, std::uint64_t instance = 7) {
     const Hello hello{
         .instance = instance, .name = name, .session = session_, .cookie = *LoopbackCookie()};
@@ -101,7 +101,7 @@ TEST_P(Impostors, AStolenNameOrSessionCannotJoin) {
   EXPECT_TRUE(robot_.Renew());
 }
 
-/// What is to be done goes to a process by the link that it has opened itself, and nowhere else.
+/// The GCM sends orders to a process only over the link that the process has opened.
 TEST_P(Impostors, TheGcmNeverCallsAnAdvertisedAddress) {
   const Impostor third(NewMiddleware(), "arm");
   FakeProcess arm(NewMiddleware(), "arm");

@@ -24,7 +24,7 @@ Hello Greeting(const std::string& name) {
   return {.instance = os::RandomNumber(), .name = name, .cookie = *LoopbackCookie()};
 }
 
-/// Takes batches as a viewer does.
+/// Receives batches like a viewer.
 class Viewer final : public ChannelHandler {
  public:
   void OnNotice(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& header,
@@ -50,7 +50,7 @@ class Viewer final : public ChannelHandler {
   [[nodiscard]] std::uint64_t missed() const { return Locked(missed_); }
   [[nodiscard]] LogRecord newest() const { return Locked(newest_); }
 
-  std::mutex gate;  ///< while it is locked it reads nothing more, once it was sent something else
+  std::mutex gate;  ///< while this is locked, the viewer reads nothing after its next message
   std::atomic<bool> is_stuck{false};
 
  private:
@@ -70,7 +70,7 @@ class Viewer final : public ChannelHandler {
 
 class LogBufferTest : public testing::Test {
  protected:
-  /// A viewer with a middleware of its own, and the GCM's channel to it.
+  /// Returns the GCM's channel to a viewer with its own middleware.
   [[nodiscard]] std::shared_ptr<Channel> ChannelTo(const std::shared_ptr<Viewer>& viewer) {
     viewers_.push_back(std::make_unique<LoopbackMiddleware>(network_));
     auto listener = viewers_.back()->Listen(
@@ -81,7 +81,7 @@ class LogBufferTest : public testing::Test {
     EXPECT_TRUE(channel) << channel.error().message;
     return *channel;
   }
-  /// So many records of the robot.
+  /// Adds `count` records of the robot.
   void Write(std::size_t count) {
     book.Add("robot", kInstance, {written_, std::vector(count, LogRecord{.text = "x"})});
     written_ += count;
@@ -160,7 +160,7 @@ TEST_F(LogBufferTest, ASlowViewerDelaysNobodyAndSeesItsLosses) {
   held.unlock();
 
   EXPECT_TRUE(EventuallyTrue([&] {
-    book.PumpAll();  // as the GCM does all the time
+    book.PumpAll();  // the GCM does this all the time
     return stuck->next() == kTwice + 1;
   }));
   EXPECT_EQ(stuck->count(), 1 + LogBuffer::kKept);

@@ -82,7 +82,7 @@ TEST_P(Membership, AHungProcessIsLostAndFencedAndCanJoinAgain) {
   EXPECT_EQ(StateOf("robot"), ProcessState::kLost);
   EXPECT_TRUE(EventuallyTrue([&] { return !robot->is_linked(); }));
 
-  // It wakes up, and finds that it is no longer a member.
+  // When the process runs again, it learns that it is no longer a member.
   EXPECT_FALSE(robot->Renew());
   ASSERT_TRUE(robot->Join(address_));
 
@@ -115,7 +115,7 @@ TEST_P(Membership, AProcessMayRejoinOnASecondLink) {
   const auto robot = Join("robot", {test::Arm()});
   const std::uint64_t instance = robot->description().instance;
 
-  // A second link of the same process, before the first is known to be broken.
+  // The process opens a second link before the GCM notices that the first one is broken.
   ASSERT_TRUE(robot->Join(address_));
 
   EXPECT_EQ(StateOf("robot"), ProcessState::kAlive);
@@ -168,7 +168,7 @@ TEST_P(Membership, EveryProcessReceivesThePeersAddresses) {
 TEST_P(Membership, ASecondGcmKeepsTheHistoryOfTheFirst) {
   const std::string file =
       "history-127.0.0.1-" + address_.substr(address_.find(':') + 1) + ".jsonl";
-  const std::string half_a_line = "{\"id\":1,\"verb\":\"con";  // being written just now
+  const std::string half_a_line = "{\"id\":1,\"verb\":\"con";  // a line that is being written
   folder_.Write(file, half_a_line);
 
   ASSERT_FALSE(GlobalManager::Start(
@@ -225,7 +225,7 @@ TEST_P(Membership, AKilledGcmRecoversTheCatalogue) {
 
   EXPECT_EQ(gcm_->catalogue().ContentHash(), before);
   EXPECT_NE(gcm_->instance(), instance);
-  EXPECT_EQ(desk->orders().size(), 1U);  // nothing was connected a second time
+  EXPECT_EQ(desk->orders().size(), 1U);  // no connection was made twice
 }
 
 }  // namespace

@@ -259,7 +259,7 @@ TEST_P(Replacing, WithoutAReplyTheReportDecides) {
 
   const auto made = Replace(*client_, kSecond);
 
-  ASSERT_FALSE(made);  // its process is gone, but not before it broke the former connection
+  ASSERT_FALSE(made);  // the process has broken the former connection and then ended
   const auto steps = Steps(*client_);
   ASSERT_EQ(steps.size(), 2U);
   EXPECT_EQ(steps[1].verb, "disconnect");

@@ -25,7 +25,7 @@ class UndoOrders : public test::DeskAndRobot {
     ASSERT_TRUE(EventuallyTrue(
         [&] { return gcm_->catalogue().FindComponent(process, component) == nullptr; }));
   }
-  /// The whole text of why the newest step cannot be undone, which changes nothing.
+  /// Returns the message of an undo that must fail. The undo changes nothing.
   std::string WhyNot() {
     const auto undone = Undo(*client_);
     EXPECT_FALSE(undone);

@@ -89,7 +89,7 @@ TEST_P(Watching, AllWatchersSeeTheSameSequenceOfChanges) {
   EXPECT_EQ(one->snapshots() + two->snapshots(), 2);
 }
 
-/// The sockets of this program keep only little that was not read, so that a link is full soon.
+/// Limits the socket buffers of this program, so that a link is full soon.
 void ShrinkSockets() {
   constexpr int kDescriptors = 1024;
   constexpr int kBytes = 1 << 16;
@@ -99,7 +99,7 @@ void ShrinkSockets() {
   }
 }
 
-/// Reads nothing after its first snapshot until it is released.
+/// Reads nothing after its first snapshot, until it is released.
 class StuckListener final : public Recorder {
  public:
   void OnChanges(const std::vector<CatalogueChange>& changes) override {
@@ -123,7 +123,7 @@ TEST_P(Watching, ASlowWatcherCatchesUpByASnapshot) {
   const auto quick_client = Watch(quick);
   const std::shared_ptr<void> at_the_end(nullptr, [&](void*) { stuck->Release(); });
   ShrinkSockets();
-  // More than a link and the log of changes hold.
+  // More changes than a link and the log of changes can hold.
   constexpr int kBatches = 32;
   constexpr int kBatch = 100;
   ComponentDescription arm = test::Arm();
@@ -180,7 +180,7 @@ TEST_P(Watching, AClientReconnectsToItsGcm) {
 
   gcm_.reset();
   ASSERT_TRUE(EventuallyTrue([&] { return recorder->losses().size() == 1; }));
-  EXPECT_EQ(client->catalogue().processes().size(), 1U);  // what was known last
+  EXPECT_EQ(client->catalogue().processes().size(), 1U);  // the last known catalogue
   StartGcm(address_);
   const auto desk = Join("desk", {test::Teleoperation()});
 

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 class LcmLauncherTest : public testing::Test {
  protected:
-  /// What stands in for lcm.
+  /// Writes a script that replaces lcm.
   void Script(const std::string& text) const {
     home_.Write("lcm", "#!/bin/sh\n" + text + "\n");
     std::filesystem::permissions(home_.path() / "lcm", std::filesystem::perms::owner_all);
@@ -108,7 +108,7 @@ TEST_F(LcmLauncherTest, RotatesALongLogOfARunningProgram) {
   EXPECT_EQ(launcher.LogOf("robot").last_lines, "a long line");
   home_.Write("fifo", "go\n");
   EXPECT_TRUE(EventuallyTrue([&] { return home_.Read("state/robot.log") == "more\n"; }));
-  launcher.ShortenLog("robot");  // short as it is
+  launcher.ShortenLog("robot");  // although the log is short
   EXPECT_EQ(home_.Read("state/robot.log"), "more\n");
   EXPECT_EQ(launcher.LogOf("robot").last_lines, "more");
   (*process)->Kill();
@@ -123,8 +123,9 @@ TEST_F(LcmLauncherTest, TruncatesALogThatCannotBeRotated) {
   ASSERT_TRUE(process) << process.error().message;
   const std::string log = (home_.path() / "state" / "robot.log").string();
   ASSERT_TRUE(EventuallyTrue([&] { return home_.Read("state/robot.log") == "a long line\n"; }));
-  std::filesystem::create_directories(log + ".1/full");  // where no file can be
-  const auto logged = std::make_shared<std::string>();   // the sink outlives this test
+  std::filesystem::create_directories(log + ".1/full");  // a folder at the path of the file
+  // Shared, because the log sink outlives this test.
+  const auto logged = std::make_shared<std::string>();
   AddLogSink([logged](LogLevel, std::string_view, std::string_view text) { *logged += text; });
 
   launcher.ShortenLog("robot");

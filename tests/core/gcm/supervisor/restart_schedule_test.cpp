@@ -8,7 +8,7 @@ using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
 
 constexpr SteadyTime kBegin = SteadyTime() + 1h;
 
-/// It stands for so long each time, and fails.
+/// The process runs for `life` and then fails. Returns the pause before its restart.
 std::optional<std::chrono::milliseconds> FailAfter(std::chrono::nanoseconds life, SteadyTime& now,
                                                    RestartSchedule& schedule) {
   const SteadyTime begin = now;

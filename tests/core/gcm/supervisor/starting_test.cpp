@@ -6,7 +6,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A process whose program was started, and that has not joined yet.
+/// A process whose program was started, but that has not joined yet.
 class StartingProcess : public SupervisorTest {
  protected:
   [[nodiscard]] std::string State() const {
@@ -39,7 +39,7 @@ TEST_F(StartingProcess, IsShownAsStartingUntilItJoins) {
   ASSERT_TRUE(Comes([this] { return ReasonNow().find("500 ms") != std::string::npos; }));
   clock_.Advance(500ms);
   ASSERT_TRUE(Comes([&] { return launcher_->starts() == 2 && State() == "starting"; }));
-  Locked([&] {  // what it had is known still
+  Locked([&] {  // its former components are still known
     EXPECT_NE(registry_.catalogue().FindComponent("robot", "arm"), nullptr);
   });
 }

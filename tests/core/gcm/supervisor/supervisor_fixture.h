@@ -21,7 +21,7 @@ namespace tendon::server {
 using namespace std::
     chrono_literals;  // NOLINT(google-build-using-namespace,google-global-names-in-headers)
 
-/// A process that ends when the test says so. Called under the lock of the launcher's owner.
+/// A process that ends when the test requests it. Called under the lock of the launcher's owner.
 class FakeProcessOfGcm final : public StartedProcess {
  public:
   explicit FakeProcessOfGcm(std::int64_t pid) : pid_(pid) {}
@@ -58,7 +58,7 @@ class FakeLauncher final : public Launcher {
     const std::scoped_lock lock(mutex_);
     return orders_.size();
   }
-  /// The order for the process that was started last.
+  /// Returns the order for the process that was started last.
   [[nodiscard]] Order order() const {
     const std::scoped_lock lock(mutex_);
     return orders_.back();
@@ -68,7 +68,7 @@ class FakeLauncher final : public Launcher {
     return processes_.back();
   }
 
-  /// Whose log was looked at.
+  /// Returns the names of the processes whose logs were shortened.
   [[nodiscard]] std::vector<std::string> shortened() const {
     const std::scoped_lock lock(mutex_);
     return shortened_;
@@ -83,13 +83,13 @@ class FakeLauncher final : public Launcher {
   std::vector<std::shared_ptr<FakeProcessOfGcm>> processes_;
 };
 
-/// The part of a GCM that starts processes; the test plays these processes.
+/// The part of a GCM that starts processes. The test acts as these processes.
 class SupervisorTest : public testing::Test {
  protected:
   /// The outcome of an order.
   struct Answer {
     std::atomic<bool> is_here = false;
-    std::string text;  ///< "" if the order succeeded
+    std::string text;  ///< empty if the order succeeded
   };
   using SharedAnswer = std::shared_ptr<Answer>;
 
@@ -129,12 +129,12 @@ class SupervisorTest : public testing::Test {
   testing::AssertionResult IsAnswered(const SharedAnswer& answer) {
     return Comes([&] { return answer->is_here.load(); });
   }
-  /// The answer to an order that needs no process.
+  /// Returns the answer to an order that needs no process.
   static std::string TextOf(const SharedAnswer& answer) {
     EXPECT_TRUE(EventuallyTrue([&] { return answer->is_here.load(); }));
     return answer->text;
   }
-  /// Joins as the started process.
+  /// Joins the GCM as the started process.
   void Join(std::vector<ComponentDescription> components = {}) {
     Locked([&] {
       const auto admission = registry_.Join({{.name = "robot",
@@ -148,7 +148,7 @@ class SupervisorTest : public testing::Test {
       session_ = admission->session;
     });
   }
-  /// Starts the process, and joins as it.
+  /// Starts the process, and joins the GCM as this process.
   void Run(RestartPolicy restart, std::vector<ComponentDescription> components = {}) {
     const auto answer = Order(ProcessVerb::kStart, restart);
     ASSERT_TRUE(Comes([this] { return launcher_->starts() == 1; }));
@@ -162,7 +162,7 @@ class SupervisorTest : public testing::Test {
       registry_.End(session_, state, "its connection broke");
     });
   }
-  /// Lets the process fail, be restarted after the pause, and join again.
+  /// Makes the process fail, be restarted after the pause, and join again.
   void FailOnce(std::chrono::milliseconds pause, std::vector<ComponentDescription> components) {
     const std::size_t before = launcher_->starts();
     End(kKilled);

@@ -126,8 +126,8 @@ TEST_F(SupervisorTest, RestartsAFailedProcessWithItsComponents) {
   EXPECT_EQ(system->FindComponent("robot", "filter")->runs_after, "arm");
 }
 
-/// Else one that fails while its components are started would come back without them running, or
-/// one that was stopped would run again.
+/// Otherwise a process that fails while its components start would return without running
+/// components, or a stopped component would run again.
 TEST_F(SupervisorTest, ARestartRestoresTheLastOrderedStates) {
   ComponentDescription resting = test::Arm();
   resting.state = ComponentState::kConstructed;
@@ -135,12 +135,12 @@ TEST_F(SupervisorTest, ARestartRestoresTheLastOrderedStates) {
     return launcher_->order().system->FindComponent("robot", "arm")->state;
   };
   Run(RestartPolicy::kOnFailure, {test::Arm()});
-  FailOnce(500ms, {resting});  // it has begun to start it
+  FailOnce(500ms, {resting});  // its start has begun
 
   FailOnce(1s, {resting});
   EXPECT_EQ(state(), ComponentState::kActive);
 
-  Locked([this] { supervisor_.NoteChange("robot"); });  // somebody has stopped it
+  Locked([this] { supervisor_.NoteChange("robot"); });  // another program has stopped the component
   FailOnce(2s, {resting});
   EXPECT_EQ(state(), ComponentState::kConstructed);
 }

@@ -14,7 +14,7 @@ using test::Teleoperation;
 
 class ApplyPlan : public test::DeskAndRobot {
  protected:
-  /// What a new plan for the file makes of the system.
+  /// Makes a plan for the file, and executes it.
   PlanOutcome Apply(const SystemFile& wanted) {
     ClientExecutor executor(*client_, kLong);
     return ExecutePlan(MakePlan(gcm_->catalogue(), wanted), executor, AfterError::kStop,
@@ -44,7 +44,7 @@ TEST_P(ApplyPlan, AppliesConnectionsUntilNothingDiffers) {
     EXPECT_EQ(Apply(wanted).done, 1U);
 
     EXPECT_THAT(DifferencesFrom(wanted), testing::IsEmpty());
-    EXPECT_EQ(Apply(wanted), PlanOutcome());  // nothing is left to do
+    EXPECT_EQ(Apply(wanted), PlanOutcome());  // no step is left
   }
 
   const auto steps = Steps(*client_);

@@ -18,7 +18,7 @@ TEST(SystemComparison, ASystemEqualsItself) {
   const SystemComparison comparison = CompareSystems(Demo(), Demo(), StartComparison::kCompare);
 
   EXPECT_TRUE(comparison.differences.empty());
-  EXPECT_EQ(comparison.equal, 6U);  // two processes, three components, a connection
+  EXPECT_EQ(comparison.equal, 6U);  // two processes, three components and a connection are equal
 }
 
 TEST(SystemComparison, ListsObjectsOfOnlyOneSystem) {
@@ -92,7 +92,7 @@ TEST(SystemComparison, DescribesChangedThreadsAndLeaders) {
   };
 
   arm.thread.emplace().lock_memory = true;
-  EXPECT_EQ(how(), "");  // the second does not say
+  EXPECT_EQ(how(), "");  // the second file does not specify it
   other.thread.emplace();
   EXPECT_THAT(how(), testing::StartsWith("thread {"));
   EXPECT_THAT(how(), testing::HasSubstr("\"lock_memory\":true"));

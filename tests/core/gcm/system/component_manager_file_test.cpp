@@ -8,7 +8,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// As the documentation of the reference shows one.
+/// An example from the documentation of cisst.
 const std::string kStreamer = R"({
   "components": [
     {"shared-library": "sawSocketStreamer",
@@ -49,7 +49,8 @@ TEST(ComponentManagerFile, ConvertsToASystemFile) {
     EXPECT_EQ(streamer->period, 0.01);
     EXPECT_EQ(streamer->comment, "configure-parameter: streamerMTML.json");
     ASSERT_NE(file.FindComponent("robot", "MTML"), nullptr);
-    EXPECT_EQ(file.FindComponent("robot", "MTML")->class_name, "");  // its program makes it
+    // The program of the process creates this component.
+    EXPECT_EQ(file.FindComponent("robot", "MTML")->class_name, "");
     EXPECT_THAT(file.connections,
                 ElementsAre(SystemFile::Connection{{"robot", "streamerMTML", "Required"},
                                                    {"robot", "MTML", "Arm"}}));

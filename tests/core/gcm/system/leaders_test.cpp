@@ -8,7 +8,7 @@
 namespace tendon {
 namespace {
 
-/// An arm, and a host monitor with these members.
+/// Returns a system file with an arm, and a host monitor with these members.
 std::string RobotWith(const std::string& members) {
   return R"({"version": 1, "name": "x", "processes": [{"name": "robot", "components": [
   {"name": "arm", "class": "SimulatedArm"},
@@ -16,7 +16,7 @@ std::string RobotWith(const std::string& members) {
          members + "}]}]}";
 }
 
-/// What is wrong with a system file; "" where it is right.
+/// Returns the mistake in a system file; empty if the file is valid.
 std::string MistakeIn(const std::string& text) {
   const auto system = ParseSystemFile(text, "x");
   return system ? "" : system.error().message;
@@ -29,7 +29,8 @@ TEST(RunsAfter, IsReadFromAndWrittenToAFile) {
   ASSERT_TRUE(system) << system.error().message;
   const auto* host = system->FindComponent("robot", "host");
   EXPECT_EQ(host->runs_after, "arm");
-  EXPECT_EQ(host->thread->cpus, std::vector{900});  // of the machine that it is for
+  // Valid, because the file may be for another machine.
+  EXPECT_EQ(host->thread->cpus, std::vector{900});
   EXPECT_FALSE(system->FindComponent("robot", "arm")->tells_thread());
   EXPECT_EQ(*ParseSystemFile(*SystemFileText(*system), "x"), *system);
 }

@@ -10,7 +10,7 @@ using test::CatalogBuilder;
 using test::TextsOf;
 using testing::ElementsAre;
 
-/// The step that has started the process which the catalogue has.
+/// Returns the step that has started this process of the catalogue.
 PlanStep BirthOf(const CatalogBuilder& running, const std::string& process,
                  RestartPolicy restart = RestartPolicy::kOnFailure) {
   return {.kind = PlanStep::Kind::kStartProcess,

@@ -12,7 +12,7 @@ namespace {
 using testing::ElementsAre;
 using Kind = PlanStep::Kind;
 
-/// Notes the steps, and fails at some of them.
+/// Records the steps, and fails at some of them.
 class FakeExecutor : public PlanExecutor {
  public:
   explicit FakeExecutor(std::set<std::string> failing = {}) : failing_(std::move(failing)) {}
@@ -36,19 +36,19 @@ PlanStep Step(Kind kind, const std::string& component) {
   return step;
 }
 
-/// Of R of the one to P of the other.
+/// Returns a step that connects R of `client` to P of `server`.
 PlanStep Connect(const std::string& client, const std::string& server) {
   return {.kind = Kind::kConnect, .wire = {{"p", client, "R"}, {"p", server, "P"}}};
 }
 
-/// Of the process that all the others are in.
+/// Returns the step that starts the process of all the other steps.
 PlanStep StartProcess() { return {.kind = Kind::kStartProcess, .process = "p"}; }
 
 Plan ThreeStarts() {
   return {.steps = {Step(Kind::kStart, "a"), Step(Kind::kStart, "b"), Step(Kind::kStart, "c")}};
 }
 
-/// What is told of the steps: "2 start p/b failed: no answer".
+/// Executes the plan and returns its reports: "2 start p/b failed: no answer".
 std::vector<std::string> Execute(const Plan& plan, FakeExecutor& executor, AfterError after_error) {
   std::vector<std::string> told;
   ExecutePlan(plan, executor, after_error,
@@ -61,7 +61,8 @@ std::vector<std::string> Execute(const Plan& plan, FakeExecutor& executor, After
   return told;
 }
 
-/// Of a plan of which that step fails, and which goes on: what is left.
+/// Executes a plan in which the step `failing` fails, and continues. Returns the steps that were
+/// not executed.
 std::vector<std::string> LeftAfter(const std::string& failing, const std::vector<PlanStep>& steps) {
   FakeExecutor executor({failing});
   std::vector<std::string> left;

@@ -16,7 +16,7 @@ using testing::IsEmpty;
 
 SystemFile DemoFile() { return SystemOf(test::RunningDemo().catalogue(), "demo").file; }
 
-/// What it takes to make the file's system of the demo that runs.
+/// Returns the plan that changes the running demo to the system of the file.
 Plan PlanFromDemo(const SystemFile& wanted) {
   return MakePlan(test::RunningDemo().catalogue(), wanted);
 }
@@ -78,8 +78,8 @@ TEST(Plan, BuildsASystemInEmptyProcessesInOrder) {
                           "connect desk/teleoperation/Robot -> robot/arm/Control",
                           "start robot/arm", "start robot/spare, then suspend it"));
   EXPECT_EQ(plan.steps[1].component, wanted.processes[1].components[0]);
-  EXPECT_EQ(plan.untouched, 2U);   // the processes
-  EXPECT_FALSE(plan.TakesAway());  // what is suspended has not run before
+  EXPECT_EQ(plan.untouched, 2U);   // the two processes
+  EXPECT_FALSE(plan.TakesAway());  // a suspended component did not run before
 }
 
 TEST(Plan, RemovesObjectsThatTheFileLacks) {
@@ -105,7 +105,7 @@ TEST(Plan, DisconnectsUnwantedPendingConnections) {
 
 TEST(Plan, IgnoresOtherProcesses) {
   SystemFile wanted = DemoFile();
-  wanted.processes.erase(wanted.processes.begin());  // the desk
+  wanted.processes.erase(wanted.processes.begin());  // removes the desk
   wanted.connections.clear();
 
   EXPECT_THAT(PlanFromDemo(wanted).steps, IsEmpty());
@@ -134,7 +134,7 @@ TEST(Plan, AnotherClassRecreatesAndReconnects) {
                   "connect desk/teleoperation/Robot -> robot/arm/Control", "start robot/arm"));
 }
 
-/// A robot whose filter runs after its arm, and whose logger runs after the filter.
+/// A robot whose filter runs after its arm, and whose logger runs after its filter.
 CatalogBuilder RunningChain(ComponentState state = ComponentState::kActive) {
   const auto made = [state](const std::string& name, const std::string& leader) {
     ComponentDescription one = test::Arm(name);
@@ -204,7 +204,8 @@ TEST(Plan, AnotherThreadRecreatesTheComponent) {
 TEST(Plan, RecreatesAComponentWithItsFollowers) {
   SystemFile wanted = SystemOf(RunningChain().catalogue(), "x").file;
   ComponentIn(wanted, "arm").configuration = R"({"noise":1})";
-  ComponentIn(wanted, "a-logger").thread.reset();  // it keeps what the file does not tell
+  // The file does not specify this value, so the running value is kept.
+  ComponentIn(wanted, "a-logger").thread.reset();
   ComponentIn(wanted, "a-logger").runs_after.clear();
 
   EXPECT_THAT(
@@ -312,7 +313,7 @@ TEST(Plan, HandlesThousandsOfComponents) {
   CatalogBuilder empty;
   empty.Process("robot", {});
   SystemFile wanted{.name = "large", .processes = {{"robot", {}}}};
-  for (int i = 0; i < kComponents; ++i) {  // each a client of the one behind it
+  for (int i = 0; i < kComponents; ++i) {  // each component is a client of the next one
     const std::string name = "c" + std::to_string(i);
     const std::string next = "c" + std::to_string(i + 1);
     wanted.processes[0].components.push_back({name, "Arm", "arm", ""});
@@ -416,10 +417,10 @@ TEST(Plan, ReportsDifferencesWithoutAPossibleStep) {
   EXPECT_THAT(plan.obstacles[2], HasSubstr("robot/absent does not exist, and only the program of "
                                            "the process can create this component"));
   EXPECT_THAT(plan.obstacles[3], HasSubstr("missing write command 'MoveTo'"));
-  EXPECT_EQ(plan.refusal, ErrorCode::kFailed);  // it is not the ends alone
+  EXPECT_EQ(plan.refusal, ErrorCode::kFailed);  // there are other obstacles besides the interfaces
 }
 
-/// The demo of which the desk does not run, and whose file has no connection for it.
+/// The demo without its desk. The file has no connection for the desk.
 struct StrictPlan : testing::Test {
   StrictPlan() {
     ComponentDescription teleoperation = test::Teleoperation();

@@ -58,7 +58,7 @@ class CatalogBuilder {
 inline const InterfaceName kNeeded("desk", "teleoperation", "Robot");
 inline const InterfaceName kOffered("robot", "arm", "Control");
 
-/// A desk and a robot, connected.
+/// Returns a desk and a robot that are connected.
 inline CatalogBuilder RunningDemo() {
   CatalogBuilder demo;
   ComponentDescription teleoperation = Teleoperation();

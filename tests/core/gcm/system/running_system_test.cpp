@@ -113,7 +113,8 @@ TEST(RunningSystem, IncludesThreadsOfRecreatableComponents) {
   EXPECT_EQ(file.FindComponent("robot", "arm")->runs_after, "");
   EXPECT_EQ(file.FindComponent("robot", "filter")->thread, ThreadOptions());
   EXPECT_EQ(file.FindComponent("robot", "filter")->runs_after, "arm");
-  EXPECT_EQ(file.FindComponent("robot", "filter")->period, 0.0);  // it has that of the arm
+  // The filter has the period of the arm.
+  EXPECT_EQ(file.FindComponent("robot", "filter")->period, 0.0);
   EXPECT_FALSE(file.FindComponent("robot", "own")->tells_thread());
   EXPECT_EQ(ReadBack(file), file);
   EXPECT_THAT(*SystemFileText(file), testing::HasSubstr(R"("thread": {
@@ -132,7 +133,7 @@ TEST(RunningSystem, IncludesAbsentProcessesOnRequest) {
   EXPECT_EQ(whole.file.connections.size(), 1U);
 }
 
-/// The demo system, of which only these run.
+/// Returns the running demo system without the process `process`.
 RunningSystem RunningWithout(const std::string& process, CatalogBuilder& builder) {
   if (process != "robot") builder.Process("robot", {test::Arm(), test::Arm("spare")});
   if (process != "desk") builder.Process("desk", {test::Teleoperation()});
@@ -147,7 +148,8 @@ TEST(RunningSystem, KeepsAbsentProcessesOfTheFile) {
   for (const std::string absent : {"desk", "robot"}) {
     CatalogBuilder builder;
     RunningSystem saved = RunningWithout(absent, builder);
-    if (absent == "robot") saved.loose.push_back({test::kNeeded, test::kOffered});  // it waits
+    // The connection waits for robot.
+    if (absent == "robot") saved.loose.push_back({test::kNeeded, test::kOffered});
 
     const auto kept = KeepFrom(former, saved);
 

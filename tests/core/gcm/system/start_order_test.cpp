@@ -4,7 +4,7 @@
 namespace tendon {
 namespace {
 
-/// Of components in the process p: "ab" is a client a of a server b.
+/// Returns a system with components in the process p. The text "ab" means that a is a client of b.
 SystemFile SystemWith(const std::vector<std::string>& connections) {
   SystemFile system{.name = "x", .processes = {{"p", {}}}};
   for (const std::string name : {"a", "b", "c"}) {

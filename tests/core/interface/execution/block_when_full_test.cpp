@@ -16,7 +16,7 @@ class Nothing final : public Mailbox::Entry {
   void ExecuteSlot(std::byte* /*argument*/, std::size_t /*slot*/) override {}
 };
 
-/// A mailbox with room for one, which is full.
+/// A full mailbox with room for one call.
 struct FullBox {
   FullBox() {
     inbox.SetAccepting(true);
@@ -30,8 +30,8 @@ struct FullBox {
 
 class FullMailbox : public testing::Test, protected FullBox {};
 
-/// True if one of some calls ends before its deadline: a machine that stands still may miss the
-/// deadline of one call, but not of all of them.
+/// Repeats a call several times. Returns true if one of the calls ends before its deadline: on a
+/// machine that stalls, single calls may miss the deadline.
 bool EndsBeforeItsDeadline(const std::function<void()>& call) {
   for (int round = 0; round < 5; ++round) {
     const BlockWhenFull patient;
@@ -50,7 +50,7 @@ TEST_F(FullMailbox, ABlockingCallWaitsForRoom) {
   std::atomic<bool> waits = false;
   std::thread server([&] {
     while (!waits) std::this_thread::yield();
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));  // most likely it waits by then
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));  // the call probably waits by now
     inbox.BindToThisThread();
     EXPECT_EQ(inbox.ExecuteQueued(), 1U);
   });
@@ -71,7 +71,7 @@ TEST_F(FullMailbox, ClosingItEndsABlockingCall) {
     std::atomic<bool> waits = false;
     std::thread manager([&] {
       while (!waits) std::this_thread::yield();
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));  // most likely it waits by then
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));  // the call probably waits by now
       box.mailbox.Close();
     });
 

@@ -20,7 +20,7 @@ using tendon::Status;
 using tendon::test::Encoded;
 using Bytes = std::vector<std::byte>;
 
-/// Has the argument written to `kept`.
+/// Requests the argument in the memory `kept`.
 class KeepingTarget final : public CommandBase {
  public:
   KeepingTarget() : CommandBase(tendon::layout::kNone, tendon::layout::kNone) {}
@@ -39,7 +39,7 @@ class KeepingTarget final : public CommandBase {
   Bytes kept;
 };
 
-/// Wants encoded bytes, and returns them.
+/// Requests encoded bytes, and returns them.
 class EchoingTarget final : public CommandBase {
  public:
   EchoingTarget() : CommandBase(tendon::layout::kNone, tendon::layout::kNone) {}
@@ -50,7 +50,7 @@ class EchoingTarget final : public CommandBase {
   }
 };
 
-/// A number whose codec counts how often it writes.
+/// A number whose codec counts its writes.
 struct WrittenNumber {
   static inline int writes = 0;
 
@@ -110,7 +110,7 @@ TEST(ConvertingCommand, AllocatesOnlyInTheTarget) {
   const std::string text(100, 'x');
   None nothing;
 
-  const tendon::AllocationGuard guard;  // not even for the first call
+  const tendon::AllocationGuard guard;  // the first call must not allocate either
   EXPECT_EQ(command.Execute(text, nothing), Status::kQueued);
 }
 

@@ -14,7 +14,7 @@
 namespace tendon_test {
 namespace {
 
-/// A number that notes the place to which it was decoded. Lies in a mailbox slot.
+/// A number that records the address at which it is decoded. It fits into a mailbox slot.
 struct TracedNumber {
   static inline const void* decoded_at = nullptr;
   static inline bool codec_throws = false;
@@ -24,7 +24,7 @@ struct TracedNumber {
   bool operator==(const TracedNumber&) const = default;
 };
 
-/// Names; a copy is counted. Too large for a mailbox slot.
+/// A list of names that counts its copies. It does not fit into a mailbox slot.
 struct CountedNames {
   static inline int copies = 0;
 
@@ -71,7 +71,7 @@ using Bytes = std::vector<std::byte>;
 
 static_assert(tendon::kLiesInSlot<TracedNumber> && !tendon::kLiesInSlot<CountedNames>);
 
-/// A mailbox for four encoded calls, from one thread or from any.
+/// A mailbox for four encoded calls, from one thread or from any thread.
 class EncodedCalls : public testing::TestWithParam<CallerThreads> {
  protected:
   template <typename In, typename Out = None, typename Handler>

@@ -2,5 +2,5 @@
 
 void Gone();
 
-/// Calls into a library that lies beside the plug-in.
+/// Calls a library in the same folder as the plug-in.
 extern "C" void TendonRegisterComponents(tendon::ComponentRegistry& /*registry*/) { Gone(); }

@@ -9,7 +9,7 @@
 
 #include "support/folder.h"
 
-/// Every way in which a plug-in can be broken gives one sentence, and leaves nothing behind.
+/// Every broken plug-in gives one sentence, and leaves nothing loaded.
 namespace tendon {
 namespace {
 
@@ -25,19 +25,19 @@ std::string Content(const fs::path& file) {
   return content.str();
 }
 
-/// Whether this process has the file, or a copy of it, in its memory.
+/// Returns true if this process has mapped the file, or a copy of it.
 bool IsMapped(const fs::path& file) {
   return Content("/proc/self/maps").find("/" + file.filename().string()) != std::string::npos;
 }
 
-/// A file is written, to be looked at by the loader; its name is `library`.
+/// Writes files that the loader examines. The name of the file is `library`.
 struct PluginTest : testing::Test {
   fs::path Write(const std::string& name, const std::string& content) const {
     const fs::path file = folder / (name + ".so");
     std::ofstream(file, std::ios::binary) << content;
     return file;
   }
-  /// What the loader says of it, without "plug-in PATH: ".
+  /// Returns the loader's message about a plug-in, without "plug-in PATH: ".
   std::string Refusal(const std::string& library, const fs::path& in = kBuilt) {
     ComponentLoader loader({in, folder});
     const fs::path file = in / (library + ".so");
@@ -50,7 +50,7 @@ struct PluginTest : testing::Test {
     EXPECT_EQ(loaded.error().message.substr(0, start.size()), start);
     return loaded.error().message.substr(start.size());
   }
-  /// The same for a good plug-in with some bytes replaced.
+  /// Does the same for a good plug-in in which some bytes are replaced.
   std::string RefusalOfPatched(std::size_t offset, const std::string& bytes) {
     std::string content = Content(kBuilt / "good.so");
     content.replace(offset, bytes.size(), bytes);

@@ -7,7 +7,7 @@
 
 namespace tendon {
 
-/// The error of reading `json` as a T, or "accepted".
+/// Returns the error of reading `json` as a T; "accepted" if there is none.
 template <typename T>
 std::string ErrorOf(std::string_view json) {
   const auto value = FromJson<T>(json);

@@ -9,7 +9,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-/// What people and scripts get wrong in JSON: each mistake has its sentence.
+/// Common mistakes of people and scripts in JSON. Each mistake has its own message.
 namespace tendon {
 namespace {
 
@@ -64,7 +64,8 @@ TEST(JsonOfPrograms, KeepsItsOrderAndNestsNoDeeperThan64) {
   EXPECT_EQ(error(nested(64)), nested(64));
   EXPECT_EQ(error(nested(65)), "nesting deeper than 64");
   EXPECT_EQ(error(std::string(1'000'000, '{')), "nesting deeper than 64");
-  EXPECT_EQ(error("\"" + std::string(100, '[') + "\\\"[\""),  // brackets in a text nest nothing
+  // Brackets inside a text do not count as nesting.
+  EXPECT_EQ(error("\"" + std::string(100, '[') + "\\\"[\""),
             "\"" + std::string(100, '[') + "\\\"[\"");
   EXPECT_EQ(error("[1,]"), "line 1, column 4: unexpected ']'; expected '[', '{', or a literal");
 }

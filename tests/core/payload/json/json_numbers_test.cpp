@@ -16,7 +16,7 @@
 namespace tendon {
 namespace {
 
-/// The digits of a number before its exponent, without zeros that only say how large it is.
+/// Returns the digits of a number before its exponent, without zeros that only show its magnitude.
 std::string SignificantDigits(const std::string& text) {
   std::string digits;
   for (const char letter : text.substr(0, text.find('e'))) {
@@ -27,7 +27,7 @@ std::string SignificantDigits(const std::string& text) {
   return digits;
 }
 
-/// By trying: the fewest digits of which the C library reads the same bits.
+/// Returns the fewest digits from which the C library reads the same bits, found by trying.
 int FewestDigits(double value) {
   for (int digits = 1;; ++digits) {
     char text[64];
@@ -50,7 +50,7 @@ TEST(JsonNumbersProperty, DoublesReadBackAsTheSameBitsAndAreShort) {
     const int fewest = FewestDigits(value);
     char with_exponent[64];
     const int size = std::snprintf(with_exponent, sizeof(with_exponent), "%.*e", fewest - 1, value);
-    // A whole number has all its digits where that is no longer: 18446744073709551616.
+    // An integer such as 18446744073709551616 may have all its digits, if this text is not longer.
     RC_ASSERT(SignificantDigits(text).size() <= static_cast<std::size_t>(fewest) ||
               text.size() <= static_cast<std::size_t>(size));
   });
@@ -103,7 +103,7 @@ TEST(JsonNumbersProperty, IntegersKeepEveryDigit) {
   CheckIntegers<std::uint8_t>();
 }
 
-/// Of one number as of a whole body.
+/// Checks that a single number and a whole body give the same text.
 template <Payload T>
 void CheckAlike(const T& value) {
   std::vector<std::byte> body;

@@ -52,7 +52,7 @@ sample::Goal Goal() {
   return goal;
 }
 
-/// kGoal with one passage replaced.
+/// Returns kGoal with one passage replaced.
 std::string With(const std::string& passage, const std::string& replacement) {
   std::string json = kGoal;
   return json.replace(json.find(passage), passage.size(), replacement);

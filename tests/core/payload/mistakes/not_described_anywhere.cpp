@@ -2,7 +2,7 @@
 #include <tendon/interface/required_interface.h>
 #include <tendon/manager/component_registry.h>
 
-// Each is named once to the framework.
+// The framework receives each of these types once.
 struct Sent {};
 struct Asked {};
 struct Raised {};

@@ -9,7 +9,7 @@
 namespace tendon::robot {
 namespace {
 
-/// A quarter of a turn about z.
+/// Returns a rotation by 90 degrees about z.
 Quaternion Quarter() { return {0, 0, std::sqrt(0.5), std::sqrt(0.5)}; }
 
 TEST(RobotEigen, RoundTrips) {

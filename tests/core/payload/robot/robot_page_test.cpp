@@ -11,7 +11,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Holds its joints where it is told to, and says so in the words of CRTK.
+/// Holds its joints at a commanded position. Its commands have the names of CRTK.
 class Wrist final : public tendon::PeriodicTask {
  public:
   explicit Wrist(std::string name) : PeriodicTask(std::move(name), 1ms) {

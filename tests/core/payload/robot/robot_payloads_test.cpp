@@ -70,7 +70,7 @@ Pin PinOf() {
   return {SchemaOf<T>().TypeName(), ToString(FingerprintOf<T>())};
 }
 
-/// A change of one of these numbers breaks every process and recording in the field.
+/// If one of these numbers changes, existing processes and recordings are no longer compatible.
 TEST(RobotPayloads, TheirFingerprintsNeverChange) {
   const std::vector<std::pair<Pin, Pin>> pins{
       {PinOf<Point>(), {"geometry_msgs.Point", "c33fb9e6ec229e2e086741484d8206ec"}},

@@ -8,7 +8,7 @@
 #include "samples.h"
 #include "support/encoded.h"
 
-/// What ROS 2 reads: its message definitions, without their comments, and bytes of Fast CDR.
+/// Compares with ROS 2: its message definitions, without their comments, and the bytes of Fast CDR.
 namespace tendon::robot {
 namespace {
 
@@ -16,7 +16,7 @@ using eprosima::fastcdr::Cdr;
 using test::Encoded;
 using test::WrittenByFastCdr;
 
-/// The definition without comments and rules.
+/// Returns the definition without comments and separator lines.
 std::string Definition(const Schema& schema) {
   std::string out;
   std::istringstream text(RosMessage(schema));

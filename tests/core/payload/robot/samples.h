@@ -6,7 +6,7 @@
 #include <tendon/payload/robot/joystick.h>
 #include <tendon/payload/robot/transforms.h>
 
-/// One value of each standard payload, in which no part has its default value.
+/// One value of each standard payload. No field has its default value.
 namespace tendon::robot {
 
 inline Header SampleHeader() {

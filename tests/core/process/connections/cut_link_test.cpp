@@ -20,7 +20,7 @@ using tendon::Status;
 const tendon::InterfaceName kBooks("robot", "bank", "Books");
 const tendon::InterfaceName kClerk("desk", "clerk", "Books");
 
-/// Executes what it is told, and keeps a log of it.
+/// Executes commands, and records them.
 class Bank final : public tendon::PeriodicTask {
  public:
   explicit Bank(std::string name) : PeriodicTask(std::move(name), 1ms) {
@@ -47,7 +47,7 @@ class Bank final : public tendon::PeriodicTask {
   tendon::test::Record<int> log_;
 };
 
-/// Has no thread: tests call its functions from any.
+/// A component without a thread: the tests call its functions in any thread.
 class Clerk final : public tendon::Component {
  public:
   explicit Clerk(std::string name) : Component(std::move(name)) {
@@ -62,7 +62,7 @@ class Clerk final : public tendon::Component {
   tendon::WriteReturnFunction<int, int> twice;
 };
 
-/// What one caller knows of its calls, in order.
+/// The calls of one caller and their outcomes, in order.
 struct History {
   struct Call {
     int number = 0;
@@ -72,8 +72,8 @@ struct History {
   std::vector<Call> calls;
 };
 
-/// The truth about the calls: what was done was executed once; what was refused never; what nobody
-/// knows, or only accepted, at most once.
+/// Checks the outcomes against the executions. A call that was reported as done must be executed
+/// once. A refused call must not be executed. Any other call must be executed at most once.
 void Check(const History& history, const std::map<int, int>& executions) {
   for (const auto& [number, status, answer_is_right] : history.calls) {
     const auto found = executions.find(number);
@@ -93,7 +93,7 @@ void Check(const History& history, const std::map<int, int>& executions) {
   }
 }
 
-/// Calls go on while the link between the two processes is cut again and again.
+/// Calls continue while the link between the two processes is cut repeatedly.
 class CutLink : public NetworkTest {
  protected:
   CutLink() {
@@ -115,8 +115,8 @@ class CutLink : public NetworkTest {
   [[nodiscard]] bool IsActive() const {
     return desk->connections().front().state == tendon::ConnectionState::kActive;
   }
-  /// `call` with numbers from `first` on, until the test is done; refused, when there is again
-  /// somebody to call.
+  /// Repeats `call` with numbers from `first` on until the test ends. After a refusal, waits until
+  /// the connection works again.
   template <typename MakeCall>
   void CallAgainAndAgain(int first, MakeCall call, History& history) {
     for (int number = first; !is_done; ++number) {
@@ -135,7 +135,7 @@ class CutLink : public NetworkTest {
     const std::size_t last = bank->executed() + 100;
     ASSERT_TRUE(EventuallyTrue([&] { return bank->executed() >= last; }));
   }
-  /// What the cut links have left is executed, or dropped, and so is what came last.
+  /// Waits until all calls from before the cuts, and the last calls, are executed or dropped.
   void LetEverythingEnd() {
     EXPECT_TRUE(EventuallyTrue([this] { return IsActive() && ServedConnections() == 1; }));
     EXPECT_TRUE(

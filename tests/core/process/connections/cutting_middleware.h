@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-/// A middleware whose opened links can be cut, as if somebody had pulled the cable. Frames sent
-/// before may arrive, nothing passes afterwards, and both ends are notified.
+/// A middleware whose opened links can be cut, like a cable. Frames sent before the cut may arrive;
+/// afterwards nothing passes. Both ends are notified.
 class CuttingMiddleware final : public tendon::test::WrappedMiddleware {
  public:
   /// Links to `spared` are never cut.

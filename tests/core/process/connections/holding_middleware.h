@@ -14,8 +14,8 @@
 
 #include "support/wait.h"
 
-/// A middleware that delays opening links to some addresses, as if a process hung there, for as
-/// long as the test wants.
+/// A middleware that delays opening links to some addresses, as if the process there hung, as long
+/// as the test wants.
 class HoldingMiddleware final : public tendon::test::WrappedMiddleware {
  public:
   using WrappedMiddleware::WrappedMiddleware;
@@ -25,20 +25,20 @@ class HoldingMiddleware final : public tendon::test::WrappedMiddleware {
     const std::scoped_lock lock(mutex_);
     held_[address] = 0;
   }
-  /// Lets all waiting and further attempts continue.
+  /// Lets all waiting and later attempts continue.
   void Release(const std::string& address) {
     const std::scoped_lock lock(mutex_);
     held_.erase(address);
     changed_.notify_all();
   }
-  /// The present attempts to open a link to that address time out; further attempts wait again.
+  /// Makes the present attempts to open a link to this address time out. Later attempts wait again.
   void TimeOut(const std::string& address) {
     const std::scoped_lock lock(mutex_);
     ++held_[address];
     changed_.notify_all();
   }
 
-  /// The addresses of the waiting attempts, one entry for each attempt.
+  /// Returns the addresses of the waiting attempts, one entry for each attempt.
   [[nodiscard]] std::vector<std::string> waiting() const {
     const std::scoped_lock lock(mutex_);
     return waiting_;
@@ -81,6 +81,6 @@ class HoldingMiddleware final : public tendon::test::WrappedMiddleware {
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  std::map<std::string, int> held_;  // by address, the number of time-outs
+  std::map<std::string, int> held_;  // by address: the number of time-outs
   std::vector<std::string> waiting_;
 };

@@ -21,7 +21,7 @@ using tendon::Process;
 
 constexpr std::chrono::seconds kLongEnoughToAnswer(20);
 
-/// Process desk, whose links are held up where the test says so, and who asks it things.
+/// Process desk, whose links can be delayed by the test, and a client that sends requests to desk.
 class HungPeers : public RemoteConnection {
  protected:
   HungPeers() {
@@ -50,7 +50,7 @@ class HungPeers : public RemoteConnection {
     held_.push_back(address);
     links_->Hold(address);
   }
-  /// Some processes to which desk is connected, and which hang when it has lost their links.
+  /// Starts peers to which desk is connected. The peers hang after desk has lost their links.
   void LetPeersHang(std::size_t count) {
     std::vector<std::unique_ptr<Process>> peers;
     for (std::size_t i = 0; i < count; ++i) {
@@ -63,12 +63,12 @@ class HungPeers : public RemoteConnection {
                       .ok());
     }
     ASSERT_TRUE(EventuallyActive(*desk, count));
-    KillGcm();  // it would say that they have left
+    KillGcm();  // the GCM would report that the peers have left
     for (const auto& peer : peers) Hold(peer->address());
   }
   [[nodiscard]] bool IsWaitingForAPeer() const { return !links_->waiting().empty(); }
 
-  /// What desk does on its worker for who asks for it.
+  /// Expects an answer to a request that desk executes in its worker.
   void ExpectThatDeskAnswers() {
     const auto fill = channel_->Call<tendon::MailboxFill>(
         tendon::message::kGetFill, 0, tendon::message::GetFill{"operator"}, kLongEnoughToAnswer);

@@ -27,13 +27,14 @@ const tendon::InterfaceName kCloud("robot", "arm", "Cloud");
 const tendon::InterfaceName kViewer("desk", "viewer", "Cloud");
 
 #ifdef __SANITIZE_THREAD__
-constexpr std::size_t kPoints = std::size_t{1} << 20U;  // so slow that leases would run out
+// Enough points that a slow transfer would take longer than a lease.
+constexpr std::size_t kPoints = std::size_t{1} << 20U;
 #else
 constexpr std::size_t kPoints = std::size_t{9} << 20U;  // more than may wait on a link
 #endif
 constexpr std::size_t kTooMany = tendon::kMaxPayload + tendon::kMaxPayload / 10'000;
 
-/// Takes clouds and gives them back.
+/// Receives point clouds and returns them.
 class Arm final : public tendon::PeriodicTask {
  public:
   explicit Arm(std::string name) : PeriodicTask(std::move(name), 1ms) {
@@ -68,7 +69,7 @@ class Arm final : public tendon::PeriodicTask {
   tendon::test::Record<std::string> log_;
 };
 
-/// Has no thread: the test calls its functions, and executes the events that have arrived.
+/// A component without a thread: the test calls its functions and executes its received events.
 class Viewer final : public tendon::Component {
  public:
   explicit Viewer(std::string name)

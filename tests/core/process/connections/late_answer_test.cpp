@@ -17,7 +17,7 @@ using tendon::message::CallMember;
 using tendon::message::CallMemberReply;
 using testing::HasSubstr;
 
-/// Its end, which its manager's lock is held for, waits at a gate.
+/// A component whose end waits at a gate, while its manager's lock is held.
 class Lingering final : public tendon::Component {
  public:
   Lingering(std::string name, std::shared_future<void> gate, std::atomic<bool>& ends)
@@ -34,8 +34,8 @@ class Lingering final : public tendon::Component {
   std::atomic<bool>& ends_;
 };
 
-/// Process robot answers pings, but not at once who wants to connect: its worker waits for a
-/// component to end.
+/// Process robot answers pings at once. It answers requests to connect late, because its worker
+/// waits for the end of a component.
 class LateAnswer : public RemoteConnection {
  protected:
   void SetUp() override {
@@ -58,7 +58,7 @@ class LateAnswer : public RemoteConnection {
     if (console) console->Close();
   }
 
-  /// The first call of a member goes through the worker, behind what waits there.
+  /// Calls a member. The first call of a member goes through the worker, after all waiting jobs.
   bool Call(const std::string& member) const {
     return console
         ->Call<CallMemberReply>(tendon::message::kCallMember, 0,

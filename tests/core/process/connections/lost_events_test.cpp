@@ -16,7 +16,7 @@ using tendon::Status;
 const tendon::InterfaceName kBell("robot", "bell", "Bell");
 const tendon::InterfaceName kEar("desk", "ear", "Bell");
 
-/// Rings as often as it is told, all in one cycle.
+/// Raises a requested number of events in one cycle.
 class Bell final : public tendon::PeriodicTask {
  public:
   explicit Bell(std::string name) : PeriodicTask(std::move(name), 1ms) {
@@ -38,7 +38,7 @@ class Bell final : public tendon::PeriodicTask {
   int number_ = 0;
 };
 
-/// Has no thread: hears when the test lets it.
+/// A component without a thread: it handles events when the test executes them.
 class Ear final : public tendon::Component {
  public:
   explicit Ear(std::string name) : Component(std::move(name), std::make_unique<tendon::Inbox>()) {

@@ -24,7 +24,7 @@ using testing::HasSubstr;
 const tendon::InterfaceName kGauge("robot", "gauge", "Level");
 const tendon::InterfaceName kReader("desk", "reader", "Level");
 
-/// Has no thread: the test writes its rows.
+/// A component without a thread: the test writes its rows.
 class Gauge final : public tendon::Component {
  public:
   explicit Gauge(std::string name) : Component(std::move(name)) {
@@ -36,7 +36,7 @@ class Gauge final : public tendon::Component {
     level.AddCommandReadState(table_, move_, "GetMoveBefore", 1);
   }
 
-  /// Returns when it was.
+  /// Writes a row, and returns its time.
   SteadyTime Write(std::uint64_t number, const std::string& text) {
     move_ = {.number = number, .goal = {1, 2, 3}};
     note_.text = text;
@@ -53,7 +53,7 @@ class Gauge final : public tendon::Component {
   Note note_;
 };
 
-/// Has no thread: the test reads. What it reads is mirrored.
+/// A component without a thread: the test reads with its functions. The read values are mirrored.
 class Reader final : public tendon::Component {
  public:
   explicit Reader(std::string name, const std::string& move = "GetMove")
@@ -255,7 +255,7 @@ INSTANTIATE_TEST_SUITE_P(Over, MirroredRead, testing::ValuesIn(NetworkKinds()), 
 
 std::atomic<int> ended{0};
 
-/// Counts the subscriptions that are ended.
+/// A loopback network that counts the ended subscriptions.
 NetworkKind CountingLoopback() {
   return {.name = "loopback", .make = [] {
             const auto network = std::make_shared<tendon::LoopbackNetwork>();

@@ -36,17 +36,18 @@ class Lonely final : public tendon::ChannelHandler {
   std::atomic<int> lost = 0;
 };
 
-/// Processes that listen, and one that looks for links to them.
+/// Processes that listen, and one process that opens links to them.
 class OpenedPeerLinks : public testing::Test, private tendon::PeerListener {
  protected:
-  /// Not in the destructor: until the worker has stopped, it may call this listener.
+  /// Stops the worker here and not in the destructor: until then, the worker may call this
+  /// listener.
   void TearDown() override {
     context_.opener->Stop();
     context_.worker->Stop();
     peers_.CloseAll();
   }
 
-  /// A new instance of a process; where it is.
+  /// Starts a new instance of a process, and returns its address.
   std::string Listen(const std::string& process, std::uint64_t instance) {
     auto listener = server_.Listen(
         "127.0.0.1:0", Channel::Acceptor({.instance = instance, .name = process, .cookie = kCookie},
@@ -63,7 +64,7 @@ class OpenedPeerLinks : public testing::Test, private tendon::PeerListener {
     return address;
   }
 
-  /// Whether the answer is still to come.
+  /// Requests a link. Returns true if the answer is still missing.
   bool AskFor(const std::string& process) {
     bool is_waiting = false;
     OnWorker([&] {
@@ -75,7 +76,7 @@ class OpenedPeerLinks : public testing::Test, private tendon::PeerListener {
     });
     return is_waiting;
   }
-  /// Asks until it does not rest any more.
+  /// Repeats the request until the pause after a failure has ended.
   bool EventuallyAskedFor(const std::string& process) {
     return EventuallyTrue([&] { return AskFor(process); });
   }
@@ -125,7 +126,7 @@ class OpenedPeerLinks : public testing::Test, private tendon::PeerListener {
                          const tendon::Error& /*reason*/) override {}
   void OnServerChanged() override {}
 
-  std::map<std::string, Result<std::shared_ptr<PeerLink>>> outcomes_;  // of the worker
+  std::map<std::string, Result<std::shared_ptr<PeerLink>>> outcomes_;  // set by the worker
 };
 
 TEST_F(OpenedPeerLinks, ToSilentPeersComeLastAndOneByOne) {
@@ -164,7 +165,7 @@ TEST_F(OpenedPeerLinks, ReachAPeerAtItsNewAddress) {
   EXPECT_EQ((*outcome)->instance(), 3U);
 }
 
-/// Those here accept links, and answer no question whether they live.
+/// These processes accept links, but do not answer pings.
 TEST_F(OpenedPeerLinks, ToLostPeersAreClosedOnceSilent) {
   Listen("robot", 2);
   (void)AskFor("robot");

@@ -21,7 +21,7 @@ using testing::StartsWith;
 
 constexpr std::chrono::seconds kRefusalPatience(20);
 
-/// Slots of 64 KiB.
+/// A payload that needs mailbox slots of 64 KiB.
 struct Picture {
   std::array<double, 8192> pixels{};
 };
@@ -94,7 +94,7 @@ TEST_P(MailboxSizeLimit, RefusesTooManyBytes) {
 
 INSTANTIATE_TEST_SUITE_P(Over, MailboxSizeLimit, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
 
-/// A process with a type of its own, that answers the question what it is.
+/// A process with its own type. It describes the type on request.
 class Foreigner final : public tendon::ChannelHandler {
  public:
   enum class Manner { kHonest, kLying, kSilent };
@@ -129,7 +129,7 @@ Schema Goal(const std::string& unit, Schema::Kind kind = Schema::Kind::kFloat64)
 
 class TypeMismatch : public RemoteConnection {
  protected:
-  /// Asks robot for a connection that needs MoveTo of this type, and returns what it says.
+  /// Requests a connection from robot that needs MoveTo of this type. Returns the message of robot.
   std::string WhyRefused(const Schema& schema,
                          Foreigner::Manner manner = Foreigner::Manner::kHonest) {
     const auto channel =
@@ -155,7 +155,8 @@ class TypeMismatch : public RemoteConnection {
     return opened.error().message;
   }
 
-  /// Robot does not wait long for the text: on a machine that stands still it may come too late.
+  /// Expects a message with this difference. Robot waits only briefly for the text of the type, so
+  /// on a machine that stalls the request is repeated.
   void ExpectDifference(const Schema& schema, const std::string& difference) {
     std::string why;
     EXPECT_TRUE(EventuallyTrue([&] {

@@ -11,7 +11,7 @@
 inline const tendon::InterfaceName kRobot("desk", "operator", "Robot");
 inline const tendon::InterfaceName kControl("robot", "plant", "Control");
 
-/// Process robot with a plant that runs, process desk with an operator.
+/// Process robot with a running plant, and process desk with an operator.
 class RemoteConnection : public NetworkTest {
  protected:
   void StartRobot() {

@@ -12,11 +12,11 @@ namespace {
 using tendon::Bytes;
 using tendon::Status;
 
-/// The frames that came to a process, and the replies to them.
+/// Counts the frames that arrive at a process, and the replies to them.
 struct FrameCounts {
   std::atomic<int> sent{0};
-  std::atomic<int> asked{0};     // by direct frames
-  std::atomic<int> answered{0};  // directly
+  std::atomic<int> asked{0};     // direct frames
+  std::atomic<int> answered{0};  // direct replies
 };
 
 /// A reply that is counted when it ends, at once or deferred.

@@ -19,7 +19,7 @@ const tendon::InterfaceName kWanted("desk", "user", "Light");
 const tendon::InterfaceName kLamp("robot", "lamp", "Light");
 const tendon::InterfaceName kFuse("robot", "fuse", "Light");
 
-/// Has no thread: who calls it executes.
+/// A component without a thread: its commands run in the thread of the caller.
 class Lamp final : public tendon::Component {
  public:
   explicit Lamp(std::string name) : Component(std::move(name)) {
@@ -37,7 +37,7 @@ class Lamp final : public tendon::Component {
   tendon::VoidEvent dark_;
 };
 
-/// Blows when it is switched; can be started anew while there are spare ones.
+/// Faults when it is switched. It can be restarted until no spare fuses are left.
 class Fuse final : public tendon::PeriodicTask {
  public:
   explicit Fuse(std::string name) : PeriodicTask(std::move(name), 1ms) {
@@ -62,8 +62,7 @@ class Fuse final : public tendon::PeriodicTask {
   tendon::VoidEvent dark_;
 };
 
-/// Uses a light, and faults when it is asked for something. Has no thread: the test calls its
-/// functions.
+/// A client of a light that faults on request. It has no thread: the test calls its functions.
 class User final : public tendon::Component {
  public:
   explicit User(std::string name) : Component(std::move(name)) {
@@ -105,12 +104,13 @@ class ServerState : public NetworkTest {
   }
   bool EventuallySays(const std::string& reason) {
     return EventuallyTrue([&] {
-      const auto all = desk->connections();  // those to other processes come last
+      const auto all = desk->connections();  // connections to other processes come last
       return !all.empty() && all.back().state == ConnectionState::kPending &&
              all.back().reason == reason;
     });
   }
-  /// Its clients are told a moment before it can be started anew.
+  /// Waits until the component is faulted. Its clients learn this a moment before it can be
+  /// restarted.
   static bool EventuallyFaults(const tendon::Component& component) {
     return EventuallyTrue([&] { return component.state() == ComponentState::kFaulted; });
   }

@@ -18,7 +18,7 @@ using tendon::Status;
 const tendon::InterfaceName kGong("robot", "gong", "Control");
 const tendon::InterfaceName kPorter("desk", "porter", "Gong");
 
-/// Sleeps until it is called, and has done at once what it is told, unless it is stuck.
+/// Sleeps until a command arrives. Executes commands at once, unless it is stuck.
 class Gong final : public tendon::SignalTask {
  public:
   explicit Gong(std::string name) : SignalTask(std::move(name)) {
@@ -49,7 +49,7 @@ class Gong final : public tendon::SignalTask {
   tendon::test::Record<int> strikes_;
 };
 
-/// Has no thread: tests call its functions from any.
+/// A component without a thread: the tests call its functions in any thread.
 class Porter final : public tendon::Component {
  public:
   explicit Porter(std::string name) : Component(std::move(name)) {
@@ -67,7 +67,7 @@ class Porter final : public tendon::Component {
   tendon::ReadFunction<int> count;
 };
 
-/// CallerThreads wait for a task that is done soon.
+/// Callers wait for a task that executes commands quickly.
 class ShortWait : public NetworkTest {
  protected:
   static constexpr auto kPatience = 20s;
@@ -86,7 +86,7 @@ class ShortWait : public NetworkTest {
     EXPECT_TRUE(id.ok()) << id.error().message;
     EXPECT_TRUE(EventuallyActive(*desk, 1)) << desk->connections().front().reason;
   }
-  /// The gong hangs in it, after it was done soon many times.
+  /// Makes many short calls, and then a call in which the gong hangs.
   std::future<Status> WaitForStick() {
     constexpr int kSoonDone = 20;
     for (int i = 0; i < kSoonDone; ++i) {

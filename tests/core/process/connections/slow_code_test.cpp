@@ -21,7 +21,7 @@ using tendon::Status;
 
 constexpr auto kSlowCodePatience = 20s;
 
-/// The plant is asked what it does not answer while its gate is locked.
+/// A read command of the plant does not return while its gate is locked.
 class SlowRead : public RemoteConnection {
  protected:
   SlowRead() {
@@ -29,7 +29,7 @@ class SlowRead : public RemoteConnection {
     StartDesk();
     Connect();
   }
-  /// By a caller that has given up when this returns; the question is with the plant.
+  /// Makes a read that times out. When this returns, the plant has received the request.
   void AskInVain(Operator& caller) {
     std::uint64_t answer = 0;
     EXPECT_EQ(caller.ask(answer), Status(Status::kTimeout));
@@ -102,7 +102,7 @@ TEST_P(SlowRead, IsNotExecutedIfItsConnectionEndsFirst) {
   for (int i = 0; i < 3; ++i) AskInVain(*user);
   ASSERT_TRUE(EventuallyTrue([&] { return plant->asked == 1; }));
   ASSERT_TRUE(desk->Disconnect(kRobot).ok());
-  Connect();  // behind that
+  Connect();  // waits for the previous requests
   EXPECT_TRUE(EventuallyTrue([&] { return Served() == 2; }))
       << "the plant is in a call of the first";
 
@@ -128,7 +128,7 @@ TEST_P(SlowRead, OfALostPeerBlocksNobody) {
 const InterfaceName kScale("robot", "scale", "Control");
 const InterfaceName kWeigher("desk", "weigher", "Scale");
 
-/// While it is locked, the filter waits.
+/// The filter waits while this is locked.
 std::mutex filter_gate;
 
 void Rounded(const double& weight, int& rounded) {
@@ -136,7 +136,8 @@ void Rounded(const double& weight, int& rounded) {
   rounded = static_cast<int>(weight);
 }
 
-/// Two ways to put something on it; one has a filter, which runs in the caller's thread.
+/// A scale with two commands to add weight. One command has a filter, which runs in the caller's
+/// thread.
 class Scale final : public tendon::SignalTask {
  public:
   explicit Scale(std::string name) : SignalTask(std::move(name)) {
@@ -165,7 +166,7 @@ class Scale final : public tendon::SignalTask {
   void Count(std::uint64_t& count) const { count = weights.size(); }
 };
 
-/// Has no thread: the test calls its functions.
+/// A component without a thread: the test calls its functions.
 class Weigher final : public tendon::Component {
  public:
   explicit Weigher(std::string name)
@@ -236,7 +237,8 @@ TEST_P(SlowFilter, AcceptsAMailboxfulAndRefusesTheRest) {
   int put = 0;
   while (Put(put) == Status(Status::kQueued)) ++put;
 
-  // Here and there: as many as wait in a mailbox over there, and in one here that they leave.
+  // The calls fill a mailbox in the other process and, while they wait to be sent, a mailbox in
+  // this process.
   EXPECT_GE(put, Weigher::kCapacity);
   EXPECT_LE(put, 2 * Weigher::kCapacity);
   EXPECT_EQ(scale->weights.size(), 0U);
@@ -248,7 +250,7 @@ TEST_P(SlowFilter, AcceptsAMailboxfulAndRefusesTheRest) {
 
 TEST_P(SlowFilter, SkipsAWaitedCallAfterItsDeadline) {
   constexpr int kLate = 100;
-  constexpr int kNext = 101;  // by whose end the time of the one before is over
+  constexpr int kNext = 101;  // when this call ends, the time limit of the previous call has passed
   {
     const std::scoped_lock closed(filter_gate);
     EXPECT_EQ(Put(0), Status(Status::kQueued));
@@ -271,10 +273,11 @@ TEST_P(SlowFilter, DirectRepliesLoseNoQueuedCalls) {
   for (; put < Weigher::kCapacity / 2; ++put) {
     ASSERT_EQ(weigher->put(put), Status(Status::kQueued));
   }
-  for (int i = 0; i < 3; ++i) {  // the first behind what is not sent yet
+  for (int i = 0; i < 3; ++i) {  // the first call waits behind calls that are not sent yet
     EXPECT_EQ(weigher->ring.Wait(kSlowCodePatience), Status(Status::kDone));
   }
-  // The desk keeps a mailbox full of them; the others are sent, more than there is room for.
+  // The desk keeps as many calls as its mailbox holds. The others are sent, more than the other
+  // mailbox holds.
   for (; put < 2 * Weigher::kCapacity + Weigher::kCapacity / 4; ++put) {
     EXPECT_TRUE(EventuallyTrue([&] { return weigher->put(put) == Status(Status::kQueued); }));
   }
@@ -322,7 +325,7 @@ TEST_P(SlowFilter, ExecutesArrivedCallsBeforeDisconnecting) {
 
 const InterfaceName kWatcher("desk", "watcher", "Robot");
 
-/// Handles moves in the thread that raises them, and waits while its gate is locked.
+/// Handles moves in the thread that raises the event. The handler waits while its gate is locked.
 class Watcher final : public tendon::Component {
  public:
   explicit Watcher(std::string name) : Component(std::move(name)) {
@@ -346,7 +349,7 @@ class Watcher final : public tendon::Component {
   tendon::RequiredInterface* robot_ = nullptr;
 };
 
-/// The desk watches the robot move, besides.
+/// The desk also watches the moves of the robot.
 class SlowHandler : public RemoteConnection {
  protected:
   SlowHandler() {
@@ -398,7 +401,7 @@ TEST_P(SlowHandler, CountsEventsThatFindNoRoom) {
   closed.unlock();
 
   EXPECT_TRUE(EventuallyTrue([&] {
-    Move(kMoves);  // what was lost is told with the next
+    Move(kMoves);  // the next event reports the lost events
     return watcher->lost() > 0 && watcher->moves.values().back() == kMoves &&
            watcher->moves.size() + watcher->lost() == plant->moves.size();
   }));

@@ -25,7 +25,8 @@ constexpr auto kLong = 20s;
 const tendon::InterfaceName kPress("robot", "press", "Control");
 const tendon::InterfaceName kPanel("desk", "panel", "Press");
 
-/// Offers every kind of command that can be waited for; executes them while it is not held.
+/// A server with every kind of command for which a caller can wait. It executes commands only while
+/// it is not held.
 class Press final : public tendon::PeriodicTask {
  public:
   explicit Press(std::string name) : PeriodicTask(std::move(name), 1ms) {
@@ -46,10 +47,10 @@ class Press final : public tendon::PeriodicTask {
     ++cycles;
   }
 
-  /// What is called from now on waits.
+  /// Makes all later calls wait.
   void Hold() {
     held = true;
-    const int before = cycles;  // the cycle that runs now may not have seen it
+    const int before = cycles;  // the running cycle may not have seen `held`
     EXPECT_TRUE(EventuallyTrue([&] { return cycles != before; }));
   }
 
@@ -79,7 +80,7 @@ class Press final : public tendon::PeriodicTask {
   void Name(const int& number, std::string& name) { name = "part " + std::to_string(number); }
 };
 
-/// Has no thread: tests call its functions from any.
+/// A component without a thread: the tests call its functions in any thread.
 class Panel final : public tendon::Component {
  public:
   explicit Panel(std::string name) : Component(std::move(name)) {
@@ -105,7 +106,7 @@ class Panel final : public tendon::Component {
   tendon::WriteReturnFunction<int, std::string> part;
 };
 
-/// One press and one panel, connected over a network.
+/// A press and a panel that are connected over a network.
 class RemoteWait : public NetworkTest {
  protected:
   RemoteWait() {
@@ -125,7 +126,7 @@ class RemoteWait : public NetworkTest {
     press->held = false;
     press->stuck = false;
   }
-  /// One that is being waited for while the press is held.
+  /// Starts a call that waits while the press is held.
   std::future<Status> WaitForStamp() {
     press->Hold();
     auto status = std::async(std::launch::async, [this] { return panel->stamp.Wait(kLong); });
@@ -141,7 +142,7 @@ class RemoteWait : public NetworkTest {
 
 INSTANTIATE_TEST_SUITE_P(Over, RemoteWait, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
 
-/// What must be the same whether the two are in one process or in two.
+/// Checks that must give the same results in one process and in two.
 void UseEveryKind(Press& press, Panel& panel) {
   EXPECT_EQ(panel.stamp.Wait(kLong), Status(Status::kDone));
   EXPECT_EQ(press.stamps, 1);
@@ -210,7 +211,7 @@ TEST_P(RemoteWait, TimesOutWithoutExecutingAnUnstartedCall) {
 
   const Status status = panel->stamp.Wait(300ms);
 
-  // On a machine that stands still, the other end's word may come too late.
+  // On a machine that stalls, the message of the other end may arrive too late.
   EXPECT_THAT(status.code(), AnyOf(Status::kTimeout, Status::kOutcomeUnknown));
   if (status == Status(Status::kTimeout)) {
     press->held = false;
@@ -224,7 +225,8 @@ TEST_P(RemoteWait, AStartedCallTimesOutWithUnknownOutcome) {
 
   const Status status = panel->stick.Wait(500ms);
 
-  // On a machine that stands still, it was not started, or the other end's word came too late.
+  // On a machine that stalls, the command was not started, or the message of the other end arrived
+  // too late.
   if (press->sticks == 1) {
     EXPECT_EQ(status, Status(Status::kOutcomeUnknown));
   } else {
@@ -261,7 +263,7 @@ TEST_P(RemoteWait, OfAThrowingCommandFailsAndFaultsTheServer) {
   EXPECT_EQ(panel->stamp.Wait(kLong), Status(Status::kNotActive));
 }
 
-/// Calls commands by their names, as a console does.
+/// Calls commands by their names, like a console.
 class RemoteCallByName : public RemoteWait {
  protected:
   RemoteCallByName() {
@@ -319,7 +321,7 @@ TEST_P(RemoteWait, EndsWhenTheServersProcessEnds) {
 
   EXPECT_THAT(status.get().code(),
               AnyOf(Status::kNotActive, Status::kNotConnected, Status::kOutcomeUnknown));
-  // Until the panel hears that the link is closed, it knows that the server has stopped.
+  // Until the panel learns that the link is closed, its calls report a stopped server.
   EXPECT_TRUE(EventuallyTrue([this] {
     const Status next = panel->stamp.Wait(kLong);
     EXPECT_NE(next, Status(Status::kDone));

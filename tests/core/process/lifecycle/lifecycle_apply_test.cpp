@@ -11,7 +11,7 @@ namespace {
 using tendon::LifecycleVerb;
 using tendon::SystemFile;
 
-/// Goes on where it is to rest.
+/// A component that continues to run when it is told to suspend.
 class Restless final : public tendon::Component {
  public:
   using Component::Component;
@@ -20,7 +20,7 @@ class Restless final : public tendon::Component {
   void Pause() override {}
 };
 
-/// A system file is made to run in processes that are there.
+/// Applies system files to existing processes.
 class LifecycleApply : public LifecycleFixture {
  protected:
   tendon::PlanOutcome Apply(const SystemFile& wanted) {
@@ -33,7 +33,7 @@ class LifecycleApply : public LifecycleFixture {
                              << ToString(step) << ": " << outcome.reason;
                        });
   }
-  /// As it would be read again.
+  /// Returns the saved system as it would be read from a file.
   SystemFile Saved() {
     const auto text = SystemFileText(SystemOf(gcm().catalogue(), "lamps").file);
     EXPECT_TRUE(text);
@@ -46,7 +46,7 @@ class LifecycleApply : public LifecycleFixture {
                                            tendon::StartComparison::kIgnore);
     for (const auto& one : comparison.differences) ADD_FAILURE() << one.what << ": " << one.how;
   }
-  /// A lamp with its switch, one that is suspended and one that was never started.
+  /// Creates a lamp and its switch, a suspended component, and one that was never started.
   void MakeLamps() {
     ASSERT_EQ(Reason(Create("Lamp", "lamp", R"({"brightness":0.7})")), "");
     ASSERT_EQ(Reason(Create("Lamp", "night")), "");
@@ -67,7 +67,7 @@ class LifecycleApply : public LifecycleFixture {
     robot_.reset();
     robot_ = std::make_unique<tendon::Process>("robot", options);
     ASSERT_TRUE(robot_->WaitUntilJoined(kLong).ok());
-    ASSERT_TRUE(EventuallyTrue([&] {  // so does the client
+    ASSERT_TRUE(EventuallyTrue([&] {  // wait until the client has received the change, too
       const tendon::Catalogue known = client_->catalogue();
       const tendon::Catalogue now = gcm().catalogue();
       return InstanceOf(known, "robot") == InstanceOf(now, "robot");
@@ -89,7 +89,7 @@ TEST_P(LifecycleApply, RestoresASavedSystemInAnEmptyProcess) {
   EXPECT_EQ(applied.failed, 0U);
   EXPECT_EQ(gcm().catalogue().ContentHash(), before);
   ExpectRuns(saved);
-  EXPECT_EQ(Apply(saved), tendon::PlanOutcome());  // there is nothing left to do
+  EXPECT_EQ(Apply(saved), tendon::PlanOutcome());  // no step is left
 }
 
 TEST_P(LifecycleApply, RestoresThreadsAndLeaders) {
@@ -115,7 +115,7 @@ TEST_P(LifecycleApply, RestoresThreadsAndLeaders) {
   EXPECT_EQ(robot_->SettingsOf("a-follower")->thread->spin, std::chrono::microseconds(20));
   EXPECT_EQ(Apply(saved), tendon::PlanOutcome());
 
-  SystemFile other = saved;  // the leader is made anew, with what runs after it
+  SystemFile other = saved;  // the leader and its followers are created again
   for (auto& component : other.processes[0].components) {
     if (component.name == "lamp") component.configuration = R"({"brightness":0.2})";
   }
@@ -150,7 +150,7 @@ TEST_P(LifecycleApply, StopsAComponentThatCannotBeSuspended) {
   wanted.processes[0].components[0].state = tendon::ComponentState::kSuspended;
   const tendon::Plan plan = MakePlan(gcm().catalogue(), wanted);
   ASSERT_EQ(plan.steps.size(), 1U);
-  constexpr std::chrono::milliseconds kSoon(2000);  // it is waited for in vain
+  constexpr std::chrono::milliseconds kSoon(2000);  // the wait is expected to time out
   tendon::GcmClient client(NewMiddleware(),
                            {.name = "test", .address = gcm().address(), .timeout = kSoon});
   ASSERT_TRUE(client.WaitUntilWatching());
@@ -195,7 +195,7 @@ TEST_P(LifecycleApply, RefusesAStepForAChangedConfiguration) {
   EXPECT_THAT(made.error().message,
               testing::StartsWith("the configuration of robot/lamp was changed meanwhile by test"));
   EXPECT_EQ(Known("lamp").configuration, R"({"brightness":0.3})");
-  EXPECT_EQ(Apply(wanted).failed, 0U);  // which is planned anew
+  EXPECT_EQ(Apply(wanted).failed, 0U);  // after a new plan
   EXPECT_EQ(Known("lamp").configuration, R"({"brightness":0.1})");
 }
 

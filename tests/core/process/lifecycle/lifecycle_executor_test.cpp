@@ -156,7 +156,7 @@ TEST_P(Lifecycle, ASlowPlugInBlocksNothingElse) {
                                        .component = "lamp",
                                        .class_name = "Lamp",
                                        .patience = std::chrono::milliseconds(1)});
-  EXPECT_FALSE(late);  // nobody waits for it any more
+  EXPECT_FALSE(late);  // nobody waits for this answer any more
   robot_->Add<plant::Plant>("plant");
   EXPECT_TRUE(EventuallyTrue([&] { return !Known("plant").name.empty(); }));
   std::ofstream(file) << "now";
@@ -164,7 +164,7 @@ TEST_P(Lifecycle, ASlowPlugInBlocksNothingElse) {
   EXPECT_EQ(Reason(Create("Lamp", "after")), "");
 
   EXPECT_EQ(Known("gate").class_name, "Gate");
-  EXPECT_EQ(Known("lamp").name, "");  // nor was it made late
+  EXPECT_EQ(Known("lamp").name, "");  // the late order was not executed
 }
 
 TEST_P(Lifecycle, RefusesAnOrderForAnEarlierInstance) {
@@ -212,7 +212,7 @@ TEST_P(Lifecycle, AReconfiguredComponentKeepsItsConnections) {
   EXPECT_TRUE(EventuallyActive(*robot_, 1));
 }
 
-/// Which components were told to be gone.
+/// Records which components were reported as removed.
 class Departures final : public tendon::GcmListener {
  public:
   void OnSnapshot(const tendon::Catalogue& /*catalogue*/) override {}

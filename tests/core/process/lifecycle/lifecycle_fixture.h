@@ -17,7 +17,7 @@ inline std::shared_ptr<tendon::ComponentLoader> LoaderOfLamps() {
   return std::make_shared<tendon::ComponentLoader>(folders);
 }
 
-/// A process that creates components of the plug-in `lamps`, its GCM, and a client that gives the
+/// A process that creates components from the plug-in `lamps`, its GCM, and a client that sends the
 /// orders.
 class LifecycleFixture : public NetworkTest {
  protected:
@@ -74,7 +74,7 @@ class LifecycleFixture : public NetworkTest {
                               .configuration = configuration});
   }
   using Pending = std::future<tendon::Result<void>>;
-  /// Sends an order and does not wait for the answer.
+  /// Sends an order without waiting for the answer.
   Pending OrderLater(const tendon::message::LifecycleOrder& order) {
     auto promise = std::make_shared<std::promise<tendon::Result<void>>>();
     client_->ExecuteLifecycleOrder(order,
@@ -84,7 +84,7 @@ class LifecycleFixture : public NetworkTest {
   Pending OrderLater(tendon::LifecycleVerb verb, const std::string& component) {
     return OrderLater({.verb = verb, .process = "robot", .component = component});
   }
-  /// The newest steps of the history, each as "start lamp" with its state.
+  /// Returns the newest steps of the history, each as "start lamp" with its state.
   [[nodiscard]] std::vector<std::string> Steps() {
     const auto history = tendon::Wait<tendon::message::History>(
         kLong, [&](auto handler) { client_->GetHistory(handler); });
@@ -94,19 +94,18 @@ class LifecycleFixture : public NetworkTest {
     }
     return all;
   }
-  /// Undoes the newest step. Returns its text, or the reason why none was undone.
+  /// Undoes the newest step. Returns its text, or the error if nothing was undone.
   std::string Undone() {
     const auto undone = tendon::Wait<tendon::message::HistoryEntry>(
         3 * kLong, [&](auto handler) { client_->Undo(handler); });
     return undone ? undone->verb + " " + undone->lifecycle.component : undone.error().message;
   }
-  /// The reason of a refusal; empty if nothing was refused.
+  /// Returns the reason of a refusal; empty if the order was not refused.
   static std::string Reason(const tendon::Result<void>& result) {
     return result ? std::string() : result.error().message;
   }
 
-  /// The component as the GCM knows it at the time of the answer; its name is empty if there is
-  /// none.
+  /// Returns the component as the GCM knows it now. Its name is empty if it does not exist.
   [[nodiscard]] tendon::ComponentDescription Known(const std::string& component) {
     const tendon::Catalogue catalogue = gcm().catalogue();
     const auto* found = catalogue.FindComponent("robot", component);

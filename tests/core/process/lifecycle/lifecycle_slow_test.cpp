@@ -14,7 +14,7 @@ using tendon::LifecycleVerb;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Tells when it has ended.
+/// A component that reports its end.
 class Ended final : public tendon::Component {
  public:
   Ended(std::string name, std::atomic<bool>& has_ended)
@@ -26,21 +26,21 @@ class Ended final : public tendon::Component {
   std::atomic<bool>& has_ended_;
 };
 
-/// Components that take their time, and orders that meet there.
+/// Slow components, and orders that arrive while another order runs.
 class LifecycleSlow : public LifecycleFixture {
  protected:
   void TearDown() override {
     Open();
     LifecycleFixture::TearDown();
   }
-  /// Of a class that waits for the gate.
+  /// Creates a component of a class that waits for the gate.
   void CreateGated(const std::string& class_name, const std::string& component) {
     ASSERT_EQ(Reason(Create(class_name, component, R"({"file": ")" + gate_ + "\"}")), "");
   }
-  /// What waits goes on.
+  /// Opens the gate.
   void Open() { std::ofstream(gate_) << "open"; }
-  /// Whether one that waits for the gate has come to it. That it is starting is not enough: a task
-  /// that has not begun its Startup() stops at once.
+  /// Returns true if a component waits at the gate. It is not enough that the component is
+  /// starting: a task that has not begun its Startup() stops at once.
   [[nodiscard]] bool IsAtGate() const { return std::filesystem::exists(gate_ + ".reached"); }
 
   const tendon::test::Folder folder_;
@@ -79,11 +79,12 @@ TEST_P(LifecycleSlow, AStopIsAcceptedDuringTheStartOfItsComponent) {
                                           .component = "slow",
                                           .patience = std::chrono::seconds(2)});
   ASSERT_FALSE(stopped);
-  EXPECT_EQ(stopped.error().code, ErrorCode::kTimeout);  // it was told, and cannot yet
+  // The component was told to stop, but cannot stop yet.
+  EXPECT_EQ(stopped.error().code, ErrorCode::kTimeout);
   Open();
 
   EXPECT_TRUE(robot_->WaitFor("slow", ComponentState::kFinished, kLong).ok());
-  (void)start.get();  // it may have been active for a moment
+  (void)start.get();  // the component may have been active for a moment
 }
 
 TEST_P(LifecycleSlow, AnUnconfirmedStartCanBeUndone) {
@@ -181,7 +182,7 @@ TEST_P(LifecycleSlow, EndingAProcessStopsComponentsDuringAnOrder) {
   robot_->Add<Ended>("ended", has_ended);
   ASSERT_TRUE(robot_->Start("ended").ok());
   Pending start = OrderLater(LifecycleVerb::kStart, "slow");
-  ASSERT_TRUE(EventuallyTrue([&] {  // in its Configure()
+  ASSERT_TRUE(EventuallyTrue([&] {  // the component is in its Configure()
     const auto stopped = robot_->Stop("slow", tendon::kNoWait);
     return !stopped && stopped.error().code == ErrorCode::kTimeout;
   }));

@@ -15,7 +15,7 @@ namespace {
 using tendon::ComponentState;
 using tendon::LifecycleVerb;
 
-/// What was ordered from afar is a step of the history.
+/// Remote orders become steps of the history.
 class LifecycleUndo : public LifecycleFixture {};
 
 INSTANTIATE_TEST_SUITE_P(Over, LifecycleUndo, testing::ValuesIn(PlainNetworkKinds()),
@@ -62,7 +62,7 @@ TEST_P(LifecycleUndo, RevertsStepsFromLastToFirst) {
 
 TEST_P(LifecycleUndo, IsRefusedIfTheComponentHasChanged) {
   ASSERT_EQ(Reason(Create("Lamp", "lamp")), "");
-  ASSERT_TRUE(robot_->Start("lamp").ok());  // by its program
+  ASSERT_TRUE(robot_->Start("lamp").ok());  // an order of the process' own program
   ASSERT_TRUE(EventuallyTrue([&] { return Known("lamp").state == ComponentState::kActive; }));
 
   EXPECT_THAT(Undone(), testing::HasSubstr("): robot/lamp is active now; stop it first; "));
@@ -150,7 +150,7 @@ TEST_P(LifecycleUndo, RefusesToUndoAStopIfAFollowerHasChanged) {
   }
   ASSERT_TRUE(EventuallyTrue([&] { return Known("second").leader == "first"; }));
   ASSERT_EQ(Reason(Order(LifecycleVerb::kStop, "first")), "");
-  ASSERT_TRUE(robot_->Remove("second").ok());  // by its program
+  ASSERT_TRUE(robot_->Remove("second").ok());  // an order of the process' own program
   ASSERT_TRUE(EventuallyTrue([&] { return Known("second").name.empty(); }));
 
   EXPECT_THAT(Undone(), testing::HasSubstr("): robot/second no longer exists; "));
@@ -158,14 +158,14 @@ TEST_P(LifecycleUndo, RefusesToUndoAStopIfAFollowerHasChanged) {
   EXPECT_EQ(robot_->Find("first")->state(), ComponentState::kFinished);
 }
 
-/// Gives random orders to four lamps, of which `second` can run after `first`.
+/// Gives random orders to four lamps. The lamp `second` can run after `first`.
 class RandomOrders {
  public:
   explicit RandomOrders(std::function<tendon::ComponentDescription(const std::string&)> known)
       : known_(std::move(known)) {}
 
-  /// One that may be refused, as long as it is an order of its own: the rest of a leader, with
-  /// which those rest that run after it, is none.
+  /// Returns an order, which may be refused. It must be a complete order: suspending a leader also
+  /// suspends its followers, so such an order is not returned.
   tendon::message::LifecycleOrder Next() {
     constexpr std::array kVerbs = {LifecycleVerb::kCreate, LifecycleVerb::kConfigure,
                                    LifecycleVerb::kStart,  LifecycleVerb::kSuspend,

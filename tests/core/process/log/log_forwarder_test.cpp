@@ -32,7 +32,7 @@ tendon::Hello HelloOf(const std::string& name) {
       .instance = tendon::os::RandomNumber(), .name = name, .cookie = *tendon::LoopbackCookie()};
 }
 
-/// Takes records as a GCM does.
+/// Receives log records like a GCM.
 class Taker final : public tendon::ChannelHandler {
  public:
   void OnNotice(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& header,
@@ -50,7 +50,7 @@ class Taker final : public tendon::ChannelHandler {
     largest_ = std::max(largest_, body.size());
   }
 
-  /// Those of one source; other parts of this program log, too.
+  /// Returns the records of one source. Other parts of this program also log.
   [[nodiscard]] std::vector<std::string> Of(const std::string& source) const {
     const std::scoped_lock lock(mutex_);
     std::vector<std::string> texts;
@@ -68,7 +68,7 @@ class Taker final : public tendon::ChannelHandler {
     return largest_;
   }
 
-  std::mutex gate;  ///< while it is locked it does nothing more, once it was sent something else
+  std::mutex gate;  ///< while this is locked, nothing is processed after the next message
   std::atomic<bool> is_stuck{false};
 
  private:
@@ -177,7 +177,7 @@ TEST_F(LogForwarderTest, KeepsRecordsForAFullLinkAndSendsThemOnce) {
   }
   forwarder.SetChannel(channel);
   Log(LogLevel::kInfo, "arm", "patience");
-  forwarder.Finish();  // tries, in this thread
+  forwarder.Finish();  // makes an attempt in this thread
   forwarder.SetChannel(channel);
 
   held.unlock();

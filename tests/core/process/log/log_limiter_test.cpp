@@ -12,13 +12,13 @@ using tendon::SteadyTime;
 using Suppressed = LogLimiter::Suppressed;
 using namespace std::chrono_literals;
 
-/// With hands that the test turns.
+/// A limiter with a clock that the test advances.
 class LogLimiterTest : public testing::Test {
  protected:
   bool Admits(const std::string& source, LogLevel level = LogLevel::kInfo) {
     return limiter.Admit(source, level, clock.Now());
   }
-  /// How many of `count` records at once.
+  /// Returns how many of `count` simultaneous records are admitted.
   int Admitted(const std::string& source, int count) {
     int admitted = 0;
     for (int i = 0; i < count; ++i) admitted += Admits(source) ? 1 : 0;

@@ -22,8 +22,8 @@ using tendon::message::LogRecord;
 using tendon::test::LogKeeper;
 using testing::HasSubstr;
 
-/// A viewer of the log. All processes of a test are in one program: each forwards all that is
-/// logged there, under its own name.
+/// A viewer of the log. All processes of a test are in one program, so each process forwards the
+/// whole log of the program under its own name.
 class LogOfProcess : public NetworkTest {
  protected:
   LogOfProcess() {
@@ -43,7 +43,7 @@ class LogOfProcess : public NetworkTest {
                          [&](const LogRecord& record) { return record.text == text; });
     });
   }
-  /// How many records of the source have come, or were said to be suppressed.
+  /// Returns how many records of the source have arrived or were reported as suppressed.
   [[nodiscard]] std::uint64_t Accounted(const std::string& source) const {
     const std::string word = "suppressed ";
     std::uint64_t accounted = 0;
@@ -71,12 +71,12 @@ TEST_P(LogOfProcess, ReachesAViewerWithAllFieldsOfARecord) {
   EXPECT_TRUE(EventuallyHears("gcm", "gcm", "process 'robot' is available"));
 }
 
-/// As of the window that hosts a GCM.
+/// For example, a window that hosts a GCM is both the GCM and a process.
 TEST_P(LogOfProcess, IsSentOnceIfTheGcmIsInTheSameProgram) {
   auto own = Start("gcm");
 
   Log(LogLevel::kInfo, "arm", "once");
-  own.reset();  // has sent all it had
+  own.reset();  // the process has sent all its records
 
   ASSERT_TRUE(EventuallyHears("gcm", "gcm", "process 'gcm' has left: deregistered"));
   EXPECT_EQ(keeper->Of("gcm", "arm").size(), 1U);

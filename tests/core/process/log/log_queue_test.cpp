@@ -18,7 +18,8 @@ using tendon::message::LogRecord;
 
 constexpr std::size_t kAll = 2 * LogQueue::kCapacity;
 
-/// What a record says that is missing: "suppressed 12 records" and "12 older records".
+/// Returns the number of missing records in a message such as "suppressed 12 records" or "12 older
+/// records".
 std::uint64_t MissingIn(const LogRecord& record) {
   const std::string suppressed = "suppressed ";
   if (record.text.starts_with(suppressed)) {
@@ -113,7 +114,7 @@ TEST_F(LogQueueTest, KeepsTheNewestWhenFullAndCountsTheLost) {
 TEST_F(LogQueueTest, CountsSuppressedRecordsOfALostSummary) {
   constexpr std::uint64_t kStorm = 5000;
   for (std::uint64_t i = 0; i < kStorm; ++i) queue.Add(LogLevel::kInfo, "arm", "help");
-  ASSERT_TRUE(queue.Take(0, SteadyTime::max()).empty());  // it waits behind the first of them
+  ASSERT_TRUE(queue.Take(0, SteadyTime::max()).empty());  // this record waits behind the first one
   for (std::size_t i = 0; i < LogQueue::kCapacity; ++i) {
     queue.Add(LogLevel::kInfo, "source " + std::to_string(i % 100), "x");
   }
@@ -158,7 +159,8 @@ TEST_F(LogQueueTest, AccountsForEveryRecordOfManyThreads) {
   };
   for (int i = 0; i < 50; ++i) count(queue.Take(20, clock.Now()));
   for (std::thread& thread : threads) thread.join();
-  // What was suppressed is told by records that may push out others; one of those counts as one.
+  // Reports of suppressed records may displace other records. A displaced report counts as one
+  // record.
   count(queue.Take(kAll, SteadyTime::max()));
 
   EXPECT_EQ(accounted, kThreads * kEach);

@@ -14,7 +14,7 @@ using testing::IsEmpty;
 const GcmRoute kElsewhere{.to = "10.9.1.1:10705", .from = "10.9.1.2"};
 const GcmRoute kByIpv6{.to = "[fd00::1]:10705", .from = "fd00::2"};
 const GcmRoute kBeside{.to = "127.0.0.1:10705", .from = "127.0.0.1"};
-/// By an address that others reach it by, too.
+/// A route by an address at which other hosts can also reach this host.
 const GcmRoute kOnThisHost{.to = "10.9.1.2:10705", .from = "10.9.1.2"};
 
 TEST(AdvertisedAddress, IsTheListenAddressIfReachable) {

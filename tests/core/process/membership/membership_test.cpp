@@ -40,7 +40,7 @@ class Membership : public NetworkTest {
       return connection != nullptr && connection->state == state;
     });
   }
-  /// As a viewer would.
+  /// Connects two interfaces through the GCM, like a viewer.
   tendon::Result<tendon::ConnectionDescription> ConnectByGcm(const InterfaceName& required,
                                                              const InterfaceName& provided) {
     tendon::GcmClient client(NewMiddleware(), {.name = "test", .address = gcm().address()});

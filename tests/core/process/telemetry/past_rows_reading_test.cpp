@@ -38,12 +38,12 @@ struct Reading {
                           sink,
                           [this](const Result<PastRows>& past) { outcome = past; }};
 
-  /// True if another page must be asked for.
+  /// Returns true if another page must be requested.
   bool Take(const message::ReadRowsReply& page) { return reading.Take(page, ClockOffset()); }
 };
 
-/// The rows from `first` to before `end` of a process that has written those up to `written`. The
-/// row of tick N was written N ms after the start of the clock; it is 1 s now.
+/// Returns the rows [first, end) of a process that has written the rows before `written`. The row
+/// of tick N was written N ms after the start of the clock. The present time is 1 s.
 message::ReadRowsReply Page(std::uint64_t first, std::uint64_t end, std::uint64_t written,
                             std::uint64_t rows_before, std::uint64_t lost = 0) {
   RowBatchWriter writer({});

@@ -58,7 +58,7 @@ class RecordingHandler : public tendon::ChannelHandler {
     return is_closed_;
   }
 
-  std::mutex gate;  ///< a thread that delivers a notice waits while it is locked
+  std::mutex gate;  ///< a thread that delivers a notice waits while this is locked
   std::atomic<bool> is_at_gate{false};
 
  private:
@@ -68,7 +68,7 @@ class RecordingHandler : public tendon::ChannelHandler {
   bool is_closed_ = false;
 };
 
-/// A process and a viewer with a channel between them, over loopback.
+/// A process and a viewer, with a channel over loopback between them.
 class ProcessAndViewer {
  public:
   ProcessAndViewer() {

@@ -12,7 +12,7 @@ using tendon::RowBatchWriter;
 Bytes Filled(std::size_t size, int value) { return Bytes(size, static_cast<std::byte>(value)); }
 Bytes Copy(std::span<const std::byte> bytes) { return {bytes.begin(), bytes.end()}; }
 
-/// Two rows of a column of 12 bytes, a varying one, and one of 8 bytes.
+/// Two rows with a column of 12 bytes, a column of variable size, and a column of 8 bytes.
 Bytes SampleBody() {
   RowBatchWriter writer({12, 0, 8});
   writer.BeginRow(5, 500);
@@ -93,7 +93,7 @@ TEST(RowBatch, MayHaveNoRowsAndNoColumns) {
 
 TEST(RowBatch, RefusesATruncatedBatch) {
   const Bytes body = SampleBody();
-  const std::size_t fixed_part = body.size() - 8;  // before the one loose cell
+  const std::size_t fixed_part = body.size() - 8;  // ends before the only cell of variable size
 
   for (std::size_t size = 0; size < fixed_part; ++size) {
     EXPECT_FALSE(RowBatchReader::Open(std::span(body).first(size))) << size;

@@ -9,7 +9,7 @@
 namespace tendon {
 namespace {
 
-/// Answers every subscription with a column too few.
+/// Answers every subscription with one column too few.
 class Confused final : public RecordingHandler {
  public:
   static constexpr std::uint32_t kHandle = 5;
@@ -24,7 +24,7 @@ class Confused final : public RecordingHandler {
   }
 };
 
-/// Sends rows of what nobody has heard an answer about.
+/// Sends rows, but never answers the subscription.
 class Forgotten final : public RecordingHandler {
  public:
   static constexpr std::uint32_t kHandle = 6;
@@ -47,7 +47,7 @@ class DeafSink final : public RowSink {
   void OnStale(const Error& /*reason*/) override {}
 };
 
-/// Whether a viewer that has subscribed ends what `process` says something of.
+/// Returns true if a viewer ends a subscription about which `process` sends something wrong.
 template <typename Process>
 bool EndsThere(const std::shared_ptr<Process>& process) {
   const auto network = std::make_shared<LoopbackNetwork>();

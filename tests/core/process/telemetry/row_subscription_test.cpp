@@ -19,7 +19,7 @@ struct RowCounts {
   bool operator==(const RowCounts&) const = default;
 };
 
-/// Remembers the last batch, and counts the rows of all.
+/// Stores the last batch, and counts the rows of all batches.
 class Sink final : public RowSink {
  public:
   void OnSubscribed(const std::vector<Schema>& /*columns*/) override {}
@@ -31,12 +31,12 @@ class Sink final : public RowSink {
   }
   void OnStale(const Error& /*reason*/) override {}
 
-  RowBatch last;  ///< but for its rows
+  RowBatch last;  ///< without its rows
   std::vector<std::int64_t> times;
   RowCounts counts;
 };
 
-/// A viewer of a table without columns, and what its process would send.
+/// A viewer of a table without columns, and the batches of its process.
 class Viewer {
  public:
   explicit Viewer(RowChoice rows = {})
@@ -44,20 +44,21 @@ class Viewer {
             {.process = "robot", .component = "arm", .table = "state", .columns = {}, .rows = rows},
             sink) {}
 
-  /// It stands, also again.
+  /// Begins the subscription, or renews it.
   void Stand(std::uint64_t epoch, std::uint64_t first_tick) {
     beginning = *subscription.Begin({.handle = 1, .epoch = epoch, .first_tick = first_tick});
     rows_before = 0;
     next_tick = first_tick;
   }
-  /// The same by a topic, to which so many rows were sent before that of `tick`.
+  /// Does the same for a topic. `rows` is the number of rows that were sent to the topic before the
+  /// row `tick`.
   void StandByTopic(std::uint64_t epoch, std::uint64_t tick, std::uint64_t rows) {
     beginning =
         *subscription.Begin({.handle = 1, .epoch = epoch}, RowSubscription::Start::kFirstBatch);
     rows_before = rows;
     next_tick = tick;
   }
-  /// The next rows are written; what the viewer is not sent is counted as its process does.
+  /// Sends the next rows. Rows that are not sent to the viewer are counted like in its process.
   void Send(std::uint64_t rows, SteadyTime first = SteadyTime(1s), nanoseconds period = 1ms) {
     RowBatchWriter writer({});
     for (std::uint64_t row = 0; row < rows; ++row) {
@@ -202,8 +203,8 @@ TEST(RowSubscription, CorrectedTimesNeverGoBack) {
   row += 100'000 * 10us;
   const SteadyTime before = row - 10us - viewer.sink->last.clock_offset;
 
-  // The other clock has gained: half a millisecond of that would be made up for at once, and the
-  // next row is 10 us later.
+  // The other clock has gained time. Half a millisecond of this would be corrected at once, but the
+  // next row is only 10 us later.
   viewer.clock.Add(SteadyTime(1s), SteadyTime(1h + 10ms), SteadyTime(1s));
   for (const SteadyTime next : {row, row + 10us}) {
     viewer.Send(1, next);
@@ -256,7 +257,7 @@ TEST(RowSubscription, OfATopicCountsTableLossesOfALostBatch) {
 
   viewer.Overwrite(5);
   viewer.Refuse(3);
-  viewer.overwritten = 0;  // that batch said so
+  viewer.overwritten = 0;  // that batch has reported the loss
   viewer.Send(2);
 
   EXPECT_EQ(viewer.sink->counts, (RowCounts{.received = 12, .lost = {.table = 5, .network = 3}}));
@@ -279,7 +280,7 @@ TEST(RowSubscription, SwitchingToATopicDeliversNoRowTwice) {
   viewer.Send(100);
 
   viewer.StandByTopic(1, 190, 40);
-  viewer.Send(10);  // which it has had
+  viewer.Send(10);  // the viewer already has these rows
   viewer.Send(10);
 
   EXPECT_EQ(viewer.sink->counts, (RowCounts{.received = 110}));

@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 using tendon::SteadyTime;
 namespace conformance = tendon::conformance;
 
-/// Writes twenty rows of 264 bytes each millisecond, as long as it may.
+/// Writes twenty rows of 264 bytes per millisecond, up to the allowed number.
 class Spate final : public tendon::PeriodicTask {
  public:
   static constexpr std::uint64_t kRate = 20'000;
@@ -37,7 +37,7 @@ class Spate final : public tendon::PeriodicTask {
     }
   }
 
-  /// Until it has written so many altogether.
+  /// Sets the total number of rows that it may write.
   void Allow(std::uint64_t rows) { most_ = rows; }
   [[nodiscard]] std::uint64_t written() { return state_table().next_tick(); }
 
@@ -46,7 +46,7 @@ class Spate final : public tendon::PeriodicTask {
   std::atomic<std::uint64_t> most_{0};
 };
 
-/// Counts what it hears, and can be made to hold whoever tells it.
+/// Counts its rows, and can block the thread that delivers them.
 class Counter final : public tendon::RowSink {
  public:
   void OnSubscribed(const std::vector<tendon::Schema>& /*columns*/) override { stands_ = true; }
@@ -72,7 +72,7 @@ class Counter final : public tendon::RowSink {
   std::atomic<std::uint64_t> lost_on_network_{0};
 };
 
-/// One program of many, to a process the slowest of which is stopped.
+/// Several viewers of a process; the slowest one is stopped.
 class SlowViewer : public ViewingTest {
  protected:
   struct Viewer {
@@ -91,8 +91,8 @@ class SlowViewer : public ViewingTest {
     return viewer;
   }
 
-  /// So many more rows, as fast as the source writes and those who keep up can take them, however
-  /// slow this machine is.
+  /// Writes further rows. The source waits for the quick viewers, so the speed of this machine does
+  /// not matter.
   void Write(std::uint64_t rows, const std::vector<const Viewer*>& quick) {
     constexpr std::uint64_t kAhead = 10'000;  // less than the table and the link hold
     const std::uint64_t end = spate->written() + rows;
@@ -105,7 +105,7 @@ class SlowViewer : public ViewingTest {
     ASSERT_TRUE(EventuallyTrue(all_taken, 10min));
   }
 
-  /// Told, not judged: how fast this machine is.
+  /// Prints the speed of this machine, without judging it.
   static void Tell(std::uint64_t rows, std::chrono::duration<double> took) {
     std::printf("%.0f rows a second to each viewer\n", static_cast<double>(rows) / took.count());
   }
@@ -121,7 +121,7 @@ TEST_P(SlowViewer, LosesOnlyItsOwnRowsAndCountsThem) {
   const Viewer second = Watch();
   Write(Spate::kRate / 10, {&first, &stopped, &second});
 
-  // What waits for the stopped one fills its link soon; all else it misses.
+  // The rows for the stopped viewer soon fill its link. It misses all later rows.
   std::size_t memory = 0;
   std::size_t growth = 0;
   {
@@ -137,7 +137,7 @@ TEST_P(SlowViewer, LosesOnlyItsOwnRowsAndCountsThem) {
   EXPECT_LT(growth, std::size_t{16} << 20U) << "of " << memory << " bytes";
   Write(Spate::kRate / 10, {&first, &second});
 
-  // The loss is reported with the next batch.
+  // The next batch reports the loss.
   const Counter& late = *stopped.sink;
   EXPECT_TRUE(EventuallyTrue([&] {
     Write(1, {&first, &second});

@@ -14,7 +14,7 @@ namespace {
 using namespace std::chrono_literals;
 using Ticks = std::vector<std::uint64_t>;
 
-/// A table of two columns that the test writes, its feed, and a viewer.
+/// A table of two columns that the test writes, the feed of the table, and a viewer.
 class TableFeedTest : public testing::Test {
  protected:
   TableFeedTest() {
@@ -28,7 +28,7 @@ class TableFeedTest : public testing::Test {
   void Watch(std::uint32_t handle, const std::vector<std::size_t>& columns, RowChoice rows = {}) {
     feed->Add(columns, rows, ends.channel, handle, ends.channel->NewLane());
   }
-  /// So many rows, a millisecond apart.
+  /// Writes rows with a distance of one millisecond.
   void Write(int rows) {
     for (int row = 0; row < rows; ++row) {
       position = static_cast<double>(table.next_tick());
@@ -37,7 +37,7 @@ class TableFeedTest : public testing::Test {
       table.Advance(now);
     }
   }
-  /// Until no more rows are on their way.
+  /// Gathers until no row is left to send.
   void Gather() {
     while (feed->Gather()) {
     }
@@ -46,7 +46,7 @@ class TableFeedTest : public testing::Test {
         EventuallyTrue([this] { return ends.viewing->HasHeard(message::kRowsEnded, last_mark_); }));
   }
 
-  /// While the viewer's gate is locked.
+  /// Fills the link. The viewer's gate must be locked.
   void FillLink() const {
     ASSERT_TRUE(ends.channel->Notify(message::kUnsubscribe, 0, Bytes()));
     ASSERT_TRUE(EventuallyTrue([this] { return ends.viewing->is_at_gate.load(); }));
@@ -115,7 +115,7 @@ TEST_F(TableFeedTest, SendsEveryRowOfTheRequestedColumns) {
 
 TEST_F(TableFeedTest, AllViewersOfATableShareItsLossCount) {
   Watch(1, {0});
-  Write(static_cast<int>(kLength) + 100);  // a hundred are overwritten
+  Write(static_cast<int>(kLength) + 100);  // a hundred rows are overwritten
   Watch(2, {1});
   Watch(3, {0, 1}, {.period = 10ms});
 
@@ -131,7 +131,7 @@ TEST_F(TableFeedTest, AllViewersOfATableShareItsLossCount) {
 
 TEST_F(TableFeedTest, GathersOneBatchAtATime) {
   StateTable wide;
-  const std::array<double, 4096> image{};  // four rows of it are a batch
+  const std::array<double, 4096> image{};  // four rows of this size fill a batch
   wide.Add(image, "Image");
   wide.SetLength(kLength);
   wide.Prepare();
@@ -225,7 +225,7 @@ TEST_F(TableFeedTest, SendsTheNewestRowAfterAnAcknowledgement) {
 
   feed->OnRowsTaken({{ends.channel, {1}}});
   Gather();
-  EXPECT_EQ(TicksOf(1).size(), 2U);  // there is none that it does not know
+  EXPECT_EQ(TicksOf(1).size(), 2U);  // the viewer knows every row
 }
 
 TEST_F(TableFeedTest, AFullLinkLearnsOfLossesWithoutFurtherRows) {

@@ -16,7 +16,7 @@ using tendon::Schema;
 using tendon::TableSubscription;
 using testing::HasSubstr;
 
-/// Notes down what it hears.
+/// Records everything that it receives.
 class Sink final : public tendon::RowSink {
  public:
   struct Row {
@@ -69,7 +69,7 @@ class Sink final : public tendon::RowSink {
     rows_.clear();
   }
 
-  std::mutex gate;  ///< while it is locked the thread that brings rows is held
+  std::mutex gate;  ///< while this is locked, the thread that delivers rows waits
 
  private:
   template <typename T>
@@ -97,7 +97,7 @@ void ExpectWithoutHoles(const std::vector<Sink::Row>& rows) {
   }
 }
 
-/// A thousand rows a second, of 64 KiB each.
+/// Writes a thousand rows of 64 KiB per second.
 class Camera final : public tendon::PeriodicTask {
  public:
   explicit Camera(std::string name) : PeriodicTask(std::move(name), std::chrono::milliseconds(1)) {
@@ -171,7 +171,7 @@ TEST_P(Telemetry, DeliversAllColumnsOfARow) {
     ASSERT_TRUE(tendon::Decode(row.cells.at(0), note));
     ASSERT_TRUE(tendon::Decode(row.cells.at(1), cycle));
     ASSERT_TRUE(tendon::Decode(row.cells.at(2), move));
-    ASSERT_GE(note.text.size(), move.number);  // written before, in the same cycle or earlier
+    ASSERT_GE(note.text.size(), move.number);  // written earlier, or in the same cycle
     ASSERT_LE(note.text.size(), move.number + 1);
   }
 }
@@ -232,7 +232,7 @@ TEST_P(Telemetry, QueuesNoNewestRowsForABusyViewer) {
 
   ASSERT_TRUE(EventuallyTrue([&] { return sink->count() >= 3; }));
   const auto rows = sink->rows();
-  EXPECT_GE(rows.at(1).tick, written);  // the first was on its way
+  EXPECT_GE(rows.at(1).tick, written);  // the first row was written before
   EXPECT_EQ(sink->lost_table() + sink->lost_network(), 0U);
 }
 
@@ -273,12 +273,12 @@ TEST_P(Telemetry, AStoppedViewerLosesOnlyItsOwnRows) {
   viewer->Subscribe({"robot", "plant", "state", {"Move"}}, sink);
   ASSERT_TRUE(EventuallyTrue([&] { return blocked_sink->count() > 0 && sink->count() > 0; }));
 
-  // Not for so long that it takes the silence for the end of the process.
+  // Blocks for a shorter time than the limit after which a silent process counts as lost.
   const auto hold_up = [&] {
     std::unique_lock held(blocked_sink->gate);
     const std::size_t before = sink->count();
     EventuallyTrue([&] { return sink->count() > before + 500; }, std::chrono::seconds(1));
-    const bool others_go_on = sink->count() > before + 100;  // a busy machine has fewer for them
+    const bool others_go_on = sink->count() > before + 100;  // a busy machine sends fewer rows
     held.unlock();
     const std::size_t blocked_before = blocked_sink->count();
     EXPECT_TRUE(EventuallyTrue([&] { return blocked_sink->count() > blocked_before + 10; }));

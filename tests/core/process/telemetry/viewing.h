@@ -8,10 +8,10 @@
 
 #include "support/network_test.h"
 
-/// Processes and their GCM, and viewers that find them.
+/// Processes with their GCM, and viewers that find these processes.
 class ViewingTest : public NetworkTest {
  protected:
-  /// A viewer of its own.
+  /// Makes a separate viewer.
   std::unique_ptr<tendon::TelemetryClient> View() {
     return tendon::MakeTelemetryClient(
         NewMiddleware(),

@@ -54,7 +54,8 @@ TEST_F(GraphLayoutTest, PlacesProvidersLeftOfTheirClients) {
 
   EXPECT_LT(layout_.node("robot/arm").right(), layout_.node("robot/controller").left());
   EXPECT_LT(layout_.node("desk/host_monitor").right(), layout_.node("desk/view").left());
-  // Not connected yet, but it could be: the same place before and after.
+  // A possible connection determines the position, so making the connection does not move the
+  // component.
   EXPECT_LT(layout_.process("robot").right(), layout_.process("desk").left());
 }
 
@@ -82,7 +83,7 @@ TEST_F(GraphLayoutTest, ALostProcessKeepsItsPlace) {
   system.Process("robot", ProcessState::kLost, 1);
   EXPECT_EQ(Places(layout_, Show(system)), before);
 
-  system.Process("vision", ProcessState::kAlive, 0, 2);  // empty at first
+  system.Process("vision", ProcessState::kAlive, 0, 2);  // the process has no components at first
   Show(system);
   system.Component("vision", camera);
   EXPECT_EQ(Places(layout_, Show(system)).at("vision/camera").topLeft(),

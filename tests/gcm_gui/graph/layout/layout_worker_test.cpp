@@ -67,7 +67,7 @@ TEST(LayoutWorker, ADestroyedWorkerSignalsNothing) {
 
   worker.reset();
 
-  LayoutWorker later;  // takes as long as what the first was to do
+  LayoutWorker later;  // needs as much time as the first worker
   QSignalSpy arranged(&later, &LayoutWorker::arranged);
   later.arrange(LargePicture(), {});
   ASSERT_TRUE(QTest::qWaitFor([&] { return arranged.count() == 1; }, kWorkerPatience));
@@ -95,7 +95,7 @@ TEST(GraphScene, HidesComponentsWithoutAPlace) {
   }
 }
 
-/// Where the graph moves as it does for people.
+/// A graph with animations, which other tests turn off.
 class LayoutAnimationTest : public GraphFixture {
  protected:
   LayoutAnimationTest() : GraphFixture(LookSystem(0)) {

@@ -30,7 +30,7 @@ class NodePositionsTest : public GraphFixture {
   [[nodiscard]] QRectF Box(const QString& process) const {
     return scene_.processes().at(process)->sceneBoundingRect();
   }
-  /// With the mouse, by so much in the scene.
+  /// Drags with the mouse by `way`, in scene units.
   void Drag(const QPointF& from, const QPointF& way) {
     const QPoint start = view_.mapFromScene(from);
     const QPoint end = view_.mapFromScene(from + way);
@@ -44,7 +44,7 @@ class NodePositionsTest : public GraphFixture {
   }
 };
 
-/// To the grid, and to a pixel of the view.
+/// Compares two positions; the tolerance covers the grid and a pixel of the view.
 void ExpectNear(const QPointF& a, const QPointF& b) {
   EXPECT_LT(std::abs(a.x() - b.x()), 5);
   EXPECT_LT(std::abs(a.y() - b.y()), 5);

@@ -17,7 +17,7 @@ void ExpectSame(const GraphPicture& a, const GraphPicture& b) {
   EXPECT_EQ(a.affinities, b.affinities);
 }
 
-/// A picture that follows a system change by change.
+/// A picture that is updated after each change of a system.
 class PictureUpdaterTest : public ::testing::Test {
  protected:
   PictureUpdaterTest() {
@@ -83,7 +83,8 @@ TEST_F(PictureUpdaterTest, FollowsComponentsAndTheirInterfaces) {
 TEST_F(PictureUpdaterTest, FollowsProcesses) {
   system_.Process("robot", ProcessState::kLost, 1);
   Follow();
-  system_.Process("robot", ProcessState::kAlive, 2, 2);  // a new start: without components yet
+  // The restarted process has no components yet.
+  system_.Process("robot", ProcessState::kAlive, 2, 2);
   Follow();
   system_.Process("about").Component("about", Task("first", 1, {}));
   Follow();

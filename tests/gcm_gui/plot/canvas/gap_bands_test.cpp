@@ -19,7 +19,7 @@ class GapBandsTest : public testing::Test {
     view_.setWindow(10s);
   }
 
-  // The colour at `ago` seconds, at a row where no curve is.
+  // Returns the colour at `ago` seconds, in a row without a curve.
   [[nodiscard]] QColor ColorAt(double ago) {
     const QImage image = Painted(view_);
     const QPoint on_canvas(static_cast<int>(view_.transform(QwtAxis::XBottom, -ago)),
@@ -81,17 +81,17 @@ TEST_F(GapBandsTest, TintsASuspensionDuringAndAfterIt) {
   const QColor silent = ColorAt(1.2);
   EXPECT_NE(silent, Theme::instance().color(Token::kPanel));
   EXPECT_GE(silent.blue(), silent.red());
-  EXPECT_FALSE(curve.valueAt(8 * kSecond)) << "the last value is not what there is now";
+  EXPECT_FALSE(curve.numberAt(8 * kSecond)) << "the last value is not what there is now";
 
   curve.setStandstill({});
-  std::vector<Sample> rows = Rows(5000, 8000, Flat);  // no tick is left out
+  std::vector<Sample> rows = Rows(5000, 8000, Flat);  // no tick is missing
   for (Sample& row : rows) row.time_ns += 2 * kSecond;
   curve.append(rows);
   view_.curveStateChanged();
 
   EXPECT_NE(ColorAt(4.2), Theme::instance().color(Token::kPanel));
   EXPECT_EQ(ColorAt(1.2), Theme::instance().color(Token::kPanel));
-  EXPECT_FALSE(curve.valueAt(6 * kSecond));
+  EXPECT_FALSE(curve.numberAt(6 * kSecond));
 }
 
 }  // namespace

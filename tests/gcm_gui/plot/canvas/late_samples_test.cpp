@@ -6,7 +6,7 @@
 namespace tendon::gui {
 namespace {
 
-/// 50 rows of 1 kHz, of which those from `from` on come `by_ns` later.
+/// Returns 50 rows of 1 kHz. The rows from index `from` on are `by_ns` late.
 std::vector<Sample> Delayed(std::uint64_t from, std::int64_t by_ns) {
   std::vector<Sample> rows = Rows(0, 50);
   for (Sample& row : rows) row.time_ns += row.tick >= from ? by_ns : 0;

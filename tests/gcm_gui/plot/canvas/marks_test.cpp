@@ -49,7 +49,7 @@ class MarkFlagsTest : public testing::Test {
     panel_.show();
     (void)QTest::qWaitForWindowExposed(&panel_);
     view().refresh();
-    // The window stands still from here on.
+    // The window does not move from now on.
     view().setPaused(true);
   }
   PlotView& view() { return panel_.currentPlot(); }

@@ -32,7 +32,7 @@ class PlotAxesTest : public testing::Test {
     curve.append(Rows(0, 10'000, [size](double t) { return size * (2 + std::sin(t)); }));
     return curve;
   }
-  /// Whether anything right of the canvas has this colour, or almost.
+  /// Returns true if a pixel to the right of the canvas has nearly this colour.
   static bool HasColor(const QImage& image, const QRect& part, const QColor& color) {
     for (int y = part.top(); y <= part.bottom(); ++y) {
       for (int x = part.left(); x <= part.right(); ++x) {
@@ -103,7 +103,7 @@ TEST_F(PlotAxesTest, KeepsTheRequestedSideRoomFree) {
 
 TEST_F(PlotAxesTest, ALogarithmicAxisSpreadsDecadesEvenly) {
   view_.addCurve({"p/a/state.x", "A"}).append(Rows(0, 10'000, [](double t) {
-    return std::pow(10, t / 2 - 2);  // 0.01 to 1000
+    return std::pow(10, t / 2 - 2);  // from 0.01 to 1000
   }));
 
   QTest::keyClick(view_.canvas(), Qt::Key_L);

@@ -17,7 +17,7 @@ constexpr int kHeight = 200;
 constexpr TimeSlices kSlices{
     .from_ns = 0, .to_ns = kSecond, .count = kWidth * SpanRaster::kSlicesPerColumn};
 
-// The value is the row.
+// Draws a curve whose values are row numbers.
 SpanRaster Drawn(const std::function<double(double seconds)>& row, int rate = 1000) {
   SampleRing ring;
   for (int i = 0; i <= rate; ++i) {
@@ -54,13 +54,13 @@ TEST(SpanRaster, APeakOfOneSampleReachesItsHeight) {
   EXPECT_GT(qAlpha(raster.image().pixel(kWidth / 2, 21)), 60);
 }
 
-// Against the strokes of Qt, which are slower but beyond doubt.
+// Compares with the strokes of Qt, which are slower but known to be correct.
 TEST(SpanRaster, MatchesAnAntialiasedStrokeOfQt) {
   const auto row = [](double t) {
     return 100 + 80 * std::sin(6 * std::numbers::pi * t) * std::exp(-t);
   };
   const SpanRaster raster = Drawn(row);
-  const QImage ours = raster.image();  // a view on the raster's memory
+  const QImage ours = raster.image();  // shares the memory of the raster
   QImage theirs(kWidth, kHeight, QImage::Format_ARGB32_Premultiplied);
   theirs.fill(Qt::transparent);
   QPolygonF line;

@@ -23,7 +23,7 @@ namespace {
 const QString kJoint = "robot/arm/state.Joints.position[0]";
 const QString kSpeed = "robot/arm/state.Joints.velocity[0]";
 
-/// As a person does it: from the legend, by keys.
+/// Opens the editor from the legend with keys, as a user does.
 class CurveEditorTest : public testing::Test {
  protected:
   CurveEditorTest() {

@@ -30,7 +30,7 @@ class PlotMenuTest : public testing::Test {
   }
 
   PlotView& view() { return panel_.currentPlot(); }
-  /// Opens the menu by the key for it, and does what `text` names.
+  /// Opens the menu with its key, and triggers the action with this text.
   void Choose(const QString& text) {
     const QPoint place(40, 40);
     QContextMenuEvent key(QContextMenuEvent::Keyboard, place, view().canvas()->mapToGlobal(place));

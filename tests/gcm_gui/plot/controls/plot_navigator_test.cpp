@@ -17,7 +17,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// A curve of 1 kHz goes on growing through every gesture.
+// A curve of 1 kHz that receives samples during every gesture.
 class PlotNavigation : public testing::Test {
  protected:
   void SetUp() override {
@@ -49,7 +49,7 @@ class PlotNavigation : public testing::Test {
     stream(50);
   }
 
-  // QTest::mouseMove() has no pressed button.
+  // Sends a move event with a pressed button; QTest::mouseMove() cannot do this.
   void moveTo(QPoint to, Qt::KeyboardModifiers modifiers) {
     QMouseEvent event(QEvent::MouseMove, to, view_.canvas()->mapToGlobal(to), Qt::NoButton,
                       Qt::LeftButton, modifiers);

@@ -43,7 +43,7 @@ TEST(CoarseHistory, RestartsWhenTheClockIsSetBack) {
 
 TEST(ThinnedCurve, KeepsThePeaksOfDroppedSamples) {
   Curve curve({"p/a/state.x", "rad"}, 0);
-  curve.setBudget(1 << 16);  // some 3.5 s at 1 kHz
+  curve.setBudget(1 << 16);  // room for about 3.5 s at 1 kHz
   curve.append(Rows(0, 30'000, [](double t) { return t == 2.5 ? 9.0 : 0.0; }));
   EXPECT_TRUE(curve.isThinned());
   EXPECT_LE(curve.bytes(), std::size_t{1} << 16);

@@ -64,7 +64,7 @@ TEST_F(CsvExportTest, DoesNotAskForAFileWithoutSamples) {
   EXPECT_TRUE(told_.front().front().toString().startsWith("There is nothing to save"));
 }
 
-/// Holds up all files that are asked for after it, until it answers.
+/// Blocks the writer, and thereby all files requested later, until release.
 class SlowDisk {
  public:
   explicit SlowDisk(const QTemporaryDir& folder) {

@@ -103,17 +103,17 @@ TEST(Curve, IsStaleUntilSamplesArriveAndWhenMarked) {
   EXPECT_TRUE(curve.isStale());
 }
 
-TEST(Curve, ValueAtReturnsThePreviousSample) {
+TEST(Curve, NumberAtReturnsThePreviousSample) {
   Curve curve({"x", ""}, 0);
   curve.append(std::vector<Sample>{{.time_ns = 10, .tick = 1, .value = 1},
                                    {.time_ns = 20, .tick = 2, .value = 2},
                                    {.time_ns = 50, .tick = 5, .value = 5}});
 
-  EXPECT_EQ(curve.valueAt(9), std::nullopt);
-  EXPECT_EQ(curve.valueAt(10), 1);
-  EXPECT_EQ(curve.valueAt(19), 1);
-  EXPECT_EQ(curve.valueAt(30), std::nullopt) << "rows are missing here";
-  EXPECT_EQ(curve.valueAt(90), 5);
+  EXPECT_EQ(curve.numberAt(9), std::nullopt);
+  EXPECT_EQ(curve.numberAt(10), 1.0);
+  EXPECT_EQ(curve.numberAt(19), 1.0);
+  EXPECT_EQ(curve.numberAt(30), std::nullopt) << "rows are missing here";
+  EXPECT_EQ(curve.numberAt(90), 5.0);
 }
 
 TEST(Curve, MeasuresASlowRate) {

@@ -18,7 +18,8 @@ struct Scene {
   TimeSlices slices;
 };
 
-// Uneven times, gaps, restarts, values that are not finite, a wrapped ring: all by chance.
+// Returns a random scene with uneven times, gaps, restarts, values that are not finite, and a
+// wrapped ring.
 Scene RandomScene(std::mt19937& random) {
   const auto within = [&](int low, int high) {
     return std::uniform_int_distribution(low, high)(random);
@@ -40,7 +41,8 @@ Scene RandomScene(std::mt19937& random) {
   return scene;
 }
 
-// By the definition: the line through the samples, cut at each border between two slices.
+// Computes the envelope by its definition: the line through the samples, cut at each border between
+// two slices.
 class Reference {
  public:
   explicit Reference(const Scene& scene)
@@ -183,7 +185,7 @@ TEST(Envelope, ContainsEveryExtreme) {
   }
 }
 
-// What was drawn is kept and moved: that must not be seen.
+// The update reuses and shifts the previous envelope. This must not change the result.
 TEST(Envelope, AnIncrementalUpdateMatchesARebuild) {
   constexpr std::int64_t kWidth = 7 * kMillisecond;
   constexpr std::size_t kCount = 150;
@@ -210,7 +212,8 @@ TEST(Envelope, AnIncrementalUpdateMatchesARebuild) {
     Envelope anew;
     anew.build(ring, slices);
 
-    // A value at a border is calculated from another pair of samples only by rounding.
+    // At a border, the value may be interpolated between other samples, so the results may differ
+    // by rounding.
     for (std::size_t i = 0; i < kCount; ++i) {
       ASSERT_EQ(moved.low()[i] > moved.high()[i], anew.low()[i] > anew.high()[i]) << frame;
       if (anew.low()[i] > anew.high()[i]) continue;

@@ -148,7 +148,7 @@ TEST(SampleRing, ALowerLimitKeepsTheLatest) {
   SampleRing ring;
   ring.append(Rows(0, 5000));
 
-  ring.setLimit(1500);  // 1024
+  ring.setLimit(1500);  // rounded down to 1024
   ring.append(Rows(5000, 5001));
 
   EXPECT_EQ(ring.endIndex() - ring.firstIndex(), 1024U);
@@ -245,7 +245,7 @@ TEST(SampleRing, APausedSourceLeavesAGapWithoutALoss) {
   SampleRing ring;
   ring.append(std::vector{Row(1, 1), Row(2, 2)});
   ring.noteStandstill();
-  ring.append(std::vector{Row(3, 3)});  // was under way
+  ring.append(std::vector{Row(3, 3)});  // this row was sent before the standstill
   EXPECT_TRUE(ring.gaps().empty());
 
   ring.endStandstill();
@@ -263,7 +263,8 @@ TEST(SampleRing, AResumedSlowSourceLeavesOneGap) {
   SampleRing ring;
   ring.append(std::vector{Row(1, 1000), Row(2, 2000)});
   ring.noteStandstill();
-  ring.append(std::vector{Row(3, 9000)});  // before anybody has noticed that it runs
+  // The source runs again, but endStandstill() was not called yet.
+  ring.append(std::vector{Row(3, 9000)});
   ring.endStandstill();
   ring.append(std::vector{Row(4, 10000), Row(5, 11000)});
 
@@ -310,7 +311,8 @@ TEST(SampleRing, CountsOnlyRowsMissingBeforeARowWithoutTheElement) {
   nothing.value = std::numeric_limits<double>::quiet_NaN();
   SampleRing ring;
 
-  ring.append(std::vector{Count(3, 7), nothing, Count(5, 7), Count(6, 8)});  // one comes again
+  // The row with tick 5 comes twice.
+  ring.append(std::vector{Count(3, 7), nothing, Count(5, 7), Count(6, 8)});
 
   EXPECT_EQ(ring.lost(), 1U);
   ASSERT_EQ(ring.gaps().size(), 1U);

@@ -59,7 +59,7 @@ TEST(Scaling, ReadsNumbersAlikeInAllLocales) {
   QLocale::setDefault(QLocale::c());
 }
 
-/// One scaled curve, of which all that is shown agrees.
+/// A scaled curve; all displays of it must agree.
 class ScaledCurveTest : public testing::Test {
  protected:
   ScaledCurveTest() {
@@ -118,8 +118,8 @@ TEST_F(ScaledCurveTest, ReadoutAndStatisticsAreScaled) {
   EXPECT_NEAR(found.mean.nearest(), expected->mean.nearest(), 1e-9);
   EXPECT_NEAR(found.deviation, expected->deviation, 1e-9);
   EXPECT_NEAR(found.rms, expected->rms, 1e-9);
-  EXPECT_EQ(curve().latestValue(), -998);
-  EXPECT_EQ(curve().valueAt(500 * kMillisecond), -498);
+  EXPECT_EQ(curve().latestNumber(), -998.0);
+  EXPECT_EQ(curve().numberAt(500 * kMillisecond), -498.0);
 }
 
 TEST_F(ScaledCurveTest, TheLegendShowsTheScaling) {

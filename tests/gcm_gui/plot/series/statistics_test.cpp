@@ -14,7 +14,8 @@ namespace {
 TEST(Statistics, CoverOnlyTheGivenTime) {
   SampleRing ring;
   ring.append(Rows(0, 100, [](double) { return 1000.0; }));
-  ring.append(Rows(100, 104, [](double t) { return std::round(t * 1000) - 100; }));  // 0 1 2 3
+  // The values are 0 1 2 3.
+  ring.append(Rows(100, 104, [](double t) { return std::round(t * 1000) - 100; }));
 
   const auto found = StatisticsOf(ring, 100 * kMillisecond, 103 * kMillisecond);
 

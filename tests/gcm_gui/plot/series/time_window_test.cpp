@@ -115,7 +115,7 @@ TEST(SweepingTime, ZoomingEndsTheSweep) {
   EXPECT_EQ(window.firstTime(), 15 * kSecond);
   EXPECT_EQ(window.lastTime(), 20 * kSecond);
 
-  across.show(2, 7);  // over the head: from what was longer ago to what is newer
+  across.show(2, 7);  // across the head: from the previous sweep to the present one
   EXPECT_EQ(across.firstTime(), 17 * kSecond);
   EXPECT_EQ(across.lastTime(), 22 * kSecond);
 

@@ -10,7 +10,7 @@
 
 namespace faults {
 
-/// A reader of a stream that accepts no rows while a test holds its gate.
+/// A reader of a stream. It accepts no rows while the test holds its gate.
 class GatedReader final : public tendon::RowSink {
  public:
   [[nodiscard]] std::unique_lock<std::mutex> HoldGate() { return std::unique_lock(gate_); }
@@ -31,8 +31,8 @@ class GatedReader final : public tendon::RowSink {
   const std::shared_ptr<StreamChecker> checker_ = std::make_shared<StreamChecker>();
 };
 
-/// A GCM that knows a broker, a process with a stream of large rows, and viewers, which behave like
-/// separate programs although they are in this process.
+/// A GCM with a broker, a process with a stream of large rows, and viewers. The viewers are in this
+/// process, but behave like separate programs.
 class BrokerTest : public FaultTest {
  protected:
   void SetUp() override {
@@ -49,7 +49,7 @@ class BrokerTest : public FaultTest {
     })) << robot_->err();
   }
 
-  /// The command line `words`, with options that give the program the identity `name`.
+  /// Returns the command line `words`, with options that give the program the identity `name`.
   [[nodiscard]] virtual Words As(const std::string& /*name*/, Words words = {}) const {
     return words;
   }

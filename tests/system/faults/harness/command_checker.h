@@ -7,9 +7,9 @@
 
 namespace faults {
 
-/// The result of comparing the journals of clients with those of ledgers. A command must be
-/// executed exactly once if the client reports it as done, never if it was refused, and at most
-/// once if its outcome is unknown. A ledger must execute no command that no client has sent.
+/// The result of comparing the journals of clients with the journals of ledgers. A command must be
+/// executed exactly once if its client reports it as done, never if it was refused, and at most
+/// once if its outcome is unknown. A ledger must execute only commands that a client has sent.
 struct CommandVerdict {
   std::size_t given = 0;
   std::size_t done = 0;
@@ -21,7 +21,7 @@ struct CommandVerdict {
 
 CommandVerdict CheckCommands(const std::filesystem::path& folder);
 
-/// A line for the output of a test: "1234 commands: 1200 done, ..."
+/// Returns a line for the output of a test: "1234 commands: 1200 done, ..."
 std::string ToString(const CommandVerdict& verdict);
 
 }  // namespace faults

@@ -20,7 +20,7 @@ using tendon::ProcessState;
 
 const tendon::InterfaceName kClient("desk", "client", "Ledger");
 
-/// One of class `class_name`; those that keep a journal are told where.
+/// Returns the JSON of a component. `journals` is the folder for a component that keeps a journal.
 std::string ComponentText(const std::string& name, const std::string& class_name,
                           const std::string& journals = {}) {
   const std::string configuration =
@@ -29,7 +29,8 @@ std::string ComponentText(const std::string& name, const std::string& class_name
          R"(", "library": "fault_instruments")" + configuration + "}";
 }
 
-/// robot has the ledger; desk and mate each have a client of it. The others are for one row each.
+/// In this system, robot has the ledger; desk and mate each have a client of the ledger. Each other
+/// process is for one test.
 std::string SystemFile(const std::string& folder) {
   const auto process = [&](const std::string& name, const std::string& components) {
     return R"({"name": ")" + name + R"(", "components": [)" + components + "]}";
@@ -55,7 +56,7 @@ std::string SystemFile(const std::string& folder) {
          connection("shop/sender/Parcels", "post/receiver/Parcels") + "]}";
 }
 
-/// All its components, so that nothing more changes by itself.
+/// Returns true if all components are active, so that nothing more changes by itself.
 bool IsActive(const tendon::Catalogue& catalogue) {
   for (const auto& [name, entry] : catalogue.processes()) {
     const auto is_active = [](const auto& one) {
@@ -78,8 +79,8 @@ const std::vector<std::string>& Edits() {
 std::vector<std::string> Middlewares() { return program::MiddlewareNames(); }
 
 FaultTest::FaultTest() : gcm_address_("127.0.0.1:" + std::to_string(FreePort())) {
-  Slowness();  // before there is anything else to do
-  // The viewer's cookie is that of the programs.
+  Slowness();  // measured now, before other programs run
+  // The viewer uses the same cookie as the programs.
   setenv("XDG_RUNTIME_DIR", home_.path().c_str(), 1);  // NOLINT(concurrency-mt-unsafe): read later
   fs::create_directory(home_.path() / "journals");
   home_.Write("system.json", SystemFile(home_.path() / "journals"));

@@ -33,7 +33,7 @@ inline Footprint FootprintOf(int pid) {
   return footprint;
 }
 
-/// Bytes of address space, used or not; RLIMIT_AS limits them.
+/// Returns the bytes of address space, used or not. RLIMIT_AS limits them.
 inline std::size_t AddressSpaceOf(int pid) {
   constexpr std::size_t kPage = 4096;
   std::size_t pages = 0;
@@ -41,11 +41,12 @@ inline std::size_t AddressSpaceOf(int pid) {
   return pages * kPage;
 }
 
-/// The growth of memory that IsFlat() allows. A sanitizer keeps freed memory, so it needs more.
+/// The growth of memory that IsFlat() allows. With a sanitizer it is larger, because a sanitizer
+/// keeps freed memory.
 inline const std::size_t kMemory = std::size_t{tendon::test::IsSanitized() ? 256U : 16U} << 20U;
 
-/// True if a process has no more descriptors than before, no more threads except those that a pool
-/// keeps for a while, and hardly more memory.
+/// Returns true if the process has no more descriptors than before, no more threads (except those
+/// that a pool keeps for a while), and hardly more memory.
 inline bool IsFlat(const Footprint& before, const Footprint& now) {
   constexpr std::size_t kPool = 4;
   return now.descriptors <= before.descriptors && now.threads <= before.threads + kPool &&

@@ -15,21 +15,21 @@ constexpr const char* kMacHere = "02:00:00:00:77:01";
 constexpr const char* kMacThere = "02:00:00:00:77:02";
 constexpr const char* kMacOfNobody = "02:00:00:00:77:99";
 
-/// True once the keeper has its namespaces and its user is mapped there: it then runs sleep. Before
-/// that, a program that enters the namespace would lose its rights.
+/// Returns true when the keeper has its namespaces and its user is mapped there; then it runs
+/// sleep. A program that enters the namespace earlier would lose its rights.
 bool IsReady(const Program& keeper) {
   std::ifstream file("/proc/" + std::to_string(keeper.pid()) + "/comm");
   std::string name;
   return std::getline(file, name) && name == "sleep";
 }
 
-/// Returns false if the keeper has ended instead.
+/// Waits until the keeper is ready. Returns false if the keeper has ended.
 bool EventuallyReady(Program& keeper) {
   const auto has_ended = [&] { return keeper.Wait(std::chrono::seconds(0)).has_value(); };
   return Eventually([&] { return IsReady(keeper) || has_ended(); }) && !has_ended();
 }
 
-/// Does nothing but keep a namespace alive.
+/// Returns a command that only keeps a namespace alive.
 Program::Words Keeper(const std::string& flags) {
   return {"/usr/bin/unshare", flags, "/bin/sleep", "600"};
 }
@@ -81,7 +81,7 @@ Outcome Islands::Do(Program::Words island, const std::string& script) {
   return RunProgram(island);
 }
 
-/// What is sent to `peer` goes to the card of that address.
+/// Sends data for `peer` to the network card with this address.
 void Islands::Aim(const Program::Words& island, const std::string& peer, const std::string& device,
                   const std::string& address) const {
   const Outcome done = Do(island, "PATH=$PATH:/usr/sbin:/sbin; ip neigh replace " + peer +

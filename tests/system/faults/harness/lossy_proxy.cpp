@@ -1,5 +1,6 @@
-// fault_lossy_proxy LISTEN TARGET: passes the bytes of TCP connections on as a bad line would: 40
-// ms late each way, and one piece in twenty later by the time that TCP takes to send it again.
+// fault_lossy_proxy LISTEN TARGET: passes on the bytes of TCP connections like a bad line. Every
+// piece is 40 ms late in each direction. One piece in twenty is later by the time of a TCP
+// retransmission.
 #include <fcntl.h>
 #include <sys/socket.h>
 #include <tendon/base/os/socket.h>
@@ -24,7 +25,7 @@ using tendon::Bytes;
 using tendon::os::Socket;
 using Time = std::chrono::steady_clock::time_point;
 
-/// One direction of one connection. An empty piece is its end.
+/// One direction of one connection. An empty piece means the end.
 class Line {
  public:
   Line(std::shared_ptr<Socket> from, std::shared_ptr<Socket> to)

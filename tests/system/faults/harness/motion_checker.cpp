@@ -9,7 +9,7 @@
 namespace faults {
 namespace {
 
-constexpr double kCycle = 1e-3;   // s of an arm
+constexpr double kCycle = 1e-3;   // s; one cycle of an arm
 constexpr double kMoving = 1e-3;  // rad/s
 
 double SpeedOf(const arm::JointState& joints) {

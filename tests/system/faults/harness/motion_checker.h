@@ -11,27 +11,27 @@
 
 namespace faults {
 
-/// The greatest values that any joint has reached.
+/// The highest values that any joint has reached.
 struct Peak {
   double speed = 0.0;         // rad/s
   double acceleration = 0.0;  // rad/s^2
   double stall = 0.0;         // s: the longest pause between two cycles; the arm does not notice it
 };
 
-/// A line for the output of a test.
+/// Returns a line for the output of a test.
 std::string ToString(const Peak& peak);
 
-/// Reads every row of an arm's joints, and computes how the arm has moved.
+/// Reads every row of an arm's joints, and computes the motion of the arm.
 class MotionChecker final : public tendon::RowSink {
  public:
-  /// Returns the peak since the last call, and starts anew.
+  /// Returns the peak since the last call, and starts a new measurement.
   Peak TakePeak();
   [[nodiscard]] arm::JointState joints() const;
-  /// The speed in the newest row; 0 if there is none.
+  /// Returns the speed in the newest row; 0 if there is none.
   [[nodiscard]] double speed() const;
-  /// The time of the last row in which the arm moved, by the clock of this host.
+  /// Returns the time of the last row in which the arm moved, by the clock of this host.
   [[nodiscard]] tendon::SteadyTime last_motion() const;
-  /// The number of rows that have arrived.
+  /// Returns the number of rows that have arrived.
   [[nodiscard]] std::size_t rows() const;
 
  private:

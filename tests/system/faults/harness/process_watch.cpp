@@ -28,7 +28,7 @@ std::size_t ProcessWatch::connection_changes() const {
 void ProcessWatch::OnSnapshot(const tendon::Catalogue& catalogue) {
   const std::scoped_lock lock(mutex_);
   ++snapshots_;
-  last_.clear();  // what happened between two of them was not seen
+  last_.clear();  // changes between two snapshots were not seen
   for (const auto& [name, entry] : catalogue.processes()) See(entry.process);
 }
 

@@ -13,12 +13,13 @@ namespace faults {
 /// Records which processes were seen under each name, in the order of the catalogue's changes.
 class ProcessWatch final : public tendon::GcmListener {
  public:
-  /// How often the process entered this state.
+  /// Returns how often the process entered this state.
   [[nodiscard]] std::size_t Count(const std::string& process, tendon::ProcessState state) const;
-  /// The names that a second instance took while the first one was still alive in the catalogue.
+  /// Returns the names that a second instance took while the first instance was still alive in the
+  /// catalogue.
   [[nodiscard]] std::vector<std::string> double_holders() const;
   [[nodiscard]] std::size_t snapshots() const;
-  /// The number of reported changes of a connection.
+  /// Returns the number of reported changes of a connection.
   [[nodiscard]] std::size_t connection_changes() const;
 
  private:

@@ -16,7 +16,7 @@ int Size(int small, int full) {
 double Slowness() {
   static const double slowness = [] {
     constexpr int kRuns = 3;
-    constexpr double kCalm = 30.0;  // ms a start
+    constexpr double kCalm = 30.0;  // ms per start
     constexpr double kSlowest = 6.0;
     const Stopwatch watch;
     for (int i = 0; i < kRuns; ++i) RunProgram({Built("bin/lcm"), "--help"});
@@ -26,7 +26,7 @@ double Slowness() {
 }
 
 std::chrono::milliseconds Patience() {
-  constexpr double kCalm = 20'000.0;  // ms: ten times the longest goal of a row
+  constexpr double kCalm = 20'000.0;  // ms; ten times the longest limit of a test
   return std::chrono::milliseconds(static_cast<long>(kCalm * Slowness()));
 }
 

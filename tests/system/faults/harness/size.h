@@ -5,17 +5,18 @@
 
 namespace faults {
 
-/// How often a fault is injected: `small`, or `full` if TENDON_FULL_FAULTS is set.
+/// Returns how often a fault is injected: `small`, or `full` if TENDON_FULL_FAULTS is set.
 int Size(int small, int full);
 
-/// The time that this machine needs to start one of our programs, divided by that of an idle
-/// machine; at least 1. Measured once, at the start.
+/// Returns how much slower this machine starts a program of Tendon than an idle machine; at least
+/// 1. Measured once, at the start.
 double Slowness();
 
-/// The time limit of a failing test; it is not a requirement on speed.
+/// Returns the time limit for a failing test. It is not a requirement on speed.
 std::chrono::milliseconds Patience();
 
-/// Waits until `predicate()` holds; checks it rarely, so that the check does not disturb the test.
+/// Waits until `predicate()` is true. Checks it rarely, so that the check does not disturb the
+/// test.
 template <typename Predicate>
 bool Eventually(Predicate predicate) {
   const auto deadline = std::chrono::steady_clock::now() + Patience();

@@ -11,7 +11,7 @@
 
 namespace faults {
 
-/// Reads the stream of a ledger's samples, and finds lost, repeated and wrong ones by the numbers
+/// Reads the stream of a ledger's samples. Finds lost, repeated and damaged samples by the numbers
 /// in the data.
 class StreamChecker final : public tendon::RowSink {
  public:
@@ -21,7 +21,7 @@ class StreamChecker final : public tendon::RowSink {
     std::uint64_t counted = 0;   ///< losses that the stream itself reported
     std::uint64_t repeated = 0;  ///< numbers or ticks that arrived twice or went back
     std::uint64_t damaged = 0;   ///< samples with a wrong check sum
-    std::vector<std::string> stale;  ///< the reason of each report that rows have stopped
+    std::vector<std::string> stale;  ///< the reasons of all reports that rows have stopped
     std::uint64_t subscriptions = 0;
     std::uint64_t ledgers = 0;
   };
@@ -37,11 +37,11 @@ class StreamChecker final : public tendon::RowSink {
 
   mutable std::mutex mutex_;
   Verdict verdict_;
-  std::optional<std::uint64_t> last_tick_;  // of this subscription
+  std::optional<std::uint64_t> last_tick_;  // the last tick of this subscription
   std::optional<Numbered> last_;
 };
 
-/// A line for the output of a test: "12345 rows, 0 missing, ..."
+/// Returns a line for the output of a test: "12345 rows, 0 missing, ..."
 std::string ToString(const StreamChecker::Verdict& verdict);
 
 }  // namespace faults

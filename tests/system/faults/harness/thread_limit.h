@@ -10,8 +10,8 @@
 
 namespace faults {
 
-/// While this object exists, a process cannot create threads: by the limit of its user or, for
-/// root, who has no limit, by a control group.
+/// While this object exists, a process cannot create threads. The limit of the user prevents this.
+/// Root has no such limit, so for root a control group is used.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int pid) : pid_(pid) {
@@ -45,12 +45,12 @@ class ThreadLimit {
   [[nodiscard]] bool Move(const std::filesystem::path& group) const {
     return Write(group / "cgroup.procs", std::to_string(pid_));
   }
-  /// The folder of all control groups, in version 1 or 2 of the kernel's interface.
+  /// Returns the folder of all control groups, in version 1 or 2 of the kernel's interface.
   static std::filesystem::path Root() {
     const std::filesystem::path root("/sys/fs/cgroup");
     return std::filesystem::exists(root / "pids") ? root / "pids" : root;
   }
-  /// The control group of a process.
+  /// Returns the control group of a process.
   static std::filesystem::path GroupOf(int pid) {
     const std::string name = Root().filename() == "pids" ? ":pids:" : "0::";
     std::ifstream lines("/proc/" + std::to_string(pid) + "/cgroup");

@@ -17,8 +17,8 @@ namespace faults {
 
 using namespace std::chrono_literals;
 
-/// Sends numbered commands to a ledger, one after another. Writes to the journal before each
-/// command, and again with its reported outcome.
+/// Sends numbered commands to a ledger, one after another. Writes a line to the journal before each
+/// command, and a line with its reported outcome afterwards.
 class Client final : public tendon::ContinuousTask {
  public:
   using Configuration = JournalPlace;

@@ -17,8 +17,8 @@ namespace faults {
 /// Configuration of a drive and its driver.
 struct DriveSettings {
   std::string folder;
-  double cycle = 0.0;   // s of work in each
-  bool floods = false;  // sends commands until one is refused
+  double cycle = 0.0;   // s of work in each cycle
+  bool floods = false;  // true: sends commands until one is refused
 };
 
 }  // namespace faults
@@ -33,8 +33,7 @@ namespace faults {
 
 using namespace std::chrono_literals;
 
-/// Moves at the speed of the last command, and writes each start and each executed stop to the
-/// journal.
+/// Moves at the speed of the last command. Writes each start and each executed stop to the journal.
 class Drive final : public tendon::PeriodicTask {
  public:
   using Configuration = DriveSettings;
@@ -71,7 +70,7 @@ class Drive final : public tendon::PeriodicTask {
   double velocity_ = 0.0;
 };
 
-/// Moves a drive faster and faster, and stops the drive in its own Cleanup(). Writes the outcome of
+/// Moves a drive faster and faster. Stops the drive in its own Cleanup(), and writes the outcome of
 /// the stop to the journal.
 class Driver final : public tendon::PeriodicTask {
  public:

@@ -13,12 +13,12 @@
 
 namespace faults {
 
-/// Where a force is measured.
+/// The place at which a force is measured.
 enum class Frame : std::uint8_t { kBase, kTool };
 enum class FrameWithOneMore : std::uint8_t { kBase, kTool, kCamera };
 
-/// The type of the sensor, and the types of programs that have edited their copy of its file. The
-/// name of each says how it differs.
+/// The type of the sensor, and the edited copies of this type in other programs. The name of each
+/// copy says how it differs.
 template <typename Number, typename Torque, typename FrameType, int kEdit>
 struct ForceOf {
   Number fx{};
@@ -86,7 +86,7 @@ inline constexpr auto kTorque = tendon::Field{"torque", &T::torque, "Nm"};
 template <typename T>
 inline constexpr auto kFrame = tendon::Field{"frame", &T::frame};
 
-/// The usual description, with this name and unit of the first field.
+/// Describes the type as usual, but with this name and unit of the first field.
 template <typename T>
 consteval auto DescribeForce(const char* fx = "fx", const char* unit = "N") {
   return tendon::Describe("faults.Force", tendon::Field{fx, &T::fx, unit}, kFy<T>, kTorque<T>,

@@ -12,8 +12,8 @@
 
 namespace faults {
 
-/// Streams numbered rows that are so large, and are kept for so short a time, that a slow reader
-/// misses some.
+/// Streams numbered rows. The rows are so large, and are kept for so short a time, that a slow
+/// reader misses some.
 class Fountain final : public tendon::PeriodicTask {
  public:
   explicit Fountain(std::string name)

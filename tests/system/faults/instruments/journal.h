@@ -10,11 +10,11 @@
 
 namespace faults {
 
-/// A file of lines that checkers trust: each line is in the file when Add() returns, even if the
+/// A file of lines that the checkers read. When Add() returns, the line is in the file, even if the
 /// writer is killed directly afterwards.
 class Journal {
  public:
-  /// `folder`/`kind`-`source`, one file for each life of a component.
+  /// Opens the file `folder`/`kind`-`source`. Each life of a component has its own file.
   Journal(const std::string& folder, const std::string& kind, std::uint64_t source)
       : file_(open((folder + "/" + kind + "-" + std::to_string(source)).c_str(),
                    O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600)) {}

@@ -16,7 +16,7 @@ namespace faults {
 
 using namespace std::chrono_literals;
 
-/// Streams numbered rows at 1 kHz and writes down each command that it executes.
+/// Streams numbered rows at 1 kHz, and writes each executed command to the journal.
 class Ledger final : public tendon::PeriodicTask {
  public:
   using Configuration = JournalPlace;
@@ -52,8 +52,8 @@ class Ledger final : public tendon::PeriodicTask {
     held = milliseconds;
   }
 
-  /// Starts a program that outlives this process, like a component that does not know the sockets
-  /// of its process, and returns its pid.
+  /// Starts a program that outlives this process, and returns its pid. A component that starts a
+  /// program does not know the sockets of its process, so it cannot close them.
   void Spawn(std::int64_t& child) {
     child = fork();
     if (child != 0) return;

@@ -6,12 +6,12 @@
 
 namespace faults {
 
-/// A command or a sample with a number, from which its receiver can detect missing, repeated and
-/// damaged ones without other information.
+/// A command or a sample with a number. From the numbers alone, a receiver can detect missing,
+/// repeated and damaged ones.
 struct Numbered {
-  std::uint64_t source = 0;  ///< random; one life of one component
-  std::uint64_t number = 0;  ///< grows by one
-  std::uint64_t check = 0;   ///< CheckOf() the others
+  std::uint64_t source = 0;  ///< a random number for one life of one component
+  std::uint64_t number = 0;  ///< one more than in the previous command or sample
+  std::uint64_t check = 0;   ///< CheckOf() the other two
 
   bool operator==(const Numbered&) const = default;
 };

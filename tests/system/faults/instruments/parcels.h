@@ -20,7 +20,7 @@ using namespace std::chrono_literals;
 using Parcel = std::vector<std::uint8_t>;
 inline constexpr std::uint8_t kFilling = 7;
 
-/// Sends parcels of the requested size, and reports the outcome of each.
+/// Sends parcels of the requested size, and reports the outcome of each parcel.
 class Sender final : public tendon::PeriodicTask {
  public:
   explicit Sender(std::string name) : PeriodicTask(std::move(name), 5ms) {
