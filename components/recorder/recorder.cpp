@@ -2,6 +2,7 @@
 #include <tendon/base/log.h>
 #include <tendon/base/text.h>
 #include <tendon/process/process.h>
+#include <tendon/recording/condition.h>
 
 #include <chrono>
 #include <string>
@@ -11,6 +12,18 @@ namespace recorder {
 namespace {
 
 constexpr std::chrono::milliseconds kPeriod{100};
+
+/// Throws ConfigurationError if the condition cannot be read, or `time` needs one that is empty.
+void RequireCondition(const std::string& field, const std::string& condition,
+                      const std::string& time_field, double time) {
+  if (condition.empty()) {
+    if (time == 0.0) return;
+    throw tendon::ConfigurationError("'" + time_field + "' needs '" + field + "'");
+  }
+  const auto parsed = tendon::recording::ParseCondition(condition);
+  if (parsed) return;
+  throw tendon::ConfigurationError("'" + field + "': " + parsed.error().message);
+}
 
 }  // namespace
 
@@ -30,6 +43,8 @@ Recorder::Recorder(std::string name, Configuration configuration)
       configuration_.split_time == 0.0) {
     throw tendon::ConfigurationError("'keep' needs 'split_size' or 'split_time'");
   }
+  RequireCondition("start_when", configuration_.start_when, "before", configuration_.before);
+  RequireCondition("stop_when", configuration_.stop_when, "after", configuration_.after);
   state_table().Add(state_, "State");
   auto& control = AddProvidedInterface("Control");
   control.AddCommandVoid(&Recorder::StartRecording, this, "Start");
@@ -80,6 +95,9 @@ void Recorder::RaiseEvents() {
         break;
       case Outcome::Kind::kSaved:
         saved_(outcome.text);
+        break;
+      case Outcome::Kind::kDelayed:
+        tendon::Log(tendon::LogLevel::kWarning, name(), outcome.text);
         break;
       case Outcome::Kind::kFailed:
         tendon::Log(tendon::LogLevel::kError, name(), outcome.text);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/payload/payload.h>
+#include <tendon/recording/mcap/compression.h>
 
 #include <cstdint>
 #include <string>
@@ -9,9 +10,10 @@
 /// A component that records its own process.
 namespace recorder {
 
-enum class Compression : std::int32_t { kNone, kLz4, kZstd };
+using tendon::mcap::Compression;
 
 inline constexpr double kLongestSplit = 30.0 * 24 * 3600;  // s
+inline constexpr double kLongestAround = 3600.0;           // s, before and after conditions
 
 struct RecorderConfiguration {
   std::vector<std::string> patterns{"**"};
@@ -23,11 +25,16 @@ struct RecorderConfiguration {
   std::uint64_t keep = 0;        ///< files of one recording; 0: all
   bool log = true;
   bool record_at_start = false;
+  std::string start_when;  ///< a condition; empty: begins at once
+  std::string stop_when;   ///< likewise; empty: only an order ends the recording
+  double before = 0.0;     ///< s
+  double after = 0.0;      ///< s
 };
 
 /// The state of a recording, or of the last one.
 struct RecorderState {
   bool is_recording = false;
+  bool is_waiting = false;  ///< for the condition to start
   std::uint64_t rows = 0;
   std::uint64_t events = 0;
   std::uint64_t bytes = 0;      ///< of the files that are kept
@@ -40,9 +47,10 @@ struct RecorderState {
 
 template <>
 inline constexpr auto tendon::kPayload<recorder::Compression> = tendon::DescribeEnum(
-    "recorder.Compression", tendon::Enumerator{"none", recorder::Compression::kNone},
-    tendon::Enumerator{"lz4", recorder::Compression::kLz4},
-    tendon::Enumerator{"zstd", recorder::Compression::kZstd});
+    "recorder.Compression",
+    tendon::Enumerator{NameOf(recorder::Compression::kNone), recorder::Compression::kNone},
+    tendon::Enumerator{NameOf(recorder::Compression::kLz4), recorder::Compression::kLz4},
+    tendon::Enumerator{NameOf(recorder::Compression::kZstd), recorder::Compression::kZstd});
 
 template <>
 inline constexpr auto tendon::kPayload<recorder::RecorderConfiguration> = tendon::Describe(
@@ -64,11 +72,23 @@ inline constexpr auto tendon::kPayload<recorder::RecorderConfiguration> = tendon
     tendon::Field{"log", &recorder::RecorderConfiguration::log}.Help(
         "Also record the log of this process."),
     tendon::Field{"record_at_start", &recorder::RecorderConfiguration::record_at_start}.Help(
-        "Begin to record when the component starts."));
+        "Begin to record when the component starts."),
+    tendon::Field{"start_when", &recorder::RecorderConfiguration::start_when}.Help(
+        "Event or condition, such as robot/arm/state.Joints.position[2] > 1.2 rad, before which "
+        "nothing is written; empty means none."),
+    tendon::Field{"stop_when", &recorder::RecorderConfiguration::stop_when}.Help(
+        "Event or condition that ends the recording; empty means none."),
+    tendon::Field{"before", &recorder::RecorderConfiguration::before, "s"}
+        .Within(0.0, recorder::kLongestAround)
+        .Help("With start_when: time before the condition that is also written."),
+    tendon::Field{"after", &recorder::RecorderConfiguration::after, "s"}
+        .Within(0.0, recorder::kLongestAround)
+        .Help("With stop_when: time after the condition that is also written."));
 
 template <>
 inline constexpr auto tendon::kPayload<recorder::RecorderState> = tendon::Describe(
     "recorder.RecorderState", tendon::Field{"is_recording", &recorder::RecorderState::is_recording},
+    tendon::Field{"is_waiting", &recorder::RecorderState::is_waiting},
     tendon::Field{"rows", &recorder::RecorderState::rows},
     tendon::Field{"events", &recorder::RecorderState::events},
     tendon::Field{"bytes", &recorder::RecorderState::bytes, "B"},

@@ -24,18 +24,6 @@ std::string TimeOfNow() {
   return {text, std::strftime(text, sizeof text, "%Y%m%d-%H%M%S", &local)};
 }
 
-tendon::mcap::Compression MethodOf(Compression compression) {
-  switch (compression) {
-    case Compression::kNone:
-      return tendon::mcap::Compression::kNone;
-    case Compression::kLz4:
-      return tendon::mcap::Compression::kLz4;
-    case Compression::kZstd:
-      return tendon::mcap::Compression::kZstd;
-  }
-  return tendon::mcap::Compression::kZstd;
-}
-
 }  // namespace
 
 RecordingThread::RecordingThread(std::shared_ptr<tendon::LocalAccess> process,
@@ -50,7 +38,9 @@ void RecordingThread::Start() {
 
 void RecordingThread::Stop() {
   worker_.Post([this] {
-    if (!recorder_) return Tell(Outcome::Kind::kFailed, "there is no recording to stop");
+    if (!recorder_ && !is_starting_) {
+      return Tell(Outcome::Kind::kFailed, "there is no recording to stop");
+    }
     StopNow();
   });
 }
@@ -62,7 +52,7 @@ void RecordingThread::SaveLast(double seconds) {
 void RecordingThread::Finish() {
   const auto ended = std::make_shared<std::promise<void>>();
   worker_.Post([this, ended] {
-    if (recorder_) StopNow();
+    if (recorder_ || is_starting_) StopNow();
     ended->set_value();
   });
   ended->get_future().wait();
@@ -79,16 +69,38 @@ std::vector<Outcome> RecordingThread::TakeOutcomes() {
 }
 
 void RecordingThread::StartNow() {
+  if (is_starting_) return Tell(Outcome::Kind::kFailed, "a recording is already being started");
   if (recorder_) {
     return Tell(Outcome::Kind::kFailed, "a recording is already running and writes " +
                                             recorder_->status().file.string() +
                                             "; stop that recording first");
   }
-  const auto inbox = std::make_shared<tendon::recording::Inbox>();
-  system_ = std::make_shared<tendon::recording::LocalSystem>(process_, inbox);
-  auto started = tendon::recording::Recorder::Start(
-      system_, inbox,
-      {.patterns = settings_.patterns, .files = NextFile(), .has_log = settings_.log});
+  is_starting_ = true;
+  ++starts_;
+  options_ = NextRecording();
+  tries_ = 0;
+  Begin();
+}
+
+void RecordingThread::Begin() {
+  if (!is_starting_) return;  // it was stopped
+  const auto queue = std::make_shared<tendon::recording::RecordingQueue>();
+  system_ = std::make_shared<tendon::recording::LocalSystem>(process_, queue);
+  const bool has_condition = options_.start_when || options_.stop_when;
+  const auto unknown = has_condition ? system_->WhyUnknown() : std::nullopt;
+  SetWaiting(unknown.has_value());
+  if (unknown) {  // the paths of the conditions must be known
+    system_.reset();
+    constexpr int kTriesUntilTold = 10;
+    if (++tries_ == kTriesUntilTold) {
+      Tell(Outcome::Kind::kDelayed, "the recording has not begun yet: " + unknown->message);
+    }
+    return worker_.PostAfter(100ms, [this, start = starts_] {
+      if (start == starts_) Begin();
+    });
+  }
+  is_starting_ = false;
+  auto started = tendon::recording::Recorder::Start(system_, queue, std::move(options_));
   if (!started) {
     system_.reset();
     return Tell(Outcome::Kind::kFailed, started.error().message);
@@ -97,16 +109,21 @@ void RecordingThread::StartNow() {
   ++recordings_;
   bytes_ = 0;
   next_rate_ = tendon::SteadyClock().Now() + 1s;
+  is_waiting_ = true;  // Look() tells the start
   Look();
-  Tell(Outcome::Kind::kStarted, recorder_->status().file.string());
 }
 
 void RecordingThread::StopNow() {
+  if (std::exchange(is_starting_, false)) {
+    SetWaiting(false);
+    return Tell(Outcome::Kind::kStopped, "");
+  }
   const auto stopped = recorder_->Stop();
   const RecorderStatus status = recorder_->status();
   {
     const std::scoped_lock lock(mutex_);
     state_.is_recording = false;
+    state_.is_waiting = false;
     state_.rows = status.counts.rows;
     state_.events = status.counts.events;
     state_.bytes = status.counts.bytes;
@@ -117,7 +134,8 @@ void RecordingThread::StopNow() {
   recorder_.reset();
   system_.reset();
   if (!stopped) return Tell(Outcome::Kind::kFailed, stopped.error().message);
-  Tell(Outcome::Kind::kStopped, status.file.string());
+  if (is_waiting_ && !status.is_waiting) Tell(Outcome::Kind::kStarted, status.file.string());
+  Tell(Outcome::Kind::kStopped, status.is_waiting ? "" : status.file.string());
 }
 
 void RecordingThread::SaveLastNow(double seconds) {
@@ -125,15 +143,15 @@ void RecordingThread::SaveLastNow(double seconds) {
     return Tell(Outcome::Kind::kFailed, "cannot save the last " + std::to_string(seconds) +
                                             " s: expected more than 0 and at most 86400 s");
   }
-  const auto inbox = std::make_shared<tendon::recording::Inbox>();
-  tendon::recording::LocalSystem system(process_, inbox);
+  const auto queue = std::make_shared<tendon::recording::RecordingQueue>();
+  tendon::recording::LocalSystem system(process_, queue);
   tendon::recording::SaveLastOptions options{
       .patterns = settings_.patterns, .files = NextFile(), .has_log = settings_.log};
   options.files.split_size = 0;
   options.files.split_time = {};
   options.last =
       std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(seconds));
-  const auto saved = tendon::recording::SaveLast(system, inbox, std::move(options));
+  const auto saved = tendon::recording::SaveLast(system, queue, std::move(options));
   if (!saved) return Tell(Outcome::Kind::kFailed, saved.error().message);
   for (const auto& table : saved->tables) {
     if (table.failure) Tell(Outcome::Kind::kFailed, table.path + ": " + table.failure->message);
@@ -145,11 +163,16 @@ void RecordingThread::SaveLastNow(double seconds) {
 void RecordingThread::Look() {
   if (!recorder_) return;
   const RecorderStatus status = recorder_->status();
-  if (status.failure) return StopNow();
+  if (is_waiting_ && !status.is_waiting) {
+    is_waiting_ = false;
+    Tell(Outcome::Kind::kStarted, status.file.string());
+  }
+  if (status.failure || status.is_finished) return StopNow();
   const tendon::SteadyTime now = tendon::SteadyClock().Now();
   {
     const std::scoped_lock lock(mutex_);
-    state_ = {.is_recording = true,
+    state_ = {.is_recording = !status.is_waiting,
+              .is_waiting = status.is_waiting,
               .rows = status.counts.rows,
               .events = status.counts.events,
               .bytes = status.counts.bytes,
@@ -169,9 +192,33 @@ void RecordingThread::Look() {
   });
 }
 
+void RecordingThread::SetWaiting(bool is_waiting) {
+  const std::scoped_lock lock(mutex_);
+  state_.is_waiting = is_waiting;
+}
+
 void RecordingThread::Tell(Outcome::Kind kind, std::string text) {
   const std::scoped_lock lock(mutex_);
   outcomes_.push_back({kind, std::move(text)});
+}
+
+tendon::recording::RecorderOptions RecordingThread::NextRecording() const {
+  tendon::recording::RecorderOptions options{
+      .patterns = settings_.patterns, .files = NextFile(), .has_log = settings_.log};
+  const auto time_of = [](double seconds) {
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(
+        std::chrono::duration<double>(seconds));
+  };
+  // The component has checked that both can be read.
+  if (!settings_.start_when.empty()) {
+    options.start_when = *tendon::recording::ParseCondition(settings_.start_when);
+  }
+  if (!settings_.stop_when.empty()) {
+    options.stop_when = *tendon::recording::ParseCondition(settings_.stop_when);
+  }
+  options.before = time_of(settings_.before);
+  options.after = time_of(settings_.after);
+  return options;
 }
 
 /// Two recordings may begin within a second.
@@ -179,7 +226,7 @@ tendon::recording::FileOptions RecordingThread::NextFile() const {
   const std::string name = settings_.name + "-" + TimeOfNow();
   const std::filesystem::path folder(settings_.folder);
   tendon::recording::FileOptions options{.file = folder / (name + ".mcap"),
-                                         .compression = MethodOf(settings_.compression),
+                                         .compression = settings_.compression,
                                          .split_size = settings_.split_size,
                                          .keep = settings_.keep};
   options.split_time = std::chrono::duration_cast<std::chrono::nanoseconds>(

@@ -18,10 +18,10 @@ namespace recorder {
 
 /// What has become of an order, or of a recording.
 struct Outcome {
-  enum class Kind { kStarted, kStopped, kSaved, kFailed };
+  enum class Kind { kStarted, kStopped, kSaved, kDelayed, kFailed };
 
   Kind kind = Kind::kFailed;
-  std::string text;  ///< the file; for kFailed, a sentence
+  std::string text;  ///< the file; for kDelayed and kFailed, a sentence
 };
 
 /// Makes recordings, one after the other, in a thread of its own: opening, closing and looking at
@@ -36,7 +36,7 @@ class RecordingThread {
   /// Calls Finish().
   ~RecordingThread();
 
-  /// Begins a recording; kFailed if there is one already.
+  /// Begins a recording, or to wait for its condition; kFailed if there is one already.
   void Start();
   /// Ends the recording, and completes its file; kFailed if there is none.
   void Stop();
@@ -52,10 +52,13 @@ class RecordingThread {
  private:
   // In the thread.
   void StartNow();
+  void Begin();
   void StopNow();
   void SaveLastNow(double seconds);
   void Look();
+  void SetWaiting(bool is_waiting);
   void Tell(Outcome::Kind kind, std::string text);
+  [[nodiscard]] tendon::recording::RecorderOptions NextRecording() const;
   [[nodiscard]] tendon::recording::FileOptions NextFile() const;
 
   const std::shared_ptr<tendon::LocalAccess> process_;
@@ -64,6 +67,11 @@ class RecordingThread {
   // Of the thread.
   std::shared_ptr<tendon::recording::LocalSystem> system_;
   std::unique_ptr<tendon::recording::Recorder> recorder_;
+  bool is_starting_ = false;                    // the process is still too busy to say what it has
+  tendon::recording::RecorderOptions options_;  // of the recording that is being started
+  int tries_ = 0;                               // to start it
+  std::uint64_t starts_ = 0;
+  bool is_waiting_ = false;  // for the condition to start
   std::uint64_t recordings_ = 0;
   std::uint64_t bytes_ = 0;  // a second ago
   tendon::SteadyTime next_rate_{};

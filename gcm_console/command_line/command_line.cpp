@@ -76,9 +76,9 @@ void TakeAsTyped(CLI::App& app) {
   }
 }
 
-/// Returns an error such as "no verb 'conect'; did you mean 'connect'? gcm --help lists them". The
-/// error is about the first word that is neither an option nor the value of an option. Empty if
-/// this word is a verb, or follows an unknown option.
+/// Returns an error such as "no verb 'conect'; did you mean 'connect'? to list the verbs: gcm
+/// --help". The error is about the first word that is neither an option nor the value of an option.
+/// Empty if this word is a verb, or follows an unknown option.
 std::string UnknownVerb(const std::vector<std::string>& words, const CLI::App& app) {
   const CLI::App* part = &app;
   std::string command = app.get_name();

@@ -15,11 +15,6 @@ std::string SizeText(std::uint64_t bytes) {
   return Fixed(value, 1) + " " + kUnits[unit];
 }
 
-tendon::mcap::Compression CompressionNamed(const std::string& name) {
-  if (name == "none") return tendon::mcap::Compression::kNone;
-  return name == "lz4" ? tendon::mcap::Compression::kLz4 : tendon::mcap::Compression::kZstd;
-}
-
 std::vector<std::string> ProblemTexts(const std::vector<tendon::mcap::Problem>& problems,
                                       std::uint64_t count) {
   std::vector<std::string> all;

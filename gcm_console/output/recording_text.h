@@ -1,7 +1,6 @@
 #pragma once
 
-#include <tendon/recording/chunk_compression.h>
-#include <tendon/recording/mcap_chunk.h>
+#include <tendon/recording/mcap/chunk.h>
 
 #include <cstdint>
 #include <string>
@@ -11,9 +10,6 @@ namespace console {
 
 /// Formats a size: "17 B", "1.2 MB", "40.0 GB". The units are powers of 1000, as for disks.
 [[nodiscard]] std::string SizeText(std::uint64_t bytes);
-
-/// Returns the compression with this name: "zstd", "lz4" or "none".
-[[nodiscard]] tendon::mcap::Compression CompressionNamed(const std::string& name);
 
 /// Returns one line for each listed problem of a file, and a line with the number of further
 /// problems.

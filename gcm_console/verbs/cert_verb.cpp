@@ -173,7 +173,9 @@ Result<ExitCode> Revoke(Context& context, const CertArguments& arguments) {
       context.out() << arguments.name << (is_dry ? "  would be revoked  " : "  revoked  ") << serial
                     << '\n';
     }
-    if (!is_dry) context.err() << "gcm: copy this list to all other hosts: " << Plain(list) << '\n';
+    if (!is_dry) {
+      context.err() << "gcm: copy the revocation list to all other hosts: " << Plain(list) << '\n';
+    }
   }
   return program::kOk;
 }

@@ -2,11 +2,13 @@
 #include <gcm_console/output/table.h>
 #include <gcm_console/output/text.h>
 #include <gcm_console/verbs/common_options.h>
+#include <gcm_console/verbs/recording_part.h>
 #include <gcm_console/verbs/verb.h>
 #include <program/command_line.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/base/text.h>
 #include <tendon/recording/recorder.h>
+#include <tendon/recording/selection.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -36,7 +38,7 @@ struct RecordOptions {
   std::uint64_t split_size = 0;  // bytes; 0: no limit
   double split_seconds = 0.0;    // 0: no limit
   std::uint64_t keep = 0;        // number of files; 0: keep all
-  std::string compression = "zstd";
+  tendon::mcap::Compression compression = tendon::mcap::Compression::kZstd;
   std::string start_when;                                  // empty: start at once
   std::string stop_when;                                   // empty: stop only for other reasons
   double before = 0.0;                                     // s
@@ -58,7 +60,7 @@ tendon::recording::RecorderOptions RecorderOptionsOf(const Context& context,
       .files = {.file = options.file, .split_size = options.split_size, .keep = options.keep},
       .has_log = !options.has_no_log,
       .timeout = context.settings().timeout};
-  all.files.compression = CompressionNamed(options.compression);
+  all.files.compression = options.compression;
   all.files.split_time = TimeOf(options.split_seconds);
   all.before = TimeOf(options.before);
   all.after = TimeOf(options.after);
@@ -204,8 +206,8 @@ class RecordingReport {
 void PrintUnmatched(Context& context, const tendon::Catalogue& catalogue,
                     const std::vector<std::string>& patterns) {
   for (const std::string& pattern : patterns) {
-    const auto choice = tendon::recording::Choose(catalogue, {pattern});
-    if (!choice.tables.empty() || !choice.events.empty()) continue;
+    const auto selection = tendon::recording::Select(catalogue, {pattern});
+    if (!selection.tables.empty() || !selection.events.empty()) continue;
     context.err() << "gcm: no table or event matches '" << Plain(pattern)
                   << "' now; tables and events that match later are recorded\n";
   }
@@ -214,7 +216,8 @@ void PrintUnmatched(Context& context, const tendon::Catalogue& catalogue,
 /// Records until one of these occurs: a signal, the condition to stop, the end of the time, an
 /// error, or (with --no-reconnect) the loss of the GCM. The time starts when the recording starts.
 Result<ExitCode> RecordUntilDone(RecordingReport& report, Recorder& recorder,
-                                 tendon::recording::Inbox& inbox, const RecordOptions& options) {
+                                 tendon::recording::RecordingQueue& queue,
+                                 const RecordOptions& options) {
   auto begin = std::chrono::steady_clock::now();
   const auto passed = [&] { return Elapsed(std::chrono::steady_clock::now() - begin); };
   auto next = begin + 1s;
@@ -225,7 +228,7 @@ Result<ExitCode> RecordUntilDone(RecordingReport& report, Recorder& recorder,
   while (!is_interrupted && !is_broken && !is_over) {
     is_interrupted = tendon::os::TerminationRequested(20ms);
     const RecorderStatus status = recorder.status();
-    is_broken = status.failure || (options.ends_with_link && inbox.is_gcm_lost());
+    is_broken = status.failure || (options.ends_with_link && queue.is_gcm_lost());
     if (is_waiting && !status.is_waiting) {
       is_waiting = false;
       begin = std::chrono::steady_clock::now();
@@ -238,7 +241,7 @@ Result<ExitCode> RecordUntilDone(RecordingReport& report, Recorder& recorder,
     next += 1s;
     report.PrintProgress(status, is_waiting ? Elapsed(0) : passed());
   }
-  const bool is_link_lost = options.ends_with_link && inbox.is_gcm_lost();
+  const bool is_link_lost = options.ends_with_link && queue.is_gcm_lost();
   const auto recorded = recorder.Stop();
   if (auto notices = recorder.TakeNotices(); !notices.empty()) report.PrintNotices(notices);
   report.PrintEnd(recorder.status(), is_waiting ? Elapsed(0) : passed());
@@ -254,8 +257,8 @@ Result<ExitCode> Record(Context& context, const RecordOptions& options) {
   auto recorder_options = WithConditions(RecorderOptionsOf(context, options), options);
   if (!recorder_options) return recorder_options.error();
   tendon::os::HoldTerminationSignals();
-  const auto inbox = std::make_shared<tendon::recording::Inbox>();
-  const auto client = context.Client(inbox);
+  const auto queue = std::make_shared<tendon::recording::RecordingQueue>();
+  const auto client = context.Client(queue);
   if (!client) return client.error();
   const auto delay = std::chrono::duration_cast<std::chrono::milliseconds>(
       std::min(Elapsed(options.delay), Elapsed(tendon::kLongestWait)));
@@ -263,12 +266,12 @@ Result<ExitCode> Record(Context& context, const RecordOptions& options) {
   while (std::chrono::steady_clock::now() < until) {
     if (tendon::os::TerminationRequested(20ms)) return program::kInterrupted;
   }
-  auto recorder = Recorder::Start(**client, inbox, *std::move(recorder_options));
+  auto recorder = Recorder::Start(**client, queue, *std::move(recorder_options));
   if (!recorder) return recorder.error();
   RecordingReport report(context);
   report.PrintBegin((*recorder)->status(), options);
   PrintUnmatched(context, (*client)->catalogue(), options.paths);
-  return RecordUntilDone(report, **recorder, *inbox, options);
+  return RecordUntilDone(report, **recorder, *queue, options);
 }
 
 Verb::Run PrepareRecord(CLI::App& app) {
@@ -316,8 +319,7 @@ Verb::Run PrepareRecord(CLI::App& app) {
                  "the most memory for --before: 1GB (default 256 MiB)")
       ->type_name("SIZE")
       ->transform(CLI::AsSizeValue(true));
-  app.add_option("--compression", options->compression, "zstd (default), lz4 or none")
-      ->check(CLI::IsMember({"zstd", "lz4", "none"}));
+  AddCompression(app, options->compression);
   app.add_flag("--no-log", options->has_no_log, "do not record the log of the processes");
   app.add_flag("--no-reconnect", options->ends_with_link,
                "if the GCM is lost, end instead of waiting for the GCM");

@@ -3,7 +3,8 @@
 #include <gcm_console/verbs/recording_part.h>
 #include <program/command_line.h>
 #include <tendon/base/path.h>
-#include <tendon/recording/recording_files.h>
+#include <tendon/base/text.h>
+#include <tendon/recording/recording_format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -22,6 +23,20 @@ mcap::Timestamp After(mcap::Timestamp begin, double seconds) {
 }
 
 }  // namespace
+
+void AddCompression(CLI::App& app, mcap::Compression& compression) {
+  std::vector<std::string> names;
+  for (const mcap::Compression one : mcap::kCompressions) names.emplace_back(mcap::NameOf(one));
+  app.add_option_function<std::string>(
+         "--compression",
+         [&compression](const std::string& name) {
+           const auto parsed = mcap::ParseCompression(name);
+           if (!parsed) throw CLI::ValidationError("--compression", parsed.error().message);
+           compression = *parsed;
+         },
+         "zstd (default), lz4 or none")
+      ->type_name("TEXT:{" + tendon::Joined(names, ",") + "}");
+}
 
 void AddRecordingFile(CLI::App& app, std::string& file) {
   WithKind(app.add_option("file", file, "a recording, such as run.mcap"), WordKind::kFile)
@@ -42,8 +57,8 @@ void AddRecordingPart(CLI::App& app, RecordingPart& options) {
 }
 
 std::string ChannelPath(const mcap::Channel& channel) {
-  const auto path = channel.metadata.find(tendon::recording::kPathKey);
-  return path == channel.metadata.end() ? channel.topic : path->second;
+  const std::string path = tendon::recording::MetadataValue(channel, tendon::recording::kPathKey);
+  return path.empty() ? channel.topic : path;
 }
 
 std::optional<std::pair<mcap::Timestamp, mcap::Timestamp>> RecordingTimes(
@@ -55,10 +70,11 @@ std::optional<std::pair<mcap::Timestamp, mcap::Timestamp>> RecordingTimes(
   if (statistics || reader.blocks().empty()) return std::nullopt;
   std::pair<mcap::Timestamp, mcap::Timestamp> times(mcap::kLastTime, mcap::kFirstTime);
   for (const auto& block : reader.blocks()) {
+    if (block.index.message_end_time == 0) continue;  // without messages
     times.first = std::min(times.first, block.index.message_start_time);
     times.second = std::max(times.second, block.index.message_end_time);
   }
-  return times;
+  return times.first <= times.second ? std::optional(times) : std::nullopt;
 }
 
 Result<mcap::Query> PartQuery(const mcap::Reader& reader, const RecordingPart& options) {

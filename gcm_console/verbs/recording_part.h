@@ -1,7 +1,8 @@
 #pragma once
 
 #include <gcm_console/verbs/verb.h>
-#include <tendon/recording/mcap_reader.h>
+#include <tendon/recording/mcap/compression.h>
+#include <tendon/recording/mcap/reader.h>
 
 #include <cstdint>
 #include <optional>
@@ -21,6 +22,8 @@ struct RecordingPart {
   std::vector<std::string> paths;
 };
 
+/// Adds --compression, for the verbs that write a recording.
+void AddCompression(CLI::App& app, tendon::mcap::Compression& compression);
 /// Adds the argument for the file name.
 void AddRecordingFile(CLI::App& app, std::string& file);
 /// Adds --from, --to and --paths.

@@ -4,17 +4,20 @@
 #include <gcm_console/verbs/common_options.h>
 #include <gcm_console/verbs/recording_part.h>
 #include <gcm_console/verbs/verb.h>
+#include <tendon/base/os/termination.h>
 #include <tendon/base/text.h>
 #include <tendon/payload/codec.h>
 #include <tendon/recording/csv_export.h>
-#include <tendon/recording/hdf5_export.h>
-#include <tendon/recording/log_time_text.h>
-#include <tendon/recording/mcap_copy.h>
-#include <tendon/recording/mcap_reader.h>
-#include <tendon/recording/recording_files.h>
+#include <tendon/recording/hdf5/hdf5_export.h>
+#include <tendon/recording/mcap/copy.h>
+#include <tendon/recording/mcap/log_time_text.h>
+#include <tendon/recording/mcap/reader.h>
+#include <tendon/recording/mcap/verify.h>
+#include <tendon/recording/recording_format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -45,8 +48,7 @@ std::map<std::string, std::uint64_t> LossesIn(mcap::Reader& reader) {
   mcap::MessageStream messages = reader.Messages(query);
   while (const auto message = messages.Next()) {
     recording::Loss loss;
-    if (message->data.size() < recording::kEncapsulationSize) continue;
-    if (!tendon::Decode(message->data.subspan(recording::kEncapsulationSize), loss)) continue;
+    if (!tendon::Decode(recording::BodyOf(message->data), loss)) continue;
     losses[loss.path] += loss.table + loss.network + loss.recorder;
   }
   return losses;
@@ -98,13 +100,15 @@ struct FileFigures {
   }
 };
 
-ordered_json InfoJson(const mcap::Reader& reader, const FileFigures& figures, bool is_checked) {
+ordered_json InfoJson(const mcap::Reader& reader, const FileFigures& figures,
+                      const mcap::Problems& problems, bool is_checked) {
   ordered_json json = {{"file", reader.name()},
                        {"bytes", figures.bytes},
                        {"profile", reader.header().profile},
                        {"library", reader.header().library},
                        {"seconds", figures.seconds()},
                        {"is_complete", !reader.was_scanned()},
+                       {"is_being_recorded", reader.is_being_written()},
                        {"is_checked", is_checked},
                        {"unknown_records", reader.unknown_records()}};
   if (figures.times) {
@@ -122,7 +126,7 @@ ordered_json InfoJson(const mcap::Reader& reader, const FileFigures& figures, bo
   for (const auto& one : reader.attachments()) {
     json["attachments"].push_back({{"name", one.name}, {"bytes", one.data_size}});
   }
-  json["problems"] = ProblemTexts(reader.problems().first(), reader.problems().count());
+  json["problems"] = ProblemTexts(problems.first(), problems.count());
   return json;
 }
 
@@ -150,20 +154,39 @@ struct InfoOptions {
   bool checks = false;
 };
 
+/// Says what a file with problems is, and the next step.
+void PrintDamage(Context& context, const mcap::Reader& reader, bool is_checked) {
+  const std::string file = Plain(reader.name());
+  if (reader.is_being_written()) {
+    context.err() << "gcm: " << file << " is still being recorded, so it has no index yet\n";
+    return;
+  }
+  context.err() << "gcm: " << file
+                << " is damaged; to copy everything that can be read into a new file: gcm recover "
+                << file << '\n';
+  if (is_checked) return;
+  context.err() << "gcm: to find all the damage: gcm info " << file << " --check\n";
+}
+
 Result<ExitCode> ShowInfo(Context& context, const InfoOptions& options) {
   auto reader = mcap::Reader::Open(std::filesystem::path(options.file));
   if (!reader) return reader.error();
-  if (options.checks) (void)(*reader)->Verify();
+  std::optional<mcap::Verification> verification;
+  if (options.checks) verification = mcap::Verify(**reader);
   std::error_code ignored;
   FileFigures figures{.bytes = std::filesystem::file_size(options.file, ignored),
                       .times = RecordingTimes(**reader),
                       .topics = TopicsOf(**reader)};
+  // Reading the losses may have found more.
+  const mcap::Problems& problems = verification ? verification->problems : (*reader)->problems();
   if (context.settings().json) {
-    context.PrintJson(InfoJson(**reader, figures, options.checks));
+    context.PrintJson(InfoJson(**reader, figures, problems, options.checks));
   } else {
     PrintFigures(context, **reader, figures);
   }
-  return PrintProblems(context, (*reader)->problems().first(), (*reader)->problems().count());
+  const ExitCode code = PrintProblems(context, problems.first(), problems.count());
+  if (problems.count() > 0) PrintDamage(context, **reader, options.checks);
+  return code;
 }
 
 /// Prints what was copied into a new file.
@@ -181,14 +204,26 @@ ExitCode ReportCopy(Context& context, const std::string& file, const mcap::CopyR
   return PrintProblems(context, report.problems, report.problem_count);
 }
 
+/// True, once, when the user stops the program.
+bool IsInterrupted() { return tendon::os::TerminationRequested(std::chrono::milliseconds(0)); }
+
+/// The result of work that IsInterrupted() may have stopped.
+template <typename T>
+Result<ExitCode> FailureOf(Context& context, const Result<T>& result) {
+  if (!tendon::os::WasTerminationRequested()) return result.error();
+  context.err() << "gcm: " << Plain(result.error().message) << '\n';
+  return program::kInterrupted;
+}
+
 Result<ExitCode> RecoverFile(Context& context, const RecordingPart& options) {
   const std::filesystem::path from(options.file);
   const std::filesystem::path to =
       options.output.empty()
           ? from.parent_path() / (from.stem().string() + "-recovered" + from.extension().string())
           : std::filesystem::path(options.output);
-  const auto report = mcap::Recover(from, to);
-  if (!report) return report.error();
+  tendon::os::HoldTerminationSignals();  // so that nothing is left of a file that is not complete
+  const auto report = mcap::Recover(from, to, {}, &IsInterrupted);
+  if (!report) return FailureOf(context, report);
   const ExitCode code = ReportCopy(context, to.string(), *report);
   // A damaged file is normal for this verb. The verb fails only if no message could be copied.
   return report->messages > 0 ? program::kOk : code;
@@ -200,12 +235,9 @@ Result<ExitCode> CutFile(Context& context, const RecordingPart& options) {
   auto query = PartQuery(**reader, options);
   if (!query) return query.error();
   query->order = mcap::Query::Order::kFile;
-  auto writer = mcap::Writer::Create(std::filesystem::path(options.output),
-                                     {.profile = (*reader)->header().profile});
-  if (!writer) return writer.error();
-  const auto report = mcap::Copy(**reader, *query, **writer);
-  if (!report) return report.error();
-  if (auto closed = (*writer)->Close(); !closed) return closed.error();
+  tendon::os::HoldTerminationSignals();
+  const auto report = mcap::Copy(**reader, *query, options.output, {}, &IsInterrupted);
+  if (!report) return FailureOf(context, report);
   return ReportCopy(context, options.output, *report);
 }
 
@@ -216,25 +248,64 @@ struct ExportOptions : RecordingPart {
 /// The results of an export.
 struct ExportFigures {
   std::vector<std::string> files;
-  std::uint64_t rows = 0;
-  std::uint64_t lost = 0;
-  std::uint64_t incomplete = 0;
-  std::uint64_t skipped = 0;
+  recording::ExportReport report;
 };
 
 Result<ExportFigures> Export(mcap::Reader& reader, const mcap::Query& query,
                              const ExportOptions& options) {
   if (!options.hdf5.empty()) {
-    const auto report = recording::ExportHdf5(reader, query, options.hdf5);
+    const auto report = recording::ExportHdf5(reader, query, options.hdf5, &IsInterrupted);
     if (!report) return report.error();
-    return ExportFigures{
-        {options.hdf5}, report->rows, report->lost, report->incomplete, report->skipped};
+    return ExportFigures{{options.hdf5}, *report};
   }
-  const auto report = recording::ExportCsv(reader, query, options.output);
+  const auto report = recording::ExportCsv(reader, query, options.output, &IsInterrupted);
   if (!report) return report.error();
-  ExportFigures figures{{}, report->rows, report->lost, 0, report->skipped};
+  ExportFigures figures{{}, *report};
   for (const auto& file : report->files) figures.files.push_back(file.string());
   return figures;
+}
+
+ordered_json ExportJson(const ExportFigures& figures) {
+  const recording::ExportReport& report = figures.report;
+  ordered_json left_out = ordered_json::array();
+  for (const auto& [reason, messages] : report.left_out) {
+    left_out.push_back({{"messages", messages}, {"reason", reason}});
+  }
+  return {{"files", figures.files},
+          {"rows", report.rows},
+          {"lost", report.lost},
+          {"events", report.events},
+          {"log_records", report.log},
+          {"other_messages", report.others},
+          {"incomplete", report.incomplete},
+          {"left_out", std::move(left_out)}};
+}
+
+void PrintExport(Context& context, const recording::ExportReport& report, bool is_hdf5) {
+  context.err() << "gcm: " << tendon::Counted(report.rows, "row", "rows") << ", " << report.lost
+                << " lost, " << tendon::Counted(report.events, "event", "events") << ", "
+                << tendon::Counted(report.log, "log record", "log records") << ", "
+                << tendon::Counted(report.others, "message", "messages") << " of other topics\n";
+  if (report.incomplete > 0 && is_hdf5) {
+    context.err() << "gcm: " << tendon::Counted(report.incomplete, "entry is", "entries are")
+                  << " left out, because a part is missing or malformed\n";
+  } else if (report.incomplete > 0) {
+    context.err() << "gcm: " << tendon::Counted(report.incomplete, "entry has", "entries have")
+                  << " empty cells, because a part is missing or malformed\n";
+  }
+  constexpr std::size_t kMost = 8;  // lines
+  std::size_t lines = 0;
+  for (const auto& [reason, messages] : report.left_out) {
+    if (lines++ == kMost) {
+      context.err() << "gcm: more messages are left out, for "
+                    << tendon::Counted(report.left_out.size() - kMost, "other reason",
+                                       "other reasons")
+                    << "; --json lists all reasons\n";
+      return;
+    }
+    context.err() << "gcm: " << tendon::Counted(messages, "message is", "messages are")
+                  << " left out: " << Plain(reason) << '\n';
+  }
 }
 
 Result<ExitCode> ExportFile(Context& context, const ExportOptions& options) {
@@ -245,27 +316,15 @@ Result<ExitCode> ExportFile(Context& context, const ExportOptions& options) {
   if (!reader) return reader.error();
   const auto query = PartQuery(**reader, options);
   if (!query) return query.error();
+  tendon::os::HoldTerminationSignals();
   const auto figures = Export(**reader, *query, options);
-  if (!figures) return figures.error();
+  if (!figures) return FailureOf(context, figures);
   if (context.settings().json) {
-    context.PrintJson({{"files", figures->files},
-                       {"rows", figures->rows},
-                       {"lost", figures->lost},
-                       {"incomplete", figures->incomplete},
-                       {"skipped_messages", figures->skipped}});
+    context.PrintJson(ExportJson(*figures));
   } else {
     for (const auto& file : figures->files) context.out() << Plain(file) << '\n';
   }
-  context.err() << "gcm: " << tendon::Counted(figures->rows, "row", "rows") << ", " << figures->lost
-                << " lost\n";
-  if (figures->incomplete > 0) {
-    context.err() << "gcm: " << tendon::Counted(figures->incomplete, "row is", "rows are")
-                  << " left out, because values are missing\n";
-  }
-  if (figures->skipped > 0) {
-    context.err() << "gcm: " << tendon::Counted(figures->skipped, "message is", "messages are")
-                  << " left out, because the channels do not describe their values\n";
-  }
+  PrintExport(context, figures->report, !options.hdf5.empty());
   return PrintProblems(context, (*reader)->problems().first(), (*reader)->problems().count());
 }
 

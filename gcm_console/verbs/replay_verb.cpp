@@ -38,8 +38,8 @@ struct ReplayWords {
   std::string listen = "127.0.0.1:0";
 };
 
-/// The reason why a replay has ended.
-enum class ReplayEnd { kAtTheEnd, kInterrupted };
+/// The reason why a replay has ended. kUnsent: before all was sent.
+enum class ReplayEnd { kAtTheEnd, kInterrupted, kUnsent };
 
 std::string FileNameOf(const std::string& file) {
   return std::filesystem::path(file).filename().string();
@@ -126,6 +126,19 @@ void PrintReplayEnd(Context& context, const Replay& replay, const ReplayWords& w
   }
 }
 
+/// Waits until all is sent: processes send rows every 20 ms, and events as fast as their receivers
+/// take them.
+ReplayEnd SendRest(const Replay& replay) {
+  constexpr auto kBetweenLooks = 5ms;
+  constexpr auto kMostPatience = 5s;  // with a receiver that does not read
+  const tendon::SteadyTime deadline = tendon::SteadyClock().Now() + kMostPatience;
+  while (!replay.HasSentAll()) {
+    if (tendon::os::TerminationRequested(kBetweenLooks)) return ReplayEnd::kInterrupted;
+    if (tendon::SteadyClock().Now() >= deadline) return ReplayEnd::kUnsent;
+  }
+  return ReplayEnd::kAtTheEnd;
+}
+
 ReplayEnd PlayToTheEnd(Replay& replay) {
   constexpr auto kBetweenLooks = 10ms;
   auto next = replay.Play(tendon::SteadyClock().Now());
@@ -135,11 +148,7 @@ ReplayEnd PlayToTheEnd(Replay& replay) {
     std::this_thread::sleep_until(std::min<tendon::SteadyTime>(*next, look));
     next = replay.Play(tendon::SteadyClock().Now());
   }
-  // The processes send rows every 20 ms, and events as fast as their receivers take them. Waits
-  // until everything is sent.
-  constexpr auto kUntilAllIsSent = 500ms;
-  return tendon::os::TerminationRequested(kUntilAllIsSent) ? ReplayEnd::kInterrupted
-                                                           : ReplayEnd::kAtTheEnd;
+  return SendRest(replay);
 }
 
 Result<ExitCode> ReplayFile(Context& context, const ReplayWords& words) {
@@ -176,6 +185,11 @@ Result<ExitCode> ReplayFile(Context& context, const ReplayWords& words) {
   const ReplayEnd end = PlayToTheEnd(**replay);
   const std::chrono::duration<double> passed = tendon::SteadyClock().Now() - begin;
   PrintReplayEnd(context, **replay, words, passed.count());
+  if (end == ReplayEnd::kUnsent) {
+    context.err()
+        << "gcm: the last rows or events did not reach every viewer, because one does not "
+           "read them\n";
+  }
   const auto& problems = (*replay)->reader().problems();
   const ExitCode found = PrintProblems(context, problems.first(), problems.count());
   return end == ReplayEnd::kInterrupted ? program::kInterrupted : found;

@@ -1,5 +1,6 @@
 #include <gcm_console/output/recording_text.h>
 #include <gcm_console/output/text.h>
+#include <gcm_console/verbs/recording_part.h>
 #include <gcm_console/verbs/verb.h>
 #include <program/command_line.h>
 #include <tendon/base/text.h>
@@ -24,7 +25,7 @@ struct SaveLastWords {
   double seconds = 0.0;
   std::vector<std::string> paths;
   std::string file;
-  std::string compression = "zstd";
+  tendon::mcap::Compression compression = tendon::mcap::Compression::kZstd;
   bool has_no_log = false;
 };
 
@@ -36,7 +37,7 @@ tendon::recording::SaveLastOptions SaveLastOptionsOf(const Context& context,
                                                      const SaveLastWords& words) {
   tendon::recording::SaveLastOptions options{
       .patterns = words.paths,
-      .files = {.file = words.file, .compression = CompressionNamed(words.compression)},
+      .files = {.file = words.file, .compression = words.compression},
       .has_log = !words.has_no_log,
       .timeout = context.settings().timeout};
   options.last = std::chrono::duration_cast<std::chrono::nanoseconds>(
@@ -90,11 +91,11 @@ Result<ExitCode> SaveLastSeconds(Context& context, const SaveLastWords& words) {
   if (words.seconds <= 0.0) {
     return Error{ErrorCode::kInvalid, "the time must be above 0, such as: gcm save-last 30s ..."};
   }
-  const auto inbox = std::make_shared<tendon::recording::Inbox>();
-  const auto client = context.Client(inbox);
+  const auto queue = std::make_shared<tendon::recording::RecordingQueue>();
+  const auto client = context.Client(queue);
   if (!client) return client.error();
-  tendon::recording::GcmAccess system(**client, context.settings().timeout);
-  const auto report = tendon::recording::SaveLast(system, inbox, SaveLastOptionsOf(context, words));
+  tendon::recording::GcmSystem system(**client, context.settings().timeout);
+  const auto report = tendon::recording::SaveLast(system, queue, SaveLastOptionsOf(context, words));
   if (!report) return report.error();
   context.settings().json ? PrintJsonReport(context, *report, words.seconds)
                           : PrintReport(context, *report, words.seconds);
@@ -117,8 +118,7 @@ Verb::Run PrepareSaveLast(CLI::App& app) {
   WithKind(app.add_option("-o,--output", words->file, "the file, such as last.mcap"),
            WordKind::kFile)
       ->required();
-  app.add_option("--compression", words->compression, "zstd (default), lz4 or none")
-      ->check(CLI::IsMember({"zstd", "lz4", "none"}));
+  AddCompression(app, words->compression);
   app.add_flag("--no-log", words->has_no_log, "do not save the log of the processes");
   return [words](Context& context) { return SaveLastSeconds(context, *words); };
 }

@@ -100,13 +100,13 @@ class RecordingWorker::Run {
 
   /// Returns the reason if the file is not complete, or if there is none.
   QString recordUntilStopped() {
-    const auto inbox = std::make_shared<recording::Inbox>();
-    GcmClient client(middleware_, options_, inbox);
+    const auto queue = std::make_shared<recording::RecordingQueue>();
+    GcmClient client(middleware_, options_, queue);
     if (const auto watching = client.WaitUntilWatching(); !watching) {
       return ToQString(watching.error().message);
     }
     if (waitForStop(0ms)) return {};
-    auto recorder = makeRecorder(client, inbox);
+    auto recorder = makeRecorder(client, queue);
     if (!recorder) return ToQString(recorder.error().message);
     begin(ToQString((*recorder)->status().file.string()));
     bool has_failed = false;
@@ -122,7 +122,7 @@ class RecordingWorker::Run {
   }
 
   Result<std::unique_ptr<recording::Recorder>> makeRecorder(
-      GcmClient& client, const std::shared_ptr<recording::Inbox>& inbox) {
+      GcmClient& client, const std::shared_ptr<recording::RecordingQueue>& queue) {
     const std::filesystem::path folder = request_.folder.toStdString();
     std::error_code failed;
     std::filesystem::create_directories(folder, failed);
@@ -135,7 +135,7 @@ class RecordingWorker::Run {
     for (int number = 1;; ++number) {
       const std::string ending = number == 1 ? "" : "-" + std::to_string(number);
       options.files.file = folder / (request_.name.toStdString() + ending + ".mcap");
-      auto recorder = recording::Recorder::Start(client, inbox, options);
+      auto recorder = recording::Recorder::Start(client, queue, options);
       const bool is_taken = !recorder && recorder.error().code == ErrorCode::kExists;
       if (!is_taken || number == kMostNames) return recorder;
     }

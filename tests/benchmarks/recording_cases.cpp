@@ -2,9 +2,9 @@
 #include <benchmarks/ram_folder.h>
 #include <benchmarks/seat.h>
 #include <malloc.h>
-#include <tendon/recording/chunk_compression.h>
-#include <tendon/recording/mcap_reader.h>
-#include <tendon/recording/mcap_writer.h>
+#include <tendon/recording/mcap/compression.h>
+#include <tendon/recording/mcap/reader.h>
+#include <tendon/recording/mcap/writer.h>
 
 #include <array>
 #include <cmath>

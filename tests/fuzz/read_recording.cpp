@@ -1,7 +1,8 @@
 #include "read_recording.h"
 
 #include <support/memory_file.h>
-#include <tendon/recording/mcap_copy.h>
+#include <tendon/recording/mcap/copy.h>
+#include <tendon/recording/mcap/verify.h>
 
 #include <memory>
 #include <utility>
@@ -13,13 +14,6 @@ namespace fuzz {
 namespace {
 
 namespace mcap = tendon::mcap;
-
-/// The limits are so small that a small file can exceed them.
-constexpr mcap::ReaderLimits kLimits{.chunk = std::uint64_t{1} << 20U,
-                                     .text = std::uint64_t{1} << 16U,
-                                     .attachment = std::uint64_t{1} << 16U,
-                                     .summary = std::uint64_t{1} << 16U,
-                                     .cache = std::uint64_t{1} << 16U};
 
 std::unique_ptr<tendon::test::MemoryFile> FileOf(Bytes bytes) {
   return std::make_unique<tendon::test::MemoryFile>(
@@ -59,7 +53,7 @@ void Recover(mcap::Reader& reader, std::size_t count) {
   Require((*writer)->Close().ok(), "a recovered file is completed");
   auto again = mcap::Reader::Open(FileOf(disk->bytes));
   Require(again && !(*again)->was_scanned(), "a recovered file has an index");
-  Require((*again)->Verify(), "a recovered file is whole");
+  Require(tendon::mcap::Verify(**again).is_intact(), "a recovered file is whole");
   Require(ReadMessages(**again, mcap::Query::Order::kLogTime).count == count,
           "a recovered file has the same messages");
 }
@@ -67,7 +61,7 @@ void Recover(mcap::Reader& reader, std::size_t count) {
 }  // namespace
 
 void ReadRecording(Bytes bytes) {
-  auto reader = mcap::Reader::Open(FileOf(bytes), kLimits);
+  auto reader = mcap::Reader::Open(FileOf(bytes), kSmallLimits);
   if (!reader) return;
   const Found by_time = ReadMessages(**reader, mcap::Query::Order::kLogTime);
   const Found by_place = ReadMessages(**reader, mcap::Query::Order::kFile);
@@ -82,9 +76,9 @@ void ReadRecording(Bytes bytes) {
   for (const mcap::MetadataIndex& index : (*reader)->metadata()) {
     (void)(*reader)->ReadMetadata(index);
   }
-  (void)(*reader)->Verify();
+  (void)tendon::mcap::Verify(**reader);
 
-  auto scanned = mcap::Reader::OpenByScan(FileOf(bytes), kLimits);
+  auto scanned = mcap::Reader::OpenByScan(FileOf(bytes), kSmallLimits);
   Require(scanned.ok(), "what opens also opens by a scan");
   const Found all = ReadMessages(**scanned, mcap::Query::Order::kFile);
   Recover(**scanned, all.count);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "targets.h"
+#include "use_recording.h"
 
 /// Every test run feeds the decoders with the corpus and with random changes of it. The fuzzer
 /// itself (target `fuzz`) searches longer.
@@ -76,11 +77,17 @@ void Mutate(std::mt19937& random, const Body& other, Body& body) {
 
 class Replay : public testing::TestWithParam<Target> {};
 
-INSTANTIATE_TEST_SUITE_P(, Replay, testing::ValuesIn(Targets().begin(), Targets().end()),
-                         [](const auto& target) { return std::string(target.param.name); });
+std::string NameOf(const testing::TestParamInfo<Target>& target) {
+  return std::string(target.param.name);
+}
+
+INSTANTIATE_TEST_SUITE_P(, Replay, testing::ValuesIn(Targets().begin(), Targets().end()), NameOf);
+INSTANTIATE_TEST_SUITE_P(Of, Replay,
+                         testing::ValuesIn(RecordingTargets().begin(), RecordingTargets().end()),
+                         NameOf);
 
 TEST_P(Replay, HandlesTheCorpus) {
-  const auto corpus = Corpus(GetParam().name);
+  const auto corpus = Corpus(GetParam().corpus);
 
   for (const Body& body : corpus) GetParam().run(body);
 
@@ -88,13 +95,12 @@ TEST_P(Replay, HandlesTheCorpus) {
 }
 
 TEST_P(Replay, HandlesRandomMutationsOfTheCorpus) {
-  constexpr int kRounds = 2500;
   constexpr std::size_t kMost = 4096;  // bytes
-  const auto corpus = Corpus(GetParam().name);
+  const auto corpus = Corpus(GetParam().corpus);
   ASSERT_FALSE(corpus.empty());
   std::mt19937 random(35);
 
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < GetParam().rounds; ++round) {
     Body body = corpus[random() % corpus.size()];
     for (auto changes = 1 + random() % 4; changes > 0; --changes) {
       Mutate(random, corpus[random() % corpus.size()], body);
@@ -106,7 +112,7 @@ TEST_P(Replay, HandlesRandomMutationsOfTheCorpus) {
 
 TEST_P(Replay, HandlesFilesTruncatedAtAnyByte) {
   constexpr std::size_t kMostCuts = 300;
-  for (const Body& body : Corpus(GetParam().name)) {
+  for (const Body& body : Corpus(GetParam().corpus)) {
     for (std::size_t size = 0; size < std::min(body.size(), kMostCuts); ++size) {
       GetParam().run(std::span(body).first(size));
     }

@@ -6,11 +6,13 @@
 #include <tendon/payload/fingerprint.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/numeric_field.h>
+#include <tendon/payload/schema/ros_parser.h>
 
 #include <algorithm>
 #include <array>
 #include <cstring>
 
+#include "export_recording.h"
 #include "promise.h"
 #include "read_recording.h"
 #include "typed_decode.h"
@@ -62,6 +64,14 @@ void ReadSchema(Bytes bytes) {
   (void)tendon::NumericFields(*schema);
 }
 
+void ReadRosMessage(Bytes bytes) {
+  const auto schema = tendon::ParseRosMessage("a/msg/B", TextOf(bytes));
+  if (!schema) return;
+  const auto again =
+      tendon::ParseRosMessage(tendon::RosTypeName(*schema), tendon::RosMessage(*schema));
+  Require(again && again->Text() == schema->Text(), "a printed message reads back");
+}
+
 /// Reads the bytes as consecutive frames, the first frames on a link. Version 0 stands for the
 /// present version, so that the corpus remains valid when the version changes.
 void ReadFrames(Bytes bytes, tendon::Handshake::Role role) {
@@ -102,9 +112,14 @@ void ReadFrames(Bytes bytes) {
 
 std::span<const Target> Targets() {
   static constexpr std::array kTargets{
-      Target{"frame", ReadFrames},        Target{"json", ReadJson},
-      Target{"recording", ReadRecording}, Target{"schema_decode", DecodeBySchema},
-      Target{"schema_text", ReadSchema},  Target{"typed_decode", DecodeTyped}};
+      Target{.name = "csv_export", .run = ExportAsCsv, .corpus = "recorded", .rounds = 1000},
+      Target{"frame", ReadFrames},
+      Target{"json", ReadJson},
+      Target{"recording", ReadRecording},
+      Target{"ros_text", ReadRosMessage},
+      Target{"schema_decode", DecodeBySchema},
+      Target{"schema_text", ReadSchema},
+      Target{"typed_decode", DecodeTyped}};
   return kTargets;
 }
 

@@ -14,9 +14,12 @@ using Bytes = std::span<const std::byte>;
 struct Target {
   std::string_view name;
   void (*run)(Bytes bytes);
+  std::string_view corpus = name;  ///< the folder in corpus/ with the first inputs
+  int rounds = 2500;               ///< of random mutations in every test run
 };
 
-/// All targets. The folder with the target's name in corpus/ has the first inputs.
+/// The targets that need only the layers up to the middleware, and are also in the program for
+/// libFuzzer.
 [[nodiscard]] std::span<const Target> Targets();
 
 }  // namespace fuzz

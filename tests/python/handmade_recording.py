@@ -42,6 +42,7 @@ class Writer:
         self._records = bytearray()
         self._entries = {}
         self._channels, self._indexes, self._metadata = [], [], []
+        self._schemas = []
         self._counts = {}
         self.chunk_starts = []
 
@@ -50,10 +51,17 @@ class Writer:
                     "tendon.clock_ns": str(clock), "tendon.schema": schema}
         return self.foreign_channel(topic or path.replace(".", "/"), metadata)
 
-    def foreign_channel(self, topic, metadata=None):
+    def schema(self, name, text, encoding="ros2msg"):
+        number = len(self._schemas) + 1
+        self._schemas.append(record(3, struct.pack("<H", number) + string(name) + string(encoding)
+                                    + string(text)))
+        self._records += self._schemas[-1]
+        return number
+
+    def foreign_channel(self, topic, metadata=None, schema=0, encoding="cdr"):
         number = len(self._channels) + 1
-        self._channels.append(record(4, struct.pack("<HH", number, 0) + string(topic)
-                                     + string("cdr") + strings(metadata or {})))
+        self._channels.append(record(4, struct.pack("<HH", number, schema) + string(topic)
+                                     + string(encoding) + strings(metadata or {})))
         self._records += self._channels[-1]
         return number
 
@@ -98,9 +106,9 @@ class Writer:
         self._file += record(15, struct.pack("<I", 0))
         start = len(self._file)
         counts = b"".join(struct.pack("<HQ", *one) for one in self._counts.items())
-        summary = b"".join([*self._channels, *self._indexes, *self._metadata])
+        summary = b"".join([*self._schemas, *self._channels, *self._indexes, *self._metadata])
         summary += record(11, struct.pack(
-            "<QHIIIIQQ", sum(self._counts.values()), 0, len(self._channels), 0,
+            "<QHIIIIQQ", sum(self._counts.values()), len(self._schemas), len(self._channels), 0,
             len(self._metadata), len(self._indexes), 0, 0) + struct.pack("<I", len(counts))
             + counts)
         summary += struct.pack("<BQQQ", 2, 20, start, 0)

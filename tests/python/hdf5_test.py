@@ -149,7 +149,7 @@ class Exported(unittest.TestCase):
                 writer.message(channel, row, row, parse("uint64").encode(row))
         writer.save(self.recording)
 
-        self.assertIn("1 row is left out, because values are missing", self.export())
+        self.assertIn("1 entry is left out, because a part is missing or malformed", self.export())
 
         with h5py.File(self.output) as file:
             self.assertEqual(file["robot/cart/state/Double"][:].tolist(), [0, 1, 3])
@@ -191,7 +191,7 @@ class Exported(unittest.TestCase):
     def test_no_file_is_replaced(self):
         self.counting(range(3)).save(self.recording)
         self.output.write_text("mine", encoding="ascii")
-        self.assertIn("an export does not replace files", self.export(code=1))
+        self.assertIn("no file is replaced", self.export(code=1))
         self.assertEqual(self.output.read_text(encoding="ascii"), "mine")
 
     def test_a_full_disk_leaves_no_file(self):

@@ -14,6 +14,7 @@ import tendon
 import zstandard
 from handmade_recording import WHEEL, Writer
 from tendon.payload import arrays
+from tendon.payload.ros_text import parse_message
 from tendon.payload.schema_text import parse
 
 WHEELS = [{"speed": 0.1 + 0.2, "mode": "moving", "uptime": 2.000000001, "ready": True,
@@ -232,6 +233,16 @@ class Rows(OnFile):
 
         self.assertEqual(run.source_times("robot/cart/state").tolist(), [500])
 
+    def test_a_clock_that_is_no_number_of_64_bits_counts_as_zero(self):
+        for clock in ("12345678901234567890", "-12345678901234567890", "noon"):
+            writer = Writer()
+            channel = writer.channel("robot/cart/state.Count", "uint64", clock=clock)
+            writer.message(channel, 0, 1000, number(0), source_time=900)
+
+            run = self.open(writer.finish())
+
+            self.assertEqual(run.source_times("robot/cart/state").tolist(), [900])
+
     def test_events_log_and_losses_are_read(self):
         writer = Writer()
         stopped = writer.channel("robot/cart/Control.Stopped", "struct tendon.None {\n}", "event")
@@ -273,6 +284,94 @@ class Rows(OnFile):
         self.assertNotIn("/camera", run.paths())
         with self.assertRaises(tendon.NotFound):
             run["/camera"]
+
+
+POSE = """Point position
+Point[2] corners
+builtin_interfaces/Time stamp
+string name "unknown"
+int32 LIMIT=5
+uint8[<=4] data
+================================================================================
+MSG: geometry_msgs/Point
+float64 x
+float32 y
+"""
+POSE_SCHEMA = """struct geometry_msgs.Pose {
+  position: struct geometry_msgs.Point {
+    x: float64
+    y: float32
+  }
+  corners: struct geometry_msgs.Point {
+    x: float64
+    y: float32
+  }[2]
+  stamp: duration
+  name: string
+  data: uint8[]
+}"""
+
+
+class OtherPrograms(OnFile):
+    def poses(self):
+        writer = Writer()
+        schema = writer.schema("geometry_msgs/msg/Pose", POSE)
+        channel = writer.foreign_channel("/arm.left/pose", schema=schema)
+        for row in range(3):
+            point = {"x": float(row), "y": 0.5}
+            writer.message(channel, row, row, parse(POSE_SCHEMA).encode(
+                {"position": point, "corners": [point, point], "stamp": row + 0.25, "name": "a",
+                 "data": [1, 2]}))
+        return self.open(writer.finish())
+
+    def test_the_definition_of_a_message_is_its_type(self):
+        self.assertEqual(parse_message("geometry_msgs/msg/Pose", POSE).text(), POSE_SCHEMA)
+
+    def test_topics_are_read_by_their_message_definitions(self):
+        run = self.poses()
+
+        self.assertEqual(run.other_topics(), ["/arm.left/pose"])
+        self.assertEqual(run.events(), [])
+        self.assertEqual(run.tables(), [])
+        self.assertEqual(run["/arm.left/pose.position.x"].tolist(), [0.0, 1.0, 2.0])
+        self.assertEqual(run["/arm.left/pose.corners[1].y"].tolist(), [0.5, 0.5, 0.5])
+        self.assertEqual(run["/arm.left/pose.stamp"].astype(np.int64).tolist(),
+                         [250_000_000, 1_250_000_000, 2_250_000_000])
+        self.assertEqual(run.times("/arm.left/pose").tolist(), [0, 1, 2])
+        self.assertIn("/arm.left/pose.position.x", run.paths())
+
+    def test_other_encodings_are_left_out_with_the_reason(self):
+        writer = Writer()
+        text = writer.foreign_channel("/json", schema=writer.schema("x", "{}", "jsonschema"),
+                                      encoding="json")
+        bad = writer.foreign_channel("/bad", schema=writer.schema("a/msg/B", "wstring x"))
+        for row in range(3):
+            writer.message(text, row, row, b"{}")
+        writer.message(bad, 0, 0, b"")
+
+        run = self.open(writer.finish())
+
+        self.assertEqual(set(run.left_out), {"/json", "/bad"})
+        self.assertEqual(run.left_out["/json"],
+                         "3 messages are left out: their encoding is 'json' with a schema in "
+                         "'jsonschema', and only 'cdr' with a schema in 'ros2msg' is read")
+        self.assertIn("wstring is not read", run.left_out["/bad"])
+        with self.assertRaisesRegex(tendon.NotFound, "/json of .* cannot be read: 3 messages"):
+            run["/json.x"]
+
+    def test_a_definition_that_cannot_be_read_right_is_refused(self):
+        for text, reason in (("Pose x", "the definition of 'Pose' is missing"),
+                             ("float64", "'float64' is no field"),
+                             ("float64[x] y", "'float64\\[x\\]' is no type"),
+                             ("B inner", "the message contains itself"),
+                             ("float64 y\nfloat64 y", "a second field of this name"),
+                             ("x" * (1 << 21), "at most")):
+            with self.subTest(text=text[:20]), self.assertRaisesRegex(tendon.Invalid, reason):
+                parse_message("a/msg/B", text)
+        chain = "M0 a\nM0 b\n" + "".join(
+            f"===\nMSG: a/M{i}\nM{i + 1} a\nM{i + 1} b\n" for i in range(60))
+        with self.assertRaisesRegex(tendon.Invalid, "more than 1 MiB"):
+            parse_message("a/msg/B", chain + "===\nMSG: a/M60\nbool x\n")
 
 
 class Compression(OnFile):

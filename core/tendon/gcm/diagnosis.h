@@ -86,9 +86,9 @@ void AddRemnants(Diagnosis& diagnosis, const Catalogue& catalogue,
 /// make it.
 [[nodiscard]] bool IsKept(const Diagnosis& diagnosis);
 
-/// Returns the remnants of an inactive connection as text, one line for each process: "left over:
-/// nothing in robot". If IsKept() is true, returns one line: "requested: desk makes the connection
-/// as soon as possible". The text is also correct if the connection was never requested.
+/// Returns the remnants of an inactive connection as text. Each remnant becomes one line, such as
+/// "left over: nothing in robot". If IsKept() is true, returns one line instead: "requested: desk
+/// makes the connection as soon as possible".
 [[nodiscard]] std::vector<std::string> LeftoverTexts(const Diagnosis& diagnosis);
 
 /// Returns the remedy if `host` could not reach process `name`. The remedy depends on `reason`: no

@@ -128,7 +128,7 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
 /// The links of one communicator. Thread-safe.
 class Links {
  public:
-  /// Adds a link. From now on, the link receives the frames and the end of its connection.
+  /// Adds a link. From now on, the link receives frames, and is told when its connection ends.
   static void Add(const std::shared_ptr<Links>& links, const std::shared_ptr<IceLink>& link);
 
   std::shared_ptr<IceLink> Find(const std::shared_ptr<Ice::Connection>& connection);

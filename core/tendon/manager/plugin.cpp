@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kRegister = "TendonRegisterComponents";
 constexpr const char* kAbi = "TendonPluginAbi";
-constexpr const char* kLoads = "expected a library that can be loaded, but ";
+constexpr const char* kCannotLoad = "the library cannot be loaded: ";
 
 Error LoadError(const fs::path& file, const std::string& reason) {
   return {ErrorCode::kFailed, "plug-in " + file.string() + ": " + reason};
@@ -56,7 +56,7 @@ Result<void*> LoadGuarded(const fs::path& file, const fs::path& original) {
     const auto loaded = os::LoadSharedLibrary(file, original);
     return loaded ? loaded : LoadError(original, loaded.error().message);
   } catch (...) {
-    return LoadError(original, kLoads + ("its start-up " + ThrownWords()));
+    return LoadError(original, kCannotLoad + ("its start-up " + ThrownWords()));
   }
 }
 
@@ -137,7 +137,7 @@ Result<void> ProbePlugin(const fs::path& file, const fs::path& original,
   if (!outcome) {
     if (outcome.error().code != ErrorCode::kTimeout) return outcome.error();
     return LoadError(original,
-                     kLoads + ("loading it has not finished after " + Milliseconds(patience)));
+                     kCannotLoad + ("loading it has not finished after " + Milliseconds(patience)));
   }
   // The output is checked too, because the plug-in itself may print text or end the process with
   // any exit code.
@@ -149,7 +149,7 @@ Result<void> ProbePlugin(const fs::path& file, const fs::path& original,
   }
   const std::string how =
       outcome->exit_code ? "exit code " + std::to_string(*outcome->exit_code) : outcome->signal;
-  return LoadError(original, kLoads + ("loading it ends the process with " + how));
+  return LoadError(original, kCannotLoad + ("loading it ends the process with " + how));
 }
 
 }  // namespace tendon

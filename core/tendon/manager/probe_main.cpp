@@ -20,7 +20,7 @@ std::string plugin;  // for the terminate handler, which takes no argument
 
 [[noreturn]] void OnTerminate() {
   const auto thrown = std::current_exception();
-  End(1, "plug-in " + plugin + ": expected a library that can be loaded, but " +
+  End(1, "plug-in " + plugin + ": the library cannot be loaded: " +
              (thrown ? "its start-up threw: " + tendon::ReasonOf(thrown) : "it ends the process"));
 }
 

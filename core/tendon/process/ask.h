@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/middleware/channel.h>
+#include <tendon/process/version_messages.h>
 #include <tendon/process/worker.h>
 
 #include <chrono>
@@ -10,13 +11,20 @@
 
 namespace tendon {
 
-/// Calls Channel::Request() with a timeout. `timer` calls Channel::Expire(), which ends the
+/// Calls Channel::Request() with a timeout. If the peer does not know the request, the error says
+/// that the peer is older, see ExplainRefusal(). `timer` calls Channel::Expire(), which ends the
 /// request. If `timer` ends, the request no longer times out.
 template <Payload Answer, Message T>
 void Ask(Worker& timer, const std::shared_ptr<Channel>& channel, MessageType type, const T& value,
          std::chrono::milliseconds timeout, std::function<void(Result<Answer>)> handler,
          Lane lane = kCommonLane) {
-  channel->Request<Answer>(type, 0, value, timeout, std::move(handler), lane);
+  channel->Request<Answer>(
+      type, 0, value, timeout,
+      [handler = std::move(handler), type, peer = channel->peer().name](Result<Answer> answer) {
+        if (answer) return handler(std::move(answer));
+        handler(ExplainRefusal(answer.error(), type, peer));
+      },
+      lane);
   timer.PostAfter(timeout + std::chrono::milliseconds(1), [peer = std::weak_ptr(channel)] {
     if (const auto still_there = peer.lock()) still_there->Expire(SteadyClock().Now());
   });

@@ -112,6 +112,10 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
     if (membership_) membership_->ForwardLog(level, source, text);
   }
 
+  [[nodiscard]] bool HasSentAll() {
+    return services_.telemetry.HasSentAll() && services_.connections.HasSentAllEvents();
+  }
+
   void OnChanged() {
     if (membership_) membership_->ReportSoon();
     network_->Notify();
@@ -355,6 +359,8 @@ Result<void> Process::WaitUntilJoined(std::chrono::milliseconds timeout) const {
 bool Process::is_joined() const {
   return parts_->membership() != nullptr && parts_->membership()->is_joined();
 }
+
+bool Process::HasSentAll() const { return parts_->HasSentAll(); }
 
 void Process::ForwardLog(LogLevel level, std::string_view source, std::string_view text) {
   parts_->ForwardLog(level, source, text);

@@ -78,6 +78,11 @@ class Process final : public LocalManager {
   /// process of the program.
   void ForwardLog(LogLevel level, std::string_view source, std::string_view text);
 
+  /// True if the rows that were written and the events that were raised by now are sent to all
+  /// viewers and peers, which a program may want to know before it ends. What a peer does not read
+  /// keeps it false, so callers need a time limit.
+  [[nodiscard]] bool HasSentAll() const;
+
   /// Like LocalManager::Connect(), but the provided interface may be in any process. The required
   /// interface must be in this process. A name without a process means this process. Blocks for at
   /// most two seconds.

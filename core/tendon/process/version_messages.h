@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tendon/base/error.h>
 #include <tendon/middleware/frame.h>
 #include <tendon/payload/payload.h>
 
@@ -30,5 +31,9 @@ namespace tendon {
 
 /// The version of this program.
 [[nodiscard]] message::ProgramVersion OwnVersion();
+
+/// The refusal of a request by `peer`. If the peer does not know this request, because it is older
+/// than this program, the sentence says so, and what to do.
+[[nodiscard]] Error ExplainRefusal(Error refusal, MessageType request, const std::string& peer);
 
 }  // namespace tendon

@@ -56,6 +56,12 @@ bool Outbox::HasCallsUnderWay() const {
   return has_taken() || executed_.Get() < sent_;
 }
 
+bool Outbox::HasUnsent() const {
+  // Without this lock, a call that moves from the inbox to the taken calls could be missed in both.
+  const std::scoped_lock turn(sending_);
+  return has_taken() || inbox_.size() > 0;
+}
+
 std::uint64_t Outbox::Room() const {
   const std::uint64_t under_way = sent_ - std::min(executed_.Get(), sent_);
   return credit_ - std::min(under_way, credit_);

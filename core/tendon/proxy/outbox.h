@@ -72,6 +72,8 @@ class Outbox {
   /// Returns true if some call was taken from the inbox but not sent, or was sent but may not be
   /// executed yet. Any thread.
   [[nodiscard]] bool HasCallsUnderWay() const;
+  /// Any thread: returns true if a call is queued, or was taken from the inbox but not sent.
+  [[nodiscard]] bool HasUnsent() const;
 
   /// The right of a thread to send. While a thread has this right, no other thread sends calls of
   /// this outbox.

@@ -54,6 +54,8 @@ class RequiredInterfaceProxy final : public NetworkJob,
   /// Number of events that have not reached the remote handlers. It includes the events that the
   /// other end has reported as lost. Any thread.
   [[nodiscard]] std::uint64_t lost_events() const;
+  /// Returns true if events wait to be sent. Any thread.
+  [[nodiscard]] bool has_unsent_events() const { return outbox_.HasUnsent(); }
   /// Number of commands that have arrived, whether they were executed or not. Reads are not
   /// counted. Any thread.
   [[nodiscard]] std::uint64_t received() const;

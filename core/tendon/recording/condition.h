@@ -13,9 +13,9 @@
 
 namespace tendon::recording {
 
-/// What begins or ends a recording, as a person types it: an event,
-/// "robot/arm/Control.GoalReached", or a value of a state table,
-/// "robot/arm/state.Joints.position[2] > 1.2 rad".
+/// A condition that begins or ends a recording, as a person types it: an event, such as
+/// "robot/arm/Control.GoalReached", or a comparison of a column of a state table, such as
+/// "robot/arm/state.Joints.position[2] > 1.2 rad". A Trigger watches it.
 struct Condition {
   enum class Relation { kLess, kLessOrEqual, kGreater, kGreaterOrEqual, kEqual, kNotEqual };
   /// The right side is a number, true, false, or the name of an enumerator.
@@ -30,20 +30,22 @@ struct Condition {
   std::optional<Comparison> comparison;  ///< empty: an event
 };
 
-/// kInvalid with the column of the mistake, counted from 1.
+/// Reads a condition. kInvalid if it has a mistake; the error names the column of the text, counted
+/// from 1.
 Result<Condition> ParseCondition(std::string_view text);
 
-/// A comparison of one number in a column, ready to be evaluated for each row.
+/// A comparison of one number in a column, ready to be evaluated for each row. The trigger calls it
+/// in the thread that receives the rows.
 ///
-/// Thread safety: immutable.
+/// Thread safety: immutable, so any thread.
 class CellTest {
  public:
   /// `condition` has a comparison, and `column` is the type of its column. kNotFound if the type
   /// has no such field, kInvalid for another unit, or a value or relation that does not fit it.
   static Result<CellTest> Make(const Condition& condition, const Schema& column);
 
-  /// False also if the cell has no value, or the value is not-a-number (but not-a-number is != to
-  /// any number). A load and a comparison.
+  /// Returns false also if the cell has no value. A value that is not a number is only `!=`. Cost:
+  /// a load and a comparison.
   [[nodiscard]] bool IsTrue(std::span<const std::byte> cell) const;
 
  private:

@@ -1,11 +1,12 @@
+#include <tendon/payload/body_reader.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/numeric_field.h>
-#include <tendon/recording/channel_groups.h>
 #include <tendon/recording/csv_export.h>
-#include <tendon/recording/recording_files.h>
+#include <tendon/recording/row_assembler.h>
 
 #include <algorithm>
-#include <fstream>
+#include <array>
+#include <cerrno>
 #include <map>
 #include <memory>
 #include <optional>
@@ -70,107 +71,126 @@ struct CsvMember {
   bool has_json = false;
 };
 
+/// True if the body is exactly one value of this type.
+bool IsWhole(const Schema& schema, mcap::Bytes body) {
+  payload::CdrReader reader(body);
+  return payload::SkipValues(schema, 1, reader) && reader.AtEnd();
+}
+
 /// One CSV file. Its rows are assembled from the messages of its channels.
 class CsvFile {
  public:
-  CsvFile(std::vector<CsvMember> members, Sequence sequence)
-      : members_(std::move(members)), sequence_(sequence), cells_(members_.size()) {}
+  CsvFile(std::vector<CsvMember> members, Content content)
+      : members_(std::move(members)), content_(content), rows_(members_.size()) {}
 
   Result<void> Create(const std::filesystem::path& file) {
+    auto part = os::PartFile::Create(file);
+    if (!part) return part.error();
     file_ = file;
-    out_.open(file, std::ios::binary);
-    out_ << "time_ns,source_time_ns,sequence,lost";
+    part_.emplace(*std::move(part));
+    out_ = part_->TakeFile();
+    text_ = "time_ns,source_time_ns,sequence,lost";
     for (const CsvMember& member : members_) {
       for (const NumericField& number : member.numbers) {
-        out_ << ',' << Cell(NameOf(member, number.path));
+        text_ += ',' + Cell(NameOf(member, number.path));
       }
-      if (member.has_json) out_ << ',' << Cell(NameOf(member, ""));
+      if (member.has_json) text_ += ',' + Cell(NameOf(member, ""));
     }
-    out_ << '\n';
-    return Check();
+    text_ += '\n';
+    return {};
   }
 
-  /// `run` differs for each start of the source, after which sequences begin again.
-  void Add(std::size_t member, const mcap::Message& message, std::int64_t source_time,
-           mcap::ChannelId run, CsvReport& report) {
-    const Key key{message.log_time, message.sequence, run};
-    if (key_ && (!(*key_ == key) || !cells_[member].empty())) Flush(report);
-    if (!key_) {
-      key_ = key;
-      source_time_ = source_time;
-    }
-    cells_[member] = CellsOf(members_[member], message.data);
+  /// `clock` is the publish time minus the time on the clock of the source, ns.
+  Result<void> Add(std::size_t member, const RowKey& key, const mcap::Message& message,
+                   std::int64_t clock, CsvReport& report) {
+    if (!rows_.Accepts(member, key)) EndRow(rows_.Take(), report);
+    rows_.Add(member, key, message);
+    clock_ = clock;
+    constexpr std::size_t kMost = std::size_t{64} << 10U;  // bytes
+    return text_.size() < kMost ? Result<void>() : Write();
   }
 
-  Result<void> Finish(CsvReport& report) {
-    Flush(report);
-    out_.close();
-    return Check();
+  /// Writes everything to the disk, and closes the part.
+  Result<void> Close(CsvReport& report) {
+    if (!rows_.is_empty()) EndRow(rows_.Take(), report);
+    if (auto written = Write(); !written) return written;
+    if (auto synced = out_->Sync(); !synced) return Failure(synced.error());
+    out_.reset();
+    return {};
   }
+  Result<void> Complete() { return part_->Complete(); }
+  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
 
  private:
-  struct Key {
-    mcap::Timestamp time = 0;
-    std::uint32_t sequence = 0;
-    mcap::ChannelId run = 0;
-
-    bool operator==(const Key&) const = default;
-  };
-
   static std::string NameOf(const CsvMember& member, const std::string& path) {
     if (!member.name.empty()) return member.name + path;
     return path.empty() ? "value" : path.substr(path.front() == '.' ? 1 : 0);
   }
 
-  static std::string CellsOf(const CsvMember& member, mcap::Bytes data) {
-    const mcap::Bytes body = data.subspan(std::min(data.size(), kEncapsulationSize));
+  /// Empty if the value is malformed.
+  static std::optional<std::string> CellsOf(const CsvMember& member, mcap::Bytes body) {
+    if (!IsWhole(member.schema, body)) return std::nullopt;
     std::string cells;
     for (const NumericField& number : member.numbers) cells += ',' + NumberCell(number, body);
     if (!member.has_json) return cells;
     const auto json = ToJson(member.schema, body);
-    return cells + ',' + (json ? Cell(*json) : "");
+    if (!json) return std::nullopt;
+    return cells + ',' + Cell(*json);
   }
-
-  void Flush(CsvReport& report) {
-    if (!key_) return;
-    const bool follows = sequence_ == Sequence::kTick && last_ && last_->run == key_->run;
-    const std::uint32_t step = follows ? key_->sequence - last_->sequence : 1;
-    // Ticks of a table only grow; what goes back is no loss, but from a damaged file.
-    if (step > 1 && step < 1U << 31U) {
-      out_ << key_->time << ",,," << step - 1;
-      for (const CsvMember& member : members_) out_ << Commas(member);
-      out_ << '\n';
-      report.lost += step - 1;
-    }
-    out_ << key_->time << ',' << source_time_ << ',' << key_->sequence << ",0";
-    for (std::size_t i = 0; i < members_.size(); ++i) {
-      out_ << (cells_[i].empty() ? Commas(members_[i]) : cells_[i]);
-      cells_[i].clear();
-    }
-    out_ << '\n';
-    ++report.rows;
-    last_ = std::exchange(key_, std::nullopt);
-  }
-
-  /// Empty cells.
-  static std::string Commas(const CsvMember& member) {
+  static std::string EmptyCells(const CsvMember& member) {
     return std::string(member.numbers.size() + (member.has_json ? 1 : 0), ',');
   }
 
-  [[nodiscard]] Result<void> Check() const {
-    if (out_.good()) return {};
-    return Error{ErrorCode::kFailed,
-                 "cannot write " + file_.string() + ": " + std::generic_category().message(errno)};
+  void EndRow(const AssembledRow& row, CsvReport& report) {
+    const RowKey& key = row.key;
+    if (content_ == Content::kRows) AddGap(key, report);
+    text_ += std::to_string(key.time) + ',' +
+             std::to_string(SourceTimeOf(row.publish_time, clock_)) + ',' +
+             std::to_string(key.sequence) + ",0";
+    bool is_complete = true;
+    for (std::size_t i = 0; i < members_.size(); ++i) {
+      const auto cells = row.cells[i] ? CellsOf(members_[i], *row.cells[i]) : std::nullopt;
+      text_ += cells.value_or(EmptyCells(members_[i]));
+      is_complete = is_complete && cells;
+    }
+    text_ += '\n';
+    report.Count(content_);
+    if (!is_complete) ++report.incomplete;
+    last_ = key;
+  }
+
+  void AddGap(const RowKey& key, CsvReport& report) {
+    const std::uint32_t missing = MissingRowsBetween(last_, key);
+    if (missing == 0) return;
+    text_ += std::to_string(key.time) + ",,," + std::to_string(missing);
+    for (const CsvMember& member : members_) text_ += EmptyCells(member);
+    text_ += '\n';
+    report.lost += missing;
+  }
+
+  Result<void> Write() {
+    const std::array parts{mcap::Bytes(std::as_bytes(std::span(text_)))};
+    if (auto written = out_->WriteAt(size_, parts); !written) return Failure(written.error());
+    size_ += text_.size();
+    text_.clear();
+    return {};
+  }
+
+  [[nodiscard]] Error Failure(const Error& reason) const {
+    return {reason.code,
+            "cannot write " + file_.string() + ": " + reason.message + "; no file was written"};
   }
 
   const std::vector<CsvMember> members_;
-  const Sequence sequence_;
+  const Content content_;
   std::filesystem::path file_;
-  std::ofstream out_;
-  std::vector<std::string> cells_;  // of the row that is being assembled, by member
-  std::optional<Key> key_;
-  std::int64_t source_time_ = 0;
-  std::optional<Key> last_;
+  std::optional<os::PartFile> part_;
+  std::unique_ptr<os::WritableFile> out_;
+  std::string text_;        // that is not written yet
+  std::uint64_t size_ = 0;  // of the file, bytes
+  RowAssembler rows_;
+  std::int64_t clock_ = 0;  // of the present row
+  std::optional<RowKey> last_;
 };
 
 /// Where the messages of a channel go.
@@ -182,33 +202,44 @@ struct Target {
 };
 
 CsvMember CsvMemberOf(const ChannelMember& member) {
-  return {member.name, member.schema, NumericFields(member.schema),
-          HasTextOrSequence(member.schema)};
+  CsvMember made{member.name, member.schema, NumericFields(member.schema),
+                 HasTextOrSequence(member.schema)};
+  if (made.numbers.size() == kMaxNumericFields) made.has_json = true;  // there may be more numbers
+  return made;
 }
 
 /// The targets of all channels. Groups with the same path and columns share a file.
 class Targets {
  public:
-  void Add(const ChannelGroup& group) {
+  /// kInvalid if there are too many columns.
+  Result<void> Add(const mcap::Reader& reader, const ChannelGroup& group) {
     std::string signature = group.path;
-    std::vector<CsvMember> members;
+    std::vector<ChannelMember> members;
     std::vector<const mcap::Channel*> channels;
     for (const mcap::Channel* channel : group.channels) {
-      const auto member = MemberOf(*channel);
+      const auto member = MemberOf(reader, *channel, known_);
       if (!member) continue;
-      signature += '\n' + member->name + ' ' + member->schema.TextWithHelp();
-      members.push_back(CsvMemberOf(*member));
+      const auto type = types_.emplace(member->schema.TextWithHelp(), types_.size()).first;
+      signature += '\n' + member->name + ' ' + std::to_string(type->second);
+      members.push_back(*member);
       channels.push_back(channel);
     }
-    if (channels.empty()) return;
+    if (channels.empty()) return {};
     auto& file = files_[signature];
     if (!file) {
-      file = std::make_shared<CsvFile>(std::move(members), group.sequence);
+      std::vector<CsvMember> columns;
+      for (const ChannelMember& member : members) {
+        columns.push_back(CsvMemberOf(member));
+        columns_ += columns.back().numbers.size() + 1;
+        if (columns_ > kMostColumns) return TooManyColumns(reader);
+      }
+      file = std::make_shared<CsvFile>(std::move(columns), group.content);
       named_.emplace_back(UnusedName(group.path), file);
     }
     for (std::size_t i = 0; i < channels.size(); ++i) {
       targets_[channels[i]->id] = {file, i, ClockOf(*channels[i]), channels.front()->id};
     }
+    return {};
   }
 
   [[nodiscard]] const Target* Find(mcap::ChannelId id) const {
@@ -233,53 +264,85 @@ class Targets {
   std::vector<std::pair<std::string, std::shared_ptr<CsvFile>>> named_;
   std::map<mcap::ChannelId, Target> targets_;
   std::set<std::string> names_;
+  RosTypes known_;
+  std::map<std::string, std::size_t> types_;  // their numbers, by their text
+  std::size_t columns_ = 0;                   // about: a member may have one less
 };
 
-Result<void> CreateFiles(const Targets& targets, const std::filesystem::path& folder,
-                         CsvReport& report) {
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (failed) {
-    return Error{ErrorCode::kFailed, "cannot create " + folder.string() + ": " + failed.message()};
-  }
+Result<void> CreateFiles(const Targets& targets, const std::filesystem::path& folder) {
   for (const auto& [name, file] : targets.files()) {
-    if (!std::filesystem::exists(folder / name, failed)) continue;
-    return Error{
-        ErrorCode::kExists,
-        (folder / name).string() +
-            " already exists, and an export does not replace files: choose another folder"};
-  }
-  for (const auto& [name, file] : targets.files()) {
-    if (auto created = file->Create(folder / name); !created) return created;
-    report.files.push_back(folder / name);
+    auto created = file->Create(folder / name);
+    if (created) continue;
+    Error error = created.error();
+    if (error.message.ends_with(std::generic_category().message(EMFILE))) {
+      error.message += ". The export keeps " + std::to_string(targets.files().size()) +
+                       " files open, one for each table, event and topic: choose a smaller part "
+                       "with --paths, or raise the limit with ulimit -n";
+    }
+    return error;
   }
   return {};
+}
+
+Result<void> WriteFiles(mcap::Reader& reader, const mcap::Query& query, const Targets& targets,
+                        const std::filesystem::path& folder, const os::StopRequest& stop,
+                        CsvReport& report) {
+  constexpr std::uint64_t kBetweenLooks = 1024;
+  LeftOut left_out;
+  std::uint64_t count = 0;
+  mcap::MessageStream messages = reader.Messages(query);
+  while (const auto message = messages.Next()) {
+    if (++count % kBetweenLooks == 0 && stop && stop()) return os::StoppedError(folder);
+    const Target* target = targets.Find(message->channel_id);
+    if (target == nullptr) {
+      ++left_out[message->channel_id];
+      continue;
+    }
+    const RowKey key{message->log_time, message->sequence, target->run};
+    auto added = target->file->Add(target->member, key, *message, target->clock, report);
+    if (!added) return added;
+  }
+  for (const auto& [name, file] : targets.files()) {
+    if (auto closed = file->Close(report); !closed) return closed;
+  }
+  CountLeftOut(reader, left_out, report);
+  return {};
+}
+
+Result<CsvReport> Export(mcap::Reader& reader, const mcap::Query& query,
+                         const std::filesystem::path& folder, const os::StopRequest& stop) {
+  CsvReport report;
+  Targets targets;
+  for (const ChannelGroup& group : GroupsOf(reader, query)) {
+    if (stop && stop()) return os::StoppedError(folder);
+    if (auto added = targets.Add(reader, group); !added) return added.error();
+  }
+  if (targets.files().empty()) return NothingToExport(reader);
+  if (auto created = CreateFiles(targets, folder); !created) return created.error();
+  auto written = WriteFiles(reader, query, targets, folder, stop, report);
+  if (!written) return written.error();
+  for (const auto& [name, file] : targets.files()) {
+    if (auto completed = file->Complete(); !completed) {
+      std::error_code ignored;
+      for (const auto& complete : report.files) std::filesystem::remove(complete, ignored);
+      return completed.error();
+    }
+    report.files.push_back(file->file());
+  }
+  return report;
 }
 
 }  // namespace
 
 Result<CsvReport> ExportCsv(mcap::Reader& reader, const mcap::Query& query,
-                            const std::filesystem::path& folder) {
-  Targets targets;
-  for (const ChannelGroup& group : GroupsOf(reader, query)) targets.Add(group);
-  if (targets.files().empty()) {
-    return NothingToExport(reader);
+                            const std::filesystem::path& folder, const os::StopRequest& stop) {
+  std::error_code failed;
+  const bool is_new = std::filesystem::create_directories(folder, failed);
+  if (failed) {
+    return Error{ErrorCode::kFailed, "cannot create " + folder.string() + ": " + failed.message()};
   }
-  CsvReport report;
-  if (auto created = CreateFiles(targets, folder, report); !created) return created.error();
-  mcap::MessageStream messages = reader.Messages(query);
-  while (const auto message = messages.Next()) {
-    const Target* target = targets.Find(message->channel_id);
-    if (target == nullptr) {
-      ++report.skipped;
-      continue;
-    }
-    const auto source_time = static_cast<std::int64_t>(message->publish_time) - target->clock;
-    target->file->Add(target->member, *message, source_time, target->run, report);
-  }
-  for (const auto& [name, file] : targets.files()) {
-    if (auto finished = file->Finish(report); !finished) return finished.error();
-  }
+  auto report = Export(reader, query, folder, stop);
+  if (!report && is_new) std::filesystem::remove(folder, failed);  // if it is empty
   return report;
 }
 

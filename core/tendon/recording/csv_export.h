@@ -1,19 +1,18 @@
 #pragma once
 
+#include <tendon/base/os/part_file.h>
 #include <tendon/base/result.h>
-#include <tendon/recording/mcap_reader.h>
+#include <tendon/recording/channel_groups.h>
+#include <tendon/recording/mcap/reader.h>
 
-#include <cstdint>
 #include <filesystem>
 #include <vector>
 
 namespace tendon::recording {
 
-struct CsvReport {
+/// What ExportCsv() has written.
+struct CsvReport : ExportReport {
   std::vector<std::filesystem::path> files;
-  std::uint64_t rows = 0;
-  std::uint64_t lost = 0;     ///< rows that are missing between them
-  std::uint64_t skipped = 0;  ///< messages of channels without a Tendon schema
 };
 
 /// Writes the messages that match as CSV, one file for each state table, event and other topic:
@@ -23,11 +22,19 @@ struct CsvReport {
 ///
 /// the time since 1970, the time on the steady clock of the source, the low 32 bits of the tick,
 /// and one column for each number. A member with texts or sequences also has a column with its
-/// whole value as JSON. Where rows are missing, a row without values says how many, in `lost`.
+/// whole value as JSON; so has a member with kMaxNumericFields numbers or more, of which only the
+/// first ones have columns. Where rows are missing, a row without values says how many, in `lost`.
+/// A value that is malformed has empty cells, and its row counts as incomplete.
 ///
-/// Creates `folder`. kExists if a file is there already; then no file is changed. kInvalid if no
-/// channel of the recording has a Tendon schema.
+/// Creates `folder`. The files get their names when all are complete; on an error, and when `stop`
+/// returns true, no file is there. kExists if a file is there already; then no file is changed.
+/// kInvalid if no channel of the recording describes its values, or there are more than
+/// kMostColumns columns; kFailed if the disk is full or
+/// fails.
+///
+/// Thread safety: that of the reader. Cost: reads each chunk once; memory for one row and 64 KiB of
+/// each file.
 Result<CsvReport> ExportCsv(mcap::Reader& reader, const mcap::Query& query,
-                            const std::filesystem::path& folder);
+                            const std::filesystem::path& folder, const os::StopRequest& stop = {});
 
 }  // namespace tendon::recording

@@ -5,7 +5,7 @@
 #include <tendon/gcm/client/process_requests.h>
 #include <tendon/process/local_access.h>
 #include <tendon/process/log/scoped_log_sink.h>
-#include <tendon/recording/system_access.h>
+#include <tendon/recording/recorded_system.h>
 
 #include <chrono>
 #include <cstdint>
@@ -16,12 +16,13 @@
 
 namespace tendon::recording {
 
-/// The process in which this code runs, without a GCM and without the network: its components and
-/// connections, their rows and events, and its log. Rows are read as for any viewer: the components
-/// never wait.
+/// The process in which this code runs, as a system to record, without a GCM and without the
+/// network: its components and connections, their rows and events, and its log. The component
+/// `Recorder` uses it. Rows are read as for any viewer, so the recorded components never wait.
 ///
-/// Threads: five, which wait most of the time. They must end before the process does.
-class LocalSystem final : public SystemAccess {
+/// Thread safety: that of RecordedSystem. It has five threads, which wait most of the time; they
+/// must end before the process does.
+class LocalSystem final : public RecordedSystem {
  public:
   /// Waits for up to 200 ms while the process is busy with a request; later, revision() finds its
   /// components. The listener gets the catalogue and its changes, in the thread that calls
@@ -30,8 +31,8 @@ class LocalSystem final : public SystemAccess {
               std::chrono::milliseconds timeout = std::chrono::seconds(2));
   ~LocalSystem() override;
 
-  /// Looks at the process first: about 10 us for each component. If the process is busy with a
-  /// request, the answer is that of the last look.
+  /// Looks at the process first, which takes about 10 us for each component. While the process is
+  /// busy with a request, returns the revision of the last look.
   std::uint64_t revision() override;
   [[nodiscard]] Catalogue catalogue() const override;
   /// kFailed if the process was busy at each look.

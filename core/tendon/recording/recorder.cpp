@@ -1,11 +1,9 @@
-#include <tendon/base/os/process.h>
 #include <tendon/base/os/thread.h>
-#include <tendon/base/path.h>
 #include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/system/running_system.h>
 #include <tendon/gcm/text.h>
 #include <tendon/recording/recorder.h>
+#include <tendon/recording/selection.h>
 
 #include <algorithm>
 #include <system_error>
@@ -18,11 +16,6 @@ using namespace std::chrono_literals;
 /// Rows wait for up to 0.2 s on their way into the file, so at most 1 s of them is lost when the
 /// program is killed.
 constexpr auto kSyncPeriod = 800ms;
-
-bool IsWithinAny(const std::vector<std::string>& patterns, const std::string& path) {
-  return std::ranges::any_of(
-      patterns, [&](const std::string& pattern) { return IsWithinGlob(pattern, path); });
-}
 
 InterfaceName TableName(const TableSubscription& table) {
   return {table.process, table.component, table.table};
@@ -48,52 +41,21 @@ Result<void> CheckFree(const FileOptions& options) {
 
 }  // namespace
 
-Choice Choose(const Catalogue& catalogue, const std::vector<std::string>& patterns) {
-  Choice choice;
-  for (const auto& [process, entry] : catalogue.processes()) {
-    for (const auto& [component, description] : entry.components) {
-      for (const TableDescription& table : description.tables) {
-        TableSubscription one{process, component, table.name, {}};
-        const std::string path = ToString(TableName(one)) + ".";
-        for (const auto& column : table.columns) {
-          if (IsWithinAny(patterns, path + column.name)) one.columns.push_back(column.name);
-        }
-        if (!one.columns.empty()) choice.tables.push_back(std::move(one));
-      }
-      for (const ProvidedDescription& provided : description.provided) {
-        EventSubscription one{.provided = {process, component, provided.name}, .events = {}};
-        const std::string path = ToString(one.provided) + ".";
-        for (const MemberDescription& event : provided.events) {
-          if (IsWithinAny(patterns, path + event.name)) one.events.push_back(event.name);
-        }
-        if (!one.events.empty()) choice.events.push_back(std::move(one));
-      }
-    }
-  }
-  return choice;
-}
-
-Heading HeadingFor(const Catalogue& catalogue, const std::vector<std::string>& patterns) {
-  Heading heading{{{"paths", Joined(patterns, " ")}, {"recorded_by", os::UserAtHost()}}, ""};
-  auto text = SystemFileText(SystemOf(catalogue, "recorded").file);
-  if (text) heading.system = *std::move(text);
-  return heading;
-}
-
-Result<std::unique_ptr<Recorder>> Recorder::Start(GcmClient& client, std::shared_ptr<Inbox> inbox,
+Result<std::unique_ptr<Recorder>> Recorder::Start(GcmClient& client,
+                                                  std::shared_ptr<RecordingQueue> queue,
                                                   RecorderOptions options) {
-  auto system = std::make_shared<GcmAccess>(client, options.timeout);
-  return Start(std::move(system), std::move(inbox), std::move(options));
+  auto system = std::make_shared<GcmSystem>(client, options.timeout);
+  return Start(std::move(system), std::move(queue), std::move(options));
 }
 
-Result<std::unique_ptr<Recorder>> Recorder::Start(std::shared_ptr<SystemAccess> system,
-                                                  std::shared_ptr<Inbox> inbox,
+Result<std::unique_ptr<Recorder>> Recorder::Start(std::shared_ptr<RecordedSystem> system,
+                                                  std::shared_ptr<RecordingQueue> queue,
                                                   RecorderOptions options) {
   Triggers triggers;
   const auto watch = [&](const std::optional<Condition>& condition,
                          std::unique_ptr<Trigger>& trigger) -> Result<void> {
     if (!condition) return {};
-    auto made = Trigger::Make(*system, *condition, [weak = std::weak_ptr(inbox)] {
+    auto made = Trigger::Make(*system, *condition, [weak = std::weak_ptr(queue)] {
       if (const auto alive = weak.lock()) alive->Wake();
     });
     if (!made) return made.error();
@@ -102,26 +64,29 @@ Result<std::unique_ptr<Recorder>> Recorder::Start(std::shared_ptr<SystemAccess> 
   };
   if (auto watched = watch(options.start_when, triggers.start); !watched) return watched.error();
   if (auto watched = watch(options.stop_when, triggers.stop); !watched) return watched.error();
-  std::unique_ptr<Files> files;
+  std::unique_ptr<RecordingWriter> writer;
   if (triggers.start) {
     if (auto is_free = CheckFree(options.files); !is_free) return is_free.error();
   } else {
-    auto made = Files::Create(options.files, HeadingFor(system->catalogue(), options.patterns));
+    auto made =
+        RecordingWriter::Create(options.files, HeadingFor(system->catalogue(), options.patterns));
     if (!made) return made.error();
-    files = *std::move(made);
+    writer = *std::move(made);
   }
   if (options.has_log) system->WatchLog();
-  return std::unique_ptr<Recorder>(new Recorder(std::move(system), std::move(inbox),
+  return std::unique_ptr<Recorder>(new Recorder(std::move(system), std::move(queue),
                                                 std::move(options), std::move(triggers),
-                                                std::move(files)));
+                                                std::move(writer)));
 }
 
-Recorder::Recorder(std::shared_ptr<SystemAccess> system, std::shared_ptr<Inbox> inbox,
-                   RecorderOptions options, Triggers triggers, std::unique_ptr<Files> files)
+Recorder::Recorder(std::shared_ptr<RecordedSystem> system, std::shared_ptr<RecordingQueue> queue,
+                   RecorderOptions options, Triggers triggers,
+                   std::unique_ptr<RecordingWriter> writer)
     : system_(std::move(system)),
-      inbox_(std::move(inbox)),
+      queue_(std::move(queue)),
       options_(std::move(options)),
-      files_(std::move(files)),
+      writer_(std::move(writer)),
+      is_waiting_(writer_ == nullptr),
       next_sync_(SteadyClock().Now() + kSyncPeriod),
       triggers_(std::move(triggers)),
       past_(options_.before, options_.before_bytes, WallMinusSteady()),
@@ -129,11 +94,11 @@ Recorder::Recorder(std::shared_ptr<SystemAccess> system, std::shared_ptr<Inbox> 
   if (!triggers_.start) started_ = armed_;
   FollowOnce(false);  // so that the first rows are those of now
   PublishStatus();
-  follower_ = std::thread([this] {
+  following_thread_ = std::thread([this] {
     os::NameThisThread("rec follower");
     Follow();
   });
-  writer_ = std::thread([this] {
+  writing_thread_ = std::thread([this] {
     os::NameThisThread("rec writer");
     WriteUntilStopped();
   });
@@ -149,24 +114,24 @@ Result<void> Recorder::Stop() {
     follows_ = false;
     stop_.notify_all();
   }
-  follower_.join();
+  following_thread_.join();
   EndSubscriptions();
   {
     const std::scoped_lock lock(mutex_);
     is_drained_ = true;
   }
-  inbox_->Wake();
-  writer_.join();
+  queue_->Wake();
+  writing_thread_.join();
   triggers_ = {};
-  inbox_->Close();
+  queue_->Close();
   Result<void> closed;
-  if (files_) {
-    std::map<std::string, LostRows> rest = inbox_->TakeRest();
-    for (const auto& [path, refused] : refused_.rows) rest[path] += refused;
+  if (writer_) {
+    std::map<std::string, LostRows> rest = queue_->TakeTrailingLosses();
+    for (const auto& [path, refused] : writer_->losses().rows) rest[path] += refused;
     for (const auto& [path, lost] : rest) {
-      if (!status_.failure) (void)files_->WriteLoss(path, lost);
+      if (!status_.failure) (void)writer_->WriteLoss(path, lost);
     }
-    closed = files_->Close(LossesOfRecording());
+    closed = writer_->Close(LossesBeforeWriting());
   }
   PublishStatus();
   const std::scoped_lock lock(mutex_);
@@ -180,7 +145,7 @@ RecorderStatus Recorder::status() const {
   RecorderStatus status = status_;
   lock.unlock();
   status.losses = LossesOfRecording();
-  status.waiting_bytes = inbox_->waiting_bytes();
+  status.waiting_bytes = queue_->waiting_bytes();
   std::error_code failed;
   const std::filesystem::path folder = status.file.parent_path();
   const auto disk = std::filesystem::space(folder.empty() ? "." : folder, failed);
@@ -189,7 +154,7 @@ RecorderStatus Recorder::status() const {
 }
 
 std::vector<std::string> Recorder::TakeNotices() {
-  std::vector<std::string> all = inbox_->TakeNotices();
+  std::vector<std::string> all = queue_->TakeNotices();
   const std::scoped_lock lock(mutex_);
   all.insert(all.end(), notices_.begin(), notices_.end());
   notices_.clear();
@@ -202,7 +167,7 @@ void Recorder::Follow() {
   while (follows_) {
     lock.unlock();
     FollowOnce(true);
-    if (inbox_->needs_snapshot()) system_->Resync();
+    if (queue_->needs_snapshot()) system_->Resync();
     lock.lock();
     stop_.wait_for(lock, kOften, [this] { return !follows_; });
   }
@@ -210,15 +175,15 @@ void Recorder::Follow() {
 
 /// If it may not wait, leaves out events whose types must be asked for.
 void Recorder::FollowOnce(bool may_wait) {
-  // Read first: the client has the new catalogue before the inbox counts it.
-  const std::uint64_t snapshots = inbox_->snapshots();
+  // Read first: the client has the new catalogue before the queue counts it.
+  const std::uint64_t snapshots = queue_->snapshots();
   if (has_all_events_ && system_->revision() == revision_ && snapshots == snapshots_) return;
   const Catalogue catalogue = system_->catalogue();
   const bool is_next = snapshots == snapshots_ && catalogue.revision() >= revision_;
   if (!is_next) gone_.clear();
   revision_ = catalogue.revision();
   snapshots_ = snapshots;
-  const Choice wanted = Choose(catalogue, options_.patterns);
+  const Selection wanted = Select(catalogue, options_.patterns);
   FollowTables(wanted.tables, catalogue);
   silent_.clear();
   has_all_events_ = FollowEvents(wanted.events, catalogue, may_wait);
@@ -255,7 +220,7 @@ void Recorder::FollowTables(const std::vector<TableSubscription>& wanted,
       continue;
     }
     if (!known.empty()) system_->telemetry().Unsubscribe(known.mapped().id);
-    now[TableName(one)] = {one, system_->telemetry().Subscribe(one, inbox_->SinkOf(one))};
+    now[TableName(one)] = {one, system_->telemetry().Subscribe(one, queue_->SinkOf(one))};
   }
   for (auto& [name, rest] : tables_) {
     if (IsEnded(catalogue, name.process)) {
@@ -294,7 +259,7 @@ bool Recorder::FollowEvents(const std::vector<EventSubscription>& wanted,
     auto found = TypesOf(catalogue, one, types);
     const bool is_complete =
         std::ranges::all_of(types, [&](const Fingerprint& type) { return found.contains(type); });
-    const auto id = system_->Listen(one, inbox_->SinkOf(one, std::move(found)));
+    const auto id = system_->Listen(one, queue_->SinkOf(one, std::move(found)));
     // An incomplete list is asked for again after the next change of the catalogue.
     now[one.provided] = {one.events, is_complete ? types : std::vector<Fingerprint>(), id};
   }
@@ -348,7 +313,7 @@ void Recorder::EndSubscriptions() {
   for (const auto& [name, listener] : listeners_) system_->StopListening(listener.id);
 }
 
-/// The writing thread. After a failure, what arrives counts as lost once the inbox is full.
+/// The writing thread. After a failure, it counts what arrives as lost.
 void Recorder::WriteUntilStopped() {
   while (true) {
     bool is_last = false;
@@ -360,28 +325,29 @@ void Recorder::WriteUntilStopped() {
     PublishStatus();
     if (!written) {
       const std::scoped_lock lock(mutex_);
-      status_.failure = written.error();
-      return;
+      if (!status_.failure) status_.failure = written.error();
     }
-    if (is_last && inbox_->waiting_bytes() == 0) return;
+    if (is_last && queue_->waiting_bytes() == 0) return;
   }
 }
 
 Result<void> Recorder::WriteSome() {
   constexpr auto kPatience = 100ms;
-  for (Entry& entry : inbox_->Take(kPatience)) {
-    if (!files_) {
+  Result<void> result;
+  for (Entry& entry : queue_->Take(kPatience)) {
+    if (is_waiting_) {
       past_.Add(std::move(entry), SteadyClock().Now());
     } else if (auto written = Write(std::move(entry)); !written) {
-      return written;
+      result = written;
     }
   }
-  if (!files_) return StartIfDue();
+  if (!result) return result;
+  if (is_waiting_) return StartIfDue();
   const SteadyTime now = SteadyClock().Now();
   StopIfDue(now);
-  if (now < next_sync_) return {};
+  if (!writer_ || now < next_sync_) return {};
   next_sync_ = now + kSyncPeriod;
-  return files_->Sync();
+  return writer_->Sync();
 }
 
 Result<void> Recorder::Write(Entry entry) {
@@ -391,29 +357,21 @@ Result<void> Recorder::Write(Entry entry) {
     const std::scoped_lock lock(mutex_);
     losses_before_.rows[ToString(std::get<Rows>(entry).source->name)] += lost;
   }
-  return is_wanted ? WriteOrCount(entry) : Result<void>();
+  return is_wanted ? WriteOrNotice(entry) : Result<void>();
 }
 
-/// Counts what the file cannot hold, such as the rows of one source with a type that is too large,
-/// as lost by the recorder, and goes on.
-Result<void> Recorder::WriteOrCount(const Entry& entry) {
-  const std::uint64_t before = files_->counts().rows;
-  auto written = files_->Write(entry);
-  if (written || written.error().code != ErrorCode::kInvalid) return written;
-  std::string path = "the log";
-  const std::scoped_lock lock(mutex_);
-  if (const auto* rows = std::get_if<Rows>(&entry)) {
-    path = ToString(rows->source->name);
-    const std::uint64_t missing = rows->ticks.size() - (files_->counts().rows - before);
-    refused_.rows[path].viewer += missing;
-  } else if (const auto* event = std::get_if<Event>(&entry)) {
-    path = ToString(event->source->name) + "." + event->source->members.at(event->member).name;
-    ++refused_.events[path];
-  } else if (std::holds_alternative<LogEntry>(entry)) {
-    ++refused_.log;
-  } else {
-    path = "the catalogue";
+/// Goes on if the file cannot hold an entry, such as rows with a type that is too large.
+Result<void> Recorder::WriteOrNotice(const Entry& entry) {
+  if (!writer_) {
+    const std::scoped_lock lock(mutex_);
+    unwritten_.AddUnwritten(entry);
+    return {};
   }
+  auto written = writer_->Write(entry);
+  if (written || written.error().code != ErrorCode::kInvalid) return written;
+  std::string path = PathOf(entry);
+  if (path.empty()) path = std::holds_alternative<LogEntry>(entry) ? "the log" : "the catalogue";
+  const std::scoped_lock lock(mutex_);
   if (refused_paths_.insert(path).second) {
     notices_.push_back(path + " is not recorded completely: " + written.error().message);
   }
@@ -427,30 +385,34 @@ Result<void> Recorder::StartIfDue() {
 }
 
 Result<void> Recorder::Begin(SteadyTime start) {
+  is_waiting_ = false;
   started_ = start;
   from_ = start - options_.before;
-  FileOptions options = options_.files;
-  options.past = SteadyClock().Now() - from_;
-  auto files = Files::Create(options, HeadingFor(system_->catalogue(), options_.patterns));
-  if (!files) return files.error();
-  files_ = *std::move(files);
   Losses missing = past_.MissingSince(from_);
   std::map<std::string, LostRows> told = past_.LostBeforeMissingSince(from_);
   for (const auto& [path, lost] : missing.rows) told[path] += lost;
+  const std::deque<Entry> entries = past_.TakeSince(from_);
+  {
+    const std::scoped_lock lock(mutex_);
+    losses_before_ = LossesUntil(from_);
+    losses_before_.rows = past_.losses();
+    status_.before_rows_missing = missing.all_rows().viewer;
+    status_.before_others_missing = missing.all_events() + missing.log;
+    missing_before_ = std::move(missing);
+  }
+  FileOptions options = options_.files;
+  options.past = SteadyClock().Now() - from_;
+  auto writer =
+      RecordingWriter::Create(options, HeadingFor(system_->catalogue(), options_.patterns));
+  Result<void> result = writer ? Result<void>() : Result<void>(writer.error());
+  if (writer) writer_ = *std::move(writer);
   for (const auto& [path, lost] : told) {
-    if (auto written = files_->WriteLoss(path, lost, from_); !written) return written;
+    if (result) result = writer_->WriteLoss(path, lost, from_);
   }
-  for (const Entry& entry : past_.TakeSince(from_)) {
-    if (auto written = WriteOrCount(entry); !written) return written;
+  for (const Entry& entry : entries) {
+    if (auto written = WriteOrNotice(entry); !written) result = written;
   }
-  Losses before = LossesUntil(from_);
-  before.rows = past_.losses();
-  const std::scoped_lock lock(mutex_);
-  losses_before_ = std::move(before);
-  status_.before_rows_missing = missing.all_rows().viewer;
-  status_.before_others_missing = missing.all_events() + missing.log;
-  missing_before_ = std::move(missing);
-  return {};
+  return result;
 }
 
 /// While it waits: keeps the losses of events and of the log, to tell later which of them were
@@ -461,7 +423,7 @@ void Recorder::KeepLosses() {
   const SteadyTime now = SteadyClock().Now();
   const auto pause = std::max<std::chrono::nanoseconds>(kShortest, options_.before / kMost);
   if (!kept_losses_.empty() && now - kept_losses_.back().first < pause) return;
-  kept_losses_.emplace_back(now, inbox_->losses());
+  kept_losses_.emplace_back(now, queue_->losses());
   constexpr auto kLatest = 1s;  // until a trigger that has fired is known
   while (kept_losses_.size() > 1 && kept_losses_[1].first <= now - options_.before - kLatest) {
     kept_losses_.pop_front();
@@ -487,10 +449,11 @@ void Recorder::StopIfDue(SteadyTime now) {
   status_.is_finished = true;
 }
 
-Losses Recorder::LossesOfRecording() const {
-  // What is subtracted was counted by the inbox before, so the inbox is read under the lock.
+/// Without those of the writer.
+Losses Recorder::LossesBeforeWriting() const {
+  // What is subtracted was counted by the queue before, so the queue is read under the lock.
   const std::scoped_lock lock(mutex_);
-  Losses losses = inbox_->losses();
+  Losses losses = queue_->losses();
   for (const auto& [path, before] : losses_before_.rows) {
     LostRows& lost = losses.rows[path];
     lost.table -= before.table;
@@ -499,17 +462,26 @@ Losses Recorder::LossesOfRecording() const {
   }
   for (const auto& [path, before] : losses_before_.events) losses.events[path] -= before;
   losses.log -= losses_before_.log;
-  losses += refused_;
   losses += missing_before_;
+  return losses;
+}
+
+Losses Recorder::LossesOfRecording() const {
+  Losses losses = LossesBeforeWriting();
+  const std::scoped_lock lock(mutex_);
+  losses += unwritten_;
   return losses;
 }
 
 void Recorder::PublishStatus() {
   const std::scoped_lock lock(mutex_);
-  status_.is_waiting = files_ == nullptr;
+  status_.is_waiting = is_waiting_;
   status_.before_bytes = past_.bytes();
-  if (files_) status_.counts = files_->counts();
-  status_.file = files_ ? files_->file() : options_.files.file;
+  if (writer_) {
+    status_.counts = writer_->counts();
+    unwritten_ = writer_->losses();
+  }
+  status_.file = writer_ ? writer_->file() : options_.files.file;
 }
 
 }  // namespace tendon::recording

@@ -3,10 +3,10 @@
 #include <tendon/base/result.h>
 #include <tendon/gcm/client.h>
 #include <tendon/recording/condition.h>
-#include <tendon/recording/past_entries.h>
-#include <tendon/recording/recording_files.h>
-#include <tendon/recording/recording_inbox.h>
-#include <tendon/recording/system_access.h>
+#include <tendon/recording/pre_trigger_buffer.h>
+#include <tendon/recording/recorded_system.h>
+#include <tendon/recording/recording_queue.h>
+#include <tendon/recording/recording_writer.h>
 #include <tendon/recording/trigger.h>
 
 #include <chrono>
@@ -26,18 +26,6 @@
 
 namespace tendon::recording {
 
-/// The tables and events that `patterns` name, as they are in the catalogue. A pattern is a path or
-/// a glob of a process, a component, an interface, a column or an event; all that is in it counts.
-struct Choice {
-  std::vector<TableSubscription> tables;
-  std::vector<EventSubscription> events;
-};
-[[nodiscard]] Choice Choose(const Catalogue& catalogue, const std::vector<std::string>& patterns);
-
-/// Describes a recording of these patterns.
-[[nodiscard]] Heading HeadingFor(const Catalogue& catalogue,
-                                 const std::vector<std::string>& patterns);
-
 struct RecorderOptions {
   std::vector<std::string> patterns;
   FileOptions files;
@@ -54,21 +42,21 @@ struct RecorderOptions {
   std::chrono::milliseconds timeout{2000};
 };
 
-/// The state of a recording.
+/// The state of a recording, as a window or a terminal shows it.
 struct RecorderStatus {
   Counts counts;
   Losses losses;
   std::size_t tables = 0;         ///< that are recorded
   std::size_t interfaces = 0;     ///< whose events are recorded
-  std::size_t waiting_bytes = 0;  ///< that the disk is behind
+  std::size_t waiting_bytes = 0;  ///< in the queue, because the disk is slower
   std::uint64_t disk_free = 0;    ///< bytes
   std::filesystem::path file;     ///< the present one
   std::optional<Error> failure;   ///< why the recording has stopped
   bool is_waiting = false;        ///< for the condition to start: there is no file yet
   bool is_finished = false;       ///< the condition to stop was true: call Recorder::Stop()
   std::size_t before_bytes = 0;   ///< while it waits: memory that holds what came before
-  /// What came before the start and did not fit into RecorderOptions::before_bytes: rows, and
-  /// events and log records. `losses` contains them as losses of the recorder.
+  /// Rows, and events and log records, that came before the start and did not fit into
+  /// RecorderOptions::before_bytes. `losses` contains them as losses of the recorder.
   std::uint64_t before_rows_missing = 0;
   std::uint64_t before_others_missing = 0;
 };
@@ -82,12 +70,15 @@ struct RecorderStatus {
 /// not older than RecorderOptions::before when the condition becomes true. Both conditions are
 /// evaluated for every row, and for every event.
 ///
-/// A slow disk costs rows of the recording, which are counted, and never a cycle of a component.
-/// The file is synced every 0.8 s, so that at most 1 s is lost if this program is killed.
+/// A slow disk costs rows of the recording, which are counted, and never a cycle of a component. If
+/// the disk fails, all that is not in the file counts as lost. The file is synced every 0.8 s, so
+/// at most 1 s is lost if this program is killed.
 ///
-///     const auto inbox = std::make_shared<recording::Inbox>();
-///     GcmClient client(middleware, options, inbox);
-///     auto recorder = recording::Recorder::Start(client, inbox, {.patterns = {"robot/**"}, ...});
+/// It has two threads: one follows the catalogue and subscribes, the other one writes.
+///
+///     const auto queue = std::make_shared<recording::RecordingQueue>();
+///     GcmClient client(middleware, options, queue);
+///     auto recorder = recording::Recorder::Start(client, queue, {.patterns = {"robot/**"}, ...});
 ///     ...
 ///     (*recorder)->Stop();
 ///
@@ -95,13 +86,14 @@ struct RecorderStatus {
 /// outlive it.
 class Recorder {
  public:
-  /// `inbox` is the client's listener. kExists if there is a file of this name; errors of a
+  /// `queue` is the client's listener. kExists if there is a file of this name; errors of a
   /// condition as in Trigger::Make().
-  static Result<std::unique_ptr<Recorder>> Start(GcmClient& client, std::shared_ptr<Inbox> inbox,
+  static Result<std::unique_ptr<Recorder>> Start(GcmClient& client,
+                                                 std::shared_ptr<RecordingQueue> queue,
                                                  RecorderOptions options);
-  /// The same for any system, such as a LocalSystem, whose listener is `inbox`.
-  static Result<std::unique_ptr<Recorder>> Start(std::shared_ptr<SystemAccess> system,
-                                                 std::shared_ptr<Inbox> inbox,
+  /// The same for any system, such as a LocalSystem, whose listener is `queue`.
+  static Result<std::unique_ptr<Recorder>> Start(std::shared_ptr<RecordedSystem> system,
+                                                 std::shared_ptr<RecordingQueue> queue,
                                                  RecorderOptions options);
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
@@ -133,8 +125,8 @@ class Recorder {
     std::unique_ptr<Trigger> stop;
   };
 
-  Recorder(std::shared_ptr<SystemAccess> system, std::shared_ptr<Inbox> inbox,
-           RecorderOptions options, Triggers triggers, std::unique_ptr<Files> files);
+  Recorder(std::shared_ptr<RecordedSystem> system, std::shared_ptr<RecordingQueue> queue,
+           RecorderOptions options, Triggers triggers, std::unique_ptr<RecordingWriter> writer);
 
   void Follow();
   void FollowOnce(bool may_wait);
@@ -152,17 +144,18 @@ class Recorder {
   void WriteUntilStopped();
   Result<void> WriteSome();
   Result<void> Write(Entry entry);
-  Result<void> WriteOrCount(const Entry& entry);
+  Result<void> WriteOrNotice(const Entry& entry);
   Result<void> StartIfDue();
   Result<void> Begin(SteadyTime start);
   void KeepLosses();
   [[nodiscard]] Losses LossesUntil(SteadyTime time) const;
   void StopIfDue(SteadyTime now);
+  [[nodiscard]] Losses LossesBeforeWriting() const;
   [[nodiscard]] Losses LossesOfRecording() const;
   void PublishStatus();
 
-  const std::shared_ptr<SystemAccess> system_;
-  const std::shared_ptr<Inbox> inbox_;
+  const std::shared_ptr<RecordedSystem> system_;
+  const std::shared_ptr<RecordingQueue> queue_;
   const RecorderOptions options_;
 
   std::mutex stop_mutex_;  // one Stop() at a time
@@ -173,16 +166,17 @@ class Recorder {
   std::map<InterfaceName, Listener> listeners_;
   std::map<Fingerprint, Schema> types_;
   std::uint64_t revision_ = 0;
-  std::uint64_t snapshots_ = 0;   // see Inbox::snapshots()
+  std::uint64_t snapshots_ = 0;   // see RecordingQueue::snapshots()
   std::set<std::string> gone_;    // processes that were lost or had left
   std::set<std::string> silent_;  // processes that did not answer since the last change
   bool has_all_events_ = false;
 
   // Of the thread that writes, and of Stop() after it.
-  std::unique_ptr<Files> files_;  // null while it waits for the condition to start
+  std::unique_ptr<RecordingWriter> writer_;  // null before the start, or if no file can be made
+  bool is_waiting_;                          // for the condition to start
   SteadyTime next_sync_;
   Triggers triggers_;
-  PastEntries past_;
+  PreTriggerBuffer past_;
   std::deque<std::pair<SteadyTime, Losses>> kept_losses_;  // while it waits, by time
   SteadyTime armed_;                                       // when it began to wait
   SteadyTime started_ = SteadyTime::min();                 // when the condition was true
@@ -196,12 +190,12 @@ class Recorder {
   RecorderStatus status_;
   Losses losses_before_;   // that are not of the recording
   Losses missing_before_;  // see RecorderStatus::before_rows_missing
-  Losses refused_;         // what the file cannot hold
+  Losses unwritten_;       // what has arrived and is not in the file
   std::set<std::string> refused_paths_;
   std::vector<std::string> notices_;
 
-  std::thread follower_;
-  std::thread writer_;
+  std::thread following_thread_;
+  std::thread writing_thread_;
 };
 
 }  // namespace tendon::recording

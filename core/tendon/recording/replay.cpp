@@ -43,7 +43,7 @@ LogLevel LogLevelOf(std::uint8_t ros_level) {
 
 Result<std::unique_ptr<Replay>> Replay::Open(std::unique_ptr<mcap::Reader> reader, mcap::Query part,
                                              ReplayOptions options) try {
-  auto items = RecordedItems::Open(*reader, std::move(part));
+  auto items = RecordingReader::Open(*reader, std::move(part));
   if (!items) return items.error();
   const std::string file = reader->name();
   std::unique_ptr<Replay> replay(
@@ -86,7 +86,7 @@ Result<void> Replay::CheckSize() const {
   return {};
 }
 
-Replay::Replay(std::unique_ptr<mcap::Reader> reader, std::unique_ptr<RecordedItems> items,
+Replay::Replay(std::unique_ptr<mcap::Reader> reader, std::unique_ptr<RecordingReader> items,
                ReplayOptions options)
     : reader_(std::move(reader)), items_(std::move(items)), options_(std::move(options)) {}
 
@@ -205,6 +205,10 @@ std::optional<SteadyTime> Replay::Play(SteadyTime now) {
     next_.reset();
   }
   return now;
+}
+
+bool Replay::HasSentAll() const {
+  return std::ranges::all_of(processes_, [](const auto& one) { return one.second->HasSentAll(); });
 }
 
 void Replay::Put(const RecordedItem& item) {

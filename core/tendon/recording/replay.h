@@ -2,8 +2,8 @@
 
 #include <tendon/base/clock.h>
 #include <tendon/process/process.h>
-#include <tendon/recording/mcap_reader.h>
-#include <tendon/recording/recorded_items.h>
+#include <tendon/recording/mcap/reader.h>
+#include <tendon/recording/recording_reader.h>
 #include <tendon/recording/replayed_component.h>
 
 #include <chrono>
@@ -17,6 +17,7 @@
 
 namespace tendon::recording {
 
+/// How a recording is played.
 struct ReplayOptions {
   double rate = 1.0;   ///< 2: twice as fast as recorded
   bool loops = false;  ///< begins again at the end
@@ -25,7 +26,7 @@ struct ReplayOptions {
   std::chrono::nanoseconds delay{0};
 };
 
-/// What a replay has done by now.
+/// The progress of a replay.
 struct ReplayStatus {
   std::uint64_t rows = 0;
   std::uint64_t events = 0;
@@ -46,6 +47,7 @@ struct ReplayStatus {
 ///     auto replay = Replay::Open(std::move(reader), query, {.rate = 2.0});
 ///     (*replay)->Start(make_process);
 ///     while (const auto next = (*replay)->Play(SteadyClock().Now())) SleepUntil(*next);
+///     while (!(*replay)->HasSentAll()) SleepALittle();
 ///
 /// Thread safety: one thread at a time.
 class Replay {
@@ -53,8 +55,8 @@ class Replay {
   /// Makes the process of that name, which joins the GCM.
   using MakeProcess = std::function<Result<std::unique_ptr<Process>>(const std::string& name)>;
 
-  /// Reads the part once. Errors: those of RecordedItems::Open(); kInvalid if the options name one
-  /// process, but the part has several, or if the part needs more than 1 GiB for its tables, or
+  /// Reads the part once. Errors: those of RecordingReader::Open(); kInvalid if the options name
+  /// one process, but the part has several, or if the part needs more than 1 GiB for its tables, or
   /// takes more than ten years.
   static Result<std::unique_ptr<Replay>> Open(std::unique_ptr<mcap::Reader> reader,
                                               mcap::Query part, ReplayOptions options);
@@ -78,10 +80,14 @@ class Replay {
   /// when to call it again; empty at the end. Only after Start().
   std::optional<SteadyTime> Play(SteadyTime now);
 
+  /// True if everything that Play() has written and raised is sent to all viewers and clients. Only
+  /// after Start(). See Process::HasSentAll().
+  [[nodiscard]] bool HasSentAll() const;
+
   [[nodiscard]] ReplayStatus status() const { return status_; }
 
  private:
-  Replay(std::unique_ptr<mcap::Reader> reader, std::unique_ptr<RecordedItems> items,
+  Replay(std::unique_ptr<mcap::Reader> reader, std::unique_ptr<RecordingReader> items,
          ReplayOptions options);
 
   [[nodiscard]] Result<void> CheckSize() const;
@@ -94,7 +100,7 @@ class Replay {
   void PutLog(const RosLog& record);
 
   const std::unique_ptr<mcap::Reader> reader_;
-  const std::unique_ptr<RecordedItems> items_;
+  const std::unique_ptr<RecordingReader> items_;
   const ReplayOptions options_;
   std::vector<std::shared_ptr<ReplayedMembers>> members_;      // by source
   std::map<std::string, std::unique_ptr<Process>> processes_;  // by recorded name

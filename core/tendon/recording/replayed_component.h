@@ -3,7 +3,7 @@
 #include <tendon/base/rate_limited_warning.h>
 #include <tendon/interface/event.h>
 #include <tendon/manager/component_description.h>
-#include <tendon/recording/recorded_items.h>
+#include <tendon/recording/recording_reader.h>
 #include <tendon/state/state_table.h>
 #include <tendon/task/component.h>
 
@@ -18,7 +18,7 @@
 
 namespace tendon::recording {
 
-/// An event that is raised with encoded values.
+/// An event that the replay raises with encoded values, as they are in the recording.
 class ReplayedEvent final : public EventBase {
  public:
   /// One thread at a time.
@@ -40,12 +40,10 @@ struct NamedReplayedEvent {
   std::unique_ptr<ReplayedEvent> event;
 };
 
-/// The state tables and events of a recorded component. It may outlive the component that offers
-/// them.
+/// The state tables and events of a recorded component. The replay fills it; a ReplayedComponent
+/// offers it, and may end earlier. `source` is the index in RecordingReader::sources().
 ///
-/// `source` is the index in RecordedItems::sources().
-///
-/// Thread safety: one thread writes rows and raises events, after all is added.
+/// Thread safety: after all is added, one thread writes rows and raises events.
 class ReplayedMembers {
  public:
   /// `period` is the time between two rows, from which the length of the table follows. Throws

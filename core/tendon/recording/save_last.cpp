@@ -1,5 +1,5 @@
-#include <tendon/recording/recorder.h>
 #include <tendon/recording/save_last.h>
+#include <tendon/recording/selection.h>
 
 #include <future>
 #include <utility>
@@ -9,10 +9,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Writes what has arrived in the inbox until a condition is true.
-class InboxWriter {
+/// Writes what has arrived in the queue until a condition is true.
+class QueueWriter {
  public:
-  InboxWriter(Inbox& inbox, Files& files) : inbox_(inbox), files_(files) {}
+  QueueWriter(RecordingQueue& queue, RecordingWriter& writer) : queue_(queue), writer_(writer) {}
 
   /// Returns false if `done` was not true within `patience`.
   template <typename Predicate>
@@ -24,31 +24,34 @@ class InboxWriter {
       if (auto written = WriteSome(is_done || is_late ? 0ms : 10ms); !written) {
         return written.error();
       }
-      if ((is_done || is_late) && inbox_.waiting_bytes() == 0) return is_done;
+      if ((is_done || is_late) && queue_.waiting_bytes() == 0) return is_done;
     }
   }
 
  private:
+  /// Goes on after a failure and if the file cannot hold an entry: the writer counts the losses.
   Result<void> WriteSome(std::chrono::nanoseconds patience) {
-    for (const Entry& entry : inbox_.Take(patience)) {
-      if (auto written = files_.Write(entry); !written) return written;
+    Result<void> result;
+    for (const Entry& entry : queue_.Take(patience)) {
+      auto written = writer_.Write(entry);
+      if (!written && written.error().code != ErrorCode::kInvalid) result = written;
     }
-    return {};
+    return result;
   }
 
-  Inbox& inbox_;
-  Files& files_;
+  RecordingQueue& queue_;
+  RecordingWriter& writer_;
 };
 
-Result<SavedTable> SaveTable(SystemAccess& system, const std::shared_ptr<Inbox>& inbox,
-                             InboxWriter& writer, const TableSubscription& table,
+Result<SavedTable> SaveTable(RecordedSystem& system, const std::shared_ptr<RecordingQueue>& queue,
+                             QueueWriter& writer, const TableSubscription& table,
                              const SaveLastOptions& options) {
   SavedTable saved{.path = ToString(InterfaceName{table.process, table.component, table.table}),
                    .past = {},
                    .failure = {}};
   const auto answer = std::make_shared<std::promise<Result<PastRows>>>();
   auto arrival = answer->get_future();
-  system.telemetry().ReadPast(table, options.last, inbox->SinkOf(table),
+  system.telemetry().ReadPast(table, options.last, queue->SinkOf(table),
                               [answer](Result<PastRows> past) { answer->set_value(past); });
   const auto is_there = writer.WriteUntil(
       [&] { return arrival.wait_for(0s) == std::future_status::ready; }, options.timeout);
@@ -66,36 +69,44 @@ Result<SavedTable> SaveTable(SystemAccess& system, const std::shared_ptr<Inbox>&
 
 }  // namespace
 
-Result<SaveLastReport> SaveLast(SystemAccess& system, const std::shared_ptr<Inbox>& inbox,
+Result<SaveLastReport> SaveLast(RecordedSystem& system,
+                                const std::shared_ptr<RecordingQueue>& queue,
                                 SaveLastOptions options) {
   if (auto unknown = system.WhyUnknown()) return *std::move(unknown);
   const Catalogue catalogue = system.catalogue();
-  const Choice choice = Choose(catalogue, options.patterns);
-  if (choice.tables.empty()) {
+  const Selection selection = Select(catalogue, options.patterns);
+  if (selection.tables.empty()) {
     return Error{ErrorCode::kNotFound, "no state table matches these paths"};
   }
   options.files.past = options.last;
-  auto files = Files::Create(options.files, HeadingFor(catalogue, options.patterns));
-  if (!files) return files.error();
+  auto writer = RecordingWriter::Create(options.files, HeadingFor(catalogue, options.patterns));
+  if (!writer) return writer.error();
   if (options.has_log) system.WatchLog();
   SaveLastReport report{.tables = {},
-                        .event_interfaces = choice.events.size(),
+                        .event_interfaces = selection.events.size(),
                         .counts = {},
                         .losses = {},
-                        .file = (*files)->file()};
-  InboxWriter writer(*inbox, **files);
-  for (const TableSubscription& table : choice.tables) {
-    auto saved = SaveTable(system, inbox, writer, table, options);
-    if (!saved) return saved.error();
+                        .file = (*writer)->file()};
+  QueueWriter queue_writer(*queue, **writer);
+  const auto close_after = [&](const Error& failure) {
+    while (queue->waiting_bytes() > 0) (void)queue_writer.WriteUntil([] { return true; }, 0ms);
+    queue->Close();
+    auto closed = (*writer)->Close(queue->losses());
+    return closed ? failure : closed.error();  // that also says whether the file has an index
+  };
+  for (const TableSubscription& table : selection.tables) {
+    auto saved = SaveTable(system, queue, queue_writer, table, options);
+    if (!saved) return close_after(saved.error());
     report.tables.push_back(*std::move(saved));
   }
-  const auto has_log =
-      writer.WriteUntil([&] { return !options.has_log || inbox->has_past_log(); }, options.timeout);
-  if (!has_log) return has_log.error();
-  report.losses = inbox->losses();
-  inbox->Close();
-  if (auto closed = (*files)->Close(report.losses); !closed) return closed.error();
-  report.counts = (*files)->counts();
+  const auto has_log = queue_writer.WriteUntil(
+      [&] { return !options.has_log || queue->has_past_log(); }, options.timeout);
+  if (!has_log) return close_after(has_log.error());
+  report.losses = queue->losses();
+  queue->Close();
+  if (auto closed = (*writer)->Close(report.losses); !closed) return closed.error();
+  report.losses += (*writer)->losses();
+  report.counts = (*writer)->counts();
   return report;
 }
 

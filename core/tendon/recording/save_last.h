@@ -1,9 +1,9 @@
 #pragma once
 
 #include <tendon/base/result.h>
-#include <tendon/recording/recording_files.h>
-#include <tendon/recording/recording_inbox.h>
-#include <tendon/recording/system_access.h>
+#include <tendon/recording/recorded_system.h>
+#include <tendon/recording/recording_queue.h>
+#include <tendon/recording/recording_writer.h>
 
 #include <chrono>
 #include <cstdint>
@@ -15,6 +15,7 @@
 
 namespace tendon::recording {
 
+/// What SaveLast() saves, and where.
 struct SaveLastOptions {
   std::vector<std::string> patterns;
   FileOptions files;                 ///< one file: without a split
@@ -31,6 +32,7 @@ struct SavedTable {
   std::optional<Error> failure;  ///< why not all of its rows could be read
 };
 
+/// What SaveLast() has saved.
 struct SaveLastReport {
   std::vector<SavedTable> tables;
   std::uint64_t event_interfaces = 0;  ///< that fit a pattern; their past events exist nowhere
@@ -44,11 +46,13 @@ struct SaveLastReport {
 /// catalogue of now. A table holds about a second, unless its component keeps more. Events are kept
 /// nowhere.
 ///
-/// `inbox` is the listener of `system`. Waits until all is written. kNotFound if no table fits a
-/// pattern; kFailed if the process of a LocalSystem is busy, so that its tables are not known;
-/// kExists if there is a file of this name. If a table cannot be read, its entry in the report says
-/// why, and the others are saved. Must not be called in a handler.
-Result<SaveLastReport> SaveLast(SystemAccess& system, const std::shared_ptr<Inbox>& inbox,
+/// `queue` is the listener of `system`. Waits until all is written: up to the timeout for each
+/// table and for the log. kNotFound if no table fits a pattern; kFailed if the process of a
+/// LocalSystem is busy, so that its tables are not known; kExists if there is a file of this name.
+/// If a table cannot be read, its entry in the report says why, and the others are saved. Must not
+/// be called in a handler.
+Result<SaveLastReport> SaveLast(RecordedSystem& system,
+                                const std::shared_ptr<RecordingQueue>& queue,
                                 SaveLastOptions options);
 
 }  // namespace tendon::recording

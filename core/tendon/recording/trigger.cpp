@@ -97,7 +97,7 @@ class Trigger::EventWatch final : public EventSink {
   const std::shared_ptr<Matches> matches_;
 };
 
-Result<std::unique_ptr<Trigger>> Trigger::Make(SystemAccess& system, const Condition& condition,
+Result<std::unique_ptr<Trigger>> Trigger::Make(RecordedSystem& system, const Condition& condition,
                                                std::function<void()> on_match) {
   auto matches = std::make_shared<Matches>(std::move(on_match));
   std::unique_ptr<Trigger> trigger(new Trigger(system, std::move(matches)));

@@ -2,7 +2,7 @@
 
 #include <tendon/base/clock.h>
 #include <tendon/recording/condition.h>
-#include <tendon/recording/system_access.h>
+#include <tendon/recording/recorded_system.h>
 
 #include <functional>
 #include <memory>
@@ -10,16 +10,18 @@
 
 namespace tendon::recording {
 
-/// Watches a condition in a running system: evaluates it for every row of its table, and sees each
-/// of its events. Subscribes by itself, so the paths of the recording need not include it.
+/// Watches a condition in a running system: evaluates it for every row of its table, or waits for
+/// each of its events. It has a subscription of its own, so the paths of the recording need not
+/// include the condition. A recorder has one for its begin and one for its end.
 ///
-/// Thread safety: all functions, from any thread except handlers and sinks.
+/// Thread safety: all functions, from any thread except handlers and sinks. Cost: a comparison for
+/// each row, in a thread of the middleware.
 class Trigger {
  public:
   /// Subscribes at once. `on_match` is called after new matches, in a thread of the middleware; it
   /// must not block. Waits for the type of the column. kNotFound, with a suggestion, if the path
   /// does not exist now; otherwise as CellTest::Make(). `system` must outlive the trigger.
-  static Result<std::unique_ptr<Trigger>> Make(SystemAccess& system, const Condition& condition,
+  static Result<std::unique_ptr<Trigger>> Make(RecordedSystem& system, const Condition& condition,
                                                std::function<void()> on_match);
   Trigger(const Trigger&) = delete;
   Trigger& operator=(const Trigger&) = delete;
@@ -35,12 +37,12 @@ class Trigger {
   class TableWatch;
   class EventWatch;
 
-  Trigger(SystemAccess& system, std::shared_ptr<Matches> matches)
+  Trigger(RecordedSystem& system, std::shared_ptr<Matches> matches)
       : system_(system), matches_(std::move(matches)) {}
   Result<void> WatchTable(const Condition& condition, const Catalogue& catalogue);
   Result<void> WatchEvent(const Condition& condition, const Catalogue& catalogue);
 
-  SystemAccess& system_;
+  RecordedSystem& system_;
   const std::shared_ptr<Matches> matches_;
   std::optional<TelemetryClient::Id> table_;
   std::optional<GcmClient::ListenerId> event_;

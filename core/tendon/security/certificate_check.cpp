@@ -30,8 +30,9 @@ Error NotGood(const std::string& what, int reason, X509& certificate, const fs::
                     DateText(openssl::TimeOf(X509_get0_notBefore(&certificate))) +
                     ": check the clock of this machine");
     case X509_V_ERR_CRL_NOT_YET_VALID:
-      return denied("cannot be checked: " + AuthorityFolder{authority}.revoked().string() +
-                    " has a time in the future: check the clock of this machine");
+      return denied("cannot be checked: the revocation list " +
+                    AuthorityFolder{authority}.revoked().string() +
+                    " is dated in the future: check the clock of this machine");
     case X509_V_ERR_INVALID_PURPOSE:
       return denied("is the certificate of a CA, or was not issued for connections (clientAuth)" +
                     std::string(kIssueAnother));

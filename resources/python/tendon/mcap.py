@@ -1,6 +1,6 @@
 """Reads MCAP files, version 0, by the public specification of the format: mcap.dev/spec.
 
-Works like core/tendon/recording/mcap_reader.h. Uses the index at the end of the file. If the index
+Works like core/tendon/recording/mcap/reader.h. Uses the index at the end of the file. If the index
 is missing or damaged, reads the whole file once. Skips records whose length, checksum or index
 entry is wrong, and reports them in `File.problems`. Compares lengths with the size of the file
 before it allocates memory.
@@ -50,6 +50,15 @@ class Channel:
 
 
 @dataclass
+class Definition:
+    """A schema of the file: the description of a type."""
+
+    name: str
+    encoding: str
+    text: str
+
+
+@dataclass
 class Chunk:
     """A chunk: records that are compressed and read together."""
 
@@ -78,7 +87,7 @@ class Contents:
     """The index of a file: what it contains, and where."""
 
     channels: dict[int, Channel] = field(default_factory=dict)
-    schemas: dict[int, str] = field(default_factory=dict)  # names, by id
+    schemas: dict[int, Definition] = field(default_factory=dict)  # by id
     chunks: list[Chunk] = field(default_factory=list)
     attachments: list[Place] = field(default_factory=list)
     metadata: list[Place] = field(default_factory=list)
@@ -672,7 +681,7 @@ class _Scan:
 def _define(contents: Contents, opcode: int, fields: _Fields) -> None:
     number = fields.number(2)
     if opcode == SCHEMA:
-        contents.schemas.setdefault(number, fields.text())
+        contents.schemas.setdefault(number, Definition(fields.text(), fields.text(), fields.text()))
     else:
         contents.channels.setdefault(number, Channel(number, fields.number(2), fields.text(),
                                                      fields.text(), fields.texts()))

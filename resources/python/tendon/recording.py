@@ -19,6 +19,7 @@ from . import mcap
 from .errors import Error, Invalid, NotFound, did_you_mean
 from .paths import steps_of
 from .payload import arrays
+from .payload.ros_text import parse_message
 from .payload.schema import Enum, Schema
 from .payload.schema_text import parse
 
@@ -89,8 +90,9 @@ class Recording:
 
     Paths are those of the console: a table is `robot/arm/state`, a column of it
     `robot/arm/state.Joints`, an event `robot/arm/Control.LimitExceeded`; fields and indexes may
-    follow, as in `robot/arm/state.Joints.position[0]`. Rows are in the order of the file, also
-    across restarts of a process. All columns of a table have the same rows: a row is left out if
+    follow, as in `robot/arm/state.Joints.position[0]`. Topics of other programs, whose type is a ROS
+    2 message in CDR, are used like events: `/arm/pose.position.x`. Rows are in the order of the file,
+    also across restarts of a process. All columns of a table have the same rows: a row is left out if
     any part of it was in a damaged chunk.
 
     open() reads the index of the file; the functions read the chunks that they need, and keep up to
@@ -102,6 +104,8 @@ class Recording:
         self._runs: dict[str, list[_Run]] = {}  # by the path of a table or an event
         self._members: dict[str, str] = {}  # the key in _runs, by column or event
         self._own: dict[str, list[_Member]] = {}  # channels of the recorder itself, by topic
+        self._foreign: set[str] = set()  # topics of other programs, which are members
+        self._left_out: dict[str, str] = {}  # the reasons, by topic
         self._cache: dict[tuple[str, str], np.ndarray[Any, Any]] = {}
         counts = self._file.contents.counts
         for number, channel in sorted(self._file.contents.channels.items()):
@@ -159,7 +163,18 @@ class Recording:
 
     def events(self) -> list[str]:
         """The paths of all events that were raised: ["robot/arm/Control.LimitExceeded", ...]."""
-        return sorted(path for path in self._runs if path in self._members)
+        return sorted(path for path in self._runs
+                      if path in self._members and path not in self._foreign)
+
+    def other_topics(self) -> list[str]:
+        """The topics of other programs whose values can be read: ["/arm/pose", ...]."""
+        return sorted(self._foreign)
+
+    @property
+    def left_out(self) -> dict[str, str]:
+        """The topics whose values cannot be read, and a sentence about each: the number of its
+        messages, if it is known, and why."""
+        return dict(self._left_out)
 
     def paths(self) -> list[str]:
         """The paths of all fields of columns and events, except for structures."""
@@ -167,8 +182,7 @@ class Recording:
                       for field, _ in arrays.leaves_of(self._schema(path)))
 
     def topics(self) -> list[str]:
-        """All topics of the file. Values of topics that other programs wrote cannot be read
-        here."""
+        """All topics of the file, also those whose values cannot be read: see left_out."""
         return sorted({one.topic for one in self._file.contents.channels.values()})
 
     def __getitem__(self, path: str) -> Array:
@@ -271,7 +285,8 @@ class Recording:
         path = channel.metadata.get("tendon.path", "")
         text = channel.metadata.get("tendon.schema", "")
         if not text:
-            return  # the channel of another program
+            self._add_foreign(channel)
+            return
         try:
             schema: Schema | None = parse(text)
         except Invalid as why:
@@ -289,8 +304,43 @@ class Recording:
             runs.append(_Run())
         runs[-1].members[path] = member
 
+    def _add_foreign(self, channel: mcap.Channel) -> None:
+        """Adds a channel of another program."""
+        definition = self._file.contents.schemas.get(channel.schema_id)
+        encoding = definition.encoding if definition else ""
+        if channel.encoding != "cdr" or definition is None or encoding != "ros2msg":
+            schema = f"with a schema in '{encoding}'" if definition else "without a schema"
+            self._leave_out(channel, f"their encoding is '{channel.encoding[:60]}' {schema}, and "
+                                     "only 'cdr' with a schema in 'ros2msg' is read")
+            return
+        try:
+            schema_of = parse_message(definition.name, definition.text)
+        except Invalid as why:
+            self._leave_out(channel, f"their type cannot be read: {why}")
+            return
+        topic = channel.topic
+        if topic not in self._foreign and (topic in self._runs or topic in self._members):
+            self._leave_out(channel, "the topic has the name of a table or an event")
+            return
+        self._foreign.add(topic)
+        self._members[topic] = topic
+        run = _Run()
+        run.members[topic] = _Member(topic, channel, schema_of)
+        self._runs.setdefault(topic, []).append(run)
+
+    def _leave_out(self, channel: mcap.Channel, why: str) -> None:
+        count = self._file.contents.counts.get(channel.id)
+        messages = "its messages are" if count is None else \
+            "1 message is" if count == 1 else f"{count} messages are"
+        self._left_out[channel.topic] = f"{messages} left out: {why}"
+
     def _split(self, path: str) -> tuple[str, str]:
         """The path of a column or an event, and the field in it."""
+        for topic in self._foreign:  # which may have any letters
+            field = path.removeprefix(topic)
+            if path.startswith(topic) and (not field or field[0] in ".["):
+                steps_of(field)
+                return topic, field
         dot = path.find(".")
         end = min((place for place in (path.find(".", dot + 1), path.find("[", dot + 1))
                    if place >= 0), default=len(path))
@@ -301,6 +351,9 @@ class Recording:
         return member, field
 
     def _unknown(self, path: str) -> NotFound:
+        for topic, sentence in self._left_out.items():
+            if path.startswith(topic):
+                return NotFound(f"{topic} of {self._file.name} cannot be read: {sentence}")
         if path in self._runs:
             columns = ", ".join(sorted(one.rpartition(".")[2] for one, table
                                        in self._members.items() if table == path)[:8])
@@ -448,8 +501,8 @@ def _belongs(member: _Member, run: _Run) -> bool:
 def _clock_of(run: _Run) -> int:
     text = next(iter(run.members.values())).channel.metadata.get("tendon.clock_ns", "0")
     try:
-        return int(text)
-    except ValueError:
+        return int(np.int64(int(text)))
+    except (ValueError, OverflowError):
         return 0
 
 

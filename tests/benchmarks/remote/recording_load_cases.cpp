@@ -45,7 +45,7 @@ class SignalSystem {
   Recorded Record(std::chrono::milliseconds duration) {
     BeginClient();
     auto recorder = recording::Recorder::Start(
-        *client_, inbox_,
+        *client_, queue_,
         {.patterns = {"signals*/source/state.Signal*"},
          .files = {.file = folder_.path() / ("run" + std::to_string(++runs_) + ".mcap")},
          .has_log = false});
@@ -77,12 +77,12 @@ class SignalSystem {
   }
 
  private:
-  /// Makes a new inbox and client. An inbox serves only one recording, and a client only one inbox.
+  /// Makes a new inbox and client. An queue serves only one recording, and a client only one queue.
   void BeginClient() {
-    inbox_ = std::make_shared<recording::Inbox>();
+    queue_ = std::make_shared<recording::RecordingQueue>();
     client_ = std::make_unique<GcmClient>(
         system_.Options().middleware,
-        GcmClient::Options{.name = "gcm record", .address = system_.addresses().gcm}, inbox_);
+        GcmClient::Options{.name = "gcm record", .address = system_.addresses().gcm}, queue_);
     Require(client_->WaitUntilWatching().ok() && EventuallyTrue([this] { return AreAllThere(); }),
             "the processes with the signals do not join");
   }
@@ -95,7 +95,7 @@ class SignalSystem {
 
   RemoteSystem& system_;
   const RamFolder folder_;
-  std::shared_ptr<recording::Inbox> inbox_;
+  std::shared_ptr<recording::RecordingQueue> queue_;
   std::unique_ptr<GcmClient> client_;
   std::vector<std::string> names_;
   std::vector<std::unique_ptr<Program>> sources_;

@@ -7,8 +7,10 @@
 #include <tendon/interface/function.h>
 #include <tendon/manager/local_manager.h>
 #include <tendon/middleware/loopback.h>
+#include <tendon/payload/codec.h>
 #include <tendon/process/process.h>
-#include <tendon/recording/mcap_reader.h>
+#include <tendon/recording/mcap/reader.h>
+#include <tendon/recording/recording_writer.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -102,6 +104,23 @@ class RecorderTest : public testing::Test {
     }
     EXPECT_EQ((*reader)->problems().count(), 0U);
     return counts;
+  }
+
+  /// The values of the counter in a file, in their order.
+  static std::vector<std::int64_t> Values(const std::string& file) {
+    std::vector<std::int64_t> values;
+    const auto reader = tendon::mcap::Reader::Open(std::filesystem::path(file));
+    EXPECT_TRUE(reader) << reader.error().message;
+    if (!reader) return values;
+    auto messages = (*reader)->Messages({});
+    while (const auto message = messages.Next()) {
+      if ((*reader)->FindChannel(message->channel_id)->topic != "robot/counter/state/Value")
+        continue;
+      std::int64_t& value = values.emplace_back();
+      EXPECT_TRUE(
+          tendon::Decode(message->data.subspan(tendon::recording::kEncapsulationSize), value));
+    }
+    return values;
   }
 
   const tendon::test::Folder folder_;
@@ -217,7 +236,72 @@ TEST_F(RecorderTest, AnImpossibleTimeToSaveIsRefused) {
   EXPECT_THAT(operator_->Texts("Failed").front(), HasSubstr("expected more than 0"));
 }
 
+/// Chooses the steps of the counter.
+class Stepper final : public tendon::Component {
+ public:
+  explicit Stepper(std::string name) : Component(std::move(name)) {
+    AddRequiredInterface("Counter").AddFunction(set_step, "SetStep");
+  }
+
+  tendon::WriteFunction<std::int32_t> set_step;
+};
+
+TEST_F(RecorderTest, BeginsAndEndsWithConditions) {
+  auto& stepper = process_.Add<Stepper>("stepper");
+  Begin({.patterns = {"robot/counter/**"},
+         .start_when = "robot/counter/state.Value < 0",
+         .stop_when = "robot/counter/state.Value > 1000000000",
+         .before = 0.2});
+  ASSERT_TRUE(process_.Connect({"stepper", "Counter"}, {"robot", "counter", "Control"}));
+  ASSERT_TRUE(operator_->start());
+  ASSERT_TRUE(EventuallyTrue([&] { return State().is_waiting; }));
+  EXPECT_FALSE(State().is_recording);
+  EXPECT_TRUE(operator_->Texts("Started").empty());
+
+  ASSERT_TRUE(stepper.set_step(-1'000'000));
+  ASSERT_TRUE(operator_->EventuallyHas("Started"));
+  ASSERT_TRUE(EventuallyRows(50));
+  EXPECT_FALSE(State().is_waiting);
+  ASSERT_TRUE(stepper.set_step(2'000'000'000));
+
+  ASSERT_TRUE(operator_->EventuallyHas("Stopped"));
+  EXPECT_EQ(operator_->Texts("Stopped"), operator_->Texts("Started"));
+  EXPECT_TRUE(operator_->Texts("Failed").empty());
+  const auto values = Values(operator_->Texts("Stopped").front());
+  const auto negative = std::ranges::find_if(values, [](std::int64_t value) { return value < 0; });
+  EXPECT_GT(negative - values.begin(), 0) << "what came before it is in the file";
+  EXPECT_LE(negative - values.begin(), 300) << "of 200 ms only";
+  EXPECT_NE(negative, values.end());
+}
+
+TEST_F(RecorderTest, AConditionThatIsNeverTrueLeavesNoFile) {
+  Begin({.patterns = {"**"}, .start_when = "robot/counter/state.Value < 0"});
+  ASSERT_TRUE(operator_->start());
+  ASSERT_TRUE(EventuallyTrue([&] { return State().is_waiting; }));
+
+  ASSERT_TRUE(operator_->stop());
+
+  ASSERT_TRUE(operator_->EventuallyHas("Stopped"));
+  EXPECT_EQ(operator_->Texts("Stopped").front(), "");
+  EXPECT_TRUE(operator_->Texts("Started").empty());
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
+}
+
+TEST_F(RecorderTest, AConditionOnWhatDoesNotExistIsReported) {
+  Begin({.patterns = {"**"}, .start_when = "robot/counter/state.Valu < 0"});
+
+  ASSERT_TRUE(operator_->start());
+
+  ASSERT_TRUE(operator_->EventuallyHas("Failed"));
+  EXPECT_THAT(operator_->Texts("Failed").front(), HasSubstr("Valu"));
+  EXPECT_FALSE(State().is_waiting);
+}
+
 TEST(RecorderConfigurationTest, AnInvalidConfigurationIsRefused) {
+  EXPECT_THROW(Recorder("one", {.before = 2.0}), tendon::ConfigurationError);
+  EXPECT_THROW(Recorder("one", {.after = 2.0}), tendon::ConfigurationError);
+  EXPECT_THROW(Recorder("one", {.start_when = "robot/arm/state.Joints >"}),
+               tendon::ConfigurationError);
   EXPECT_THROW(Recorder("one", {.patterns = {}}), tendon::ConfigurationError);
   EXPECT_THROW(Recorder("one", {.keep = 2}), tendon::ConfigurationError);
   EXPECT_THROW(Recorder("one", {.name = "../run"}), tendon::ConfigurationError);

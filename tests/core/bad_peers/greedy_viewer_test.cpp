@@ -307,7 +307,7 @@ TEST_P(GreedyViewer, AnUnsendableReplyLeavesNoSubscription) {
 
 TEST_P(GreedyViewer, RefusesRequestsFasterThanTheyAreServed) {
   constexpr int kMany = 100'000;
-  // Shared, because answers arrive until the end.
+  // Shared with the callbacks, which may still be called after the test body has returned.
   const auto refused = std::make_shared<std::atomic<int>>(0);
   const auto hear = [refused](const Result<message::SubscribeReply>& answer) {
     constexpr std::string_view kWhy = "keeps at most 8192 waiting requests";
@@ -324,7 +324,7 @@ TEST_P(GreedyViewer, RefusesRequestsFasterThanTheyAreServed) {
 
 TEST_P(GreedyViewer, RefusesOpeningInterfacesFasterThanServed) {
   constexpr int kMany = 100'000;
-  // Shared, because answers arrive until the end.
+  // Shared with the callbacks, which may still be called after the test body has returned.
   const auto refused = std::make_shared<std::atomic<int>>(0);
   const auto hear = [refused](const Result<message::OpenInterfaceReply>& answer) {
     constexpr std::string_view kWhy = "keeps at most 8192 waiting requests";

@@ -406,7 +406,8 @@ TEST_F(InterfaceProxies, AReplyOfQueuedIsInvalidForAWait) {
 }
 
 TEST_F(InterfaceProxies, AWaitForAFullLinkIsSentOnceThereIsRoom) {
-  client_end->is_deaf = true;  // ignores credit for calls that were not sent
+  // The proxy gets no credit, because this test's own outbox sends the calls, not the proxy.
+  client_end->is_deaf = true;
   Wakeup<> wakeup;
   Outbox outbox(channel, message::kCommands, wakeup, "server");
   const QueuedOfferProxy offer(provided.description().commands[1], outbox, kServerHandle + 2);

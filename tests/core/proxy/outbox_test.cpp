@@ -16,7 +16,8 @@ constexpr std::uint64_t kMost = 3 * kLoad;
 /// An outbox with little room, and a command that uses it.
 class NarrowOutbox : public InterfaceProxies {
  protected:
-  NarrowOutbox() { client_end->is_deaf = true; }  // ignores credit for calls that were not sent
+  // The proxy gets no credit, because this test's own outbox sends the calls, not the proxy.
+  NarrowOutbox() { client_end->is_deaf = true; }
 
   Status Post(std::size_t size) { return command->ExecuteEncoded(Bytes(size), nothing); }
 

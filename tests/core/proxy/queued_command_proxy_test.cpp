@@ -45,7 +45,8 @@ class RemoteCommand : public InterfaceProxies, public testing::WithParamInterfac
   static constexpr std::size_t kSize = 1000;
 
   RemoteCommand() {
-    client_end->is_deaf = true;  // ignores credit for calls that were not sent
+    // The proxy gets no credit, because this test's own outbox sends the calls, not the proxy.
+    client_end->is_deaf = true;
     offer.SetOverflow(GetParam());
     mailbox = &outbox.inbox().Open(kCapacity, offer.shape(), CallerThreads::kManyThreads);
     command = offer.Bind(mailbox);

@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 #include <support/memory_file.h>
 #include <tendon/recording/channel_groups.h>
-#include <tendon/recording/recording_files.h>
+#include <tendon/recording/recording_format.h>
 
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -53,6 +55,16 @@ TEST(ChannelGroups, AnotherChoiceOfColumnsIsAGroupOfItsOwn) {
                                    {"robot/arm/state/C", "1"}});
 
   EXPECT_THAT(SizesOf(GroupsOf(*reader, {})), ElementsAre(2U, 3U));
+}
+
+TEST(ChannelGroups, NumbersOfAHostileFileWrapAroundToSomeSourceTime) {
+  constexpr auto kLeast = std::numeric_limits<std::int64_t>::min();
+  constexpr auto kMost = std::numeric_limits<std::int64_t>::max();
+
+  EXPECT_EQ(SourceTimeOf(900, 400), 500);
+  EXPECT_EQ(SourceTimeOf(400, 900), -500);
+  EXPECT_EQ(SourceTimeOf(static_cast<mcap::Timestamp>(kMost), -1), kLeast);
+  EXPECT_EQ(SourceTimeOf(0, kLeast), kLeast);
 }
 
 }  // namespace

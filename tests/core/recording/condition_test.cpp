@@ -38,7 +38,7 @@ namespace {
 
 using testing::HasSubstr;
 
-std::vector<std::byte> BodyOf(const Dashboard& dashboard) {
+std::vector<std::byte> Encoded(const Dashboard& dashboard) {
   std::vector<std::byte> body;
   Encode(dashboard, body);
   return body;
@@ -59,7 +59,7 @@ bool IsTrue(const std::string& comparison, const Dashboard& dashboard) {
   if (!condition) return false;
   const auto test = CellTest::Make(*condition, SchemaOf<Dashboard>());
   EXPECT_TRUE(test) << test.error().message;
-  return test && test->IsTrue(BodyOf(dashboard));
+  return test && test->IsTrue(Encoded(dashboard));
 }
 
 TEST(ConditionTest, APathAloneIsAnEvent) {

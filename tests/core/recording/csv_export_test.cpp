@@ -1,11 +1,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <support/folder.h>
+#include <sys/resource.h>
 #include <tendon/gcm/text.h>
 #include <tendon/payload/codec.h>
 #include <tendon/recording/csv_export.h>
-#include <tendon/recording/recording_files.h>
+#include <tendon/recording/recording_writer.h>
+#include <unistd.h>
 
+#include <cstring>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -35,6 +38,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Pair;
 
 std::shared_ptr<const Source> CartTable() {
   auto source = std::make_shared<Source>();
@@ -60,7 +64,7 @@ Rows RowOf(std::uint64_t tick, const Wheel& wheel, std::uint64_t epoch = 1) {
 class CsvExport : public testing::Test {
  protected:
   void SetUp() override {
-    auto created = Files::Create({.file = file}, {});
+    auto created = RecordingWriter::Create({.file = file}, {});
     ASSERT_TRUE(created) << created.error().message;
     files = *std::move(created);
   }
@@ -81,7 +85,7 @@ class CsvExport : public testing::Test {
 
   const test::Folder folder;
   const std::filesystem::path file = folder.path() / "run.mcap";
-  std::unique_ptr<Files> files;
+  std::unique_ptr<RecordingWriter> files;
   std::unique_ptr<mcap::Reader> reader;
 };
 
@@ -155,8 +159,56 @@ TEST_F(CsvExport, RecordsOfTheLogThatCameLateAreNoLoss) {
   const auto report = Export();
 
   ASSERT_TRUE(report);
-  EXPECT_EQ(report->rows, 3U);
+  EXPECT_EQ(report->log, 3U);
+  EXPECT_EQ(report->rows, 0U);
   EXPECT_EQ(report->lost, 0U);
+}
+
+TEST_F(CsvExport, CountsRowsEventsTheLogAndOtherMessagesApart) {
+  auto source = std::make_shared<Source>();
+  source->name = {"robot", "cart", "Control"};
+  source->members = {{"Stopped", Schema()}};
+  const CatalogueChange change{
+      .revision = 1, .kind = CatalogueChange::Kind::kProcess, .process = "robot"};
+  ASSERT_TRUE(files->Write(RowOf(1, {})));
+  ASSERT_TRUE(files->Write(RowOf(2, {})));
+  ASSERT_TRUE(files->Write(Event{source, 0, SteadyClock().Now(), {}}));
+  ASSERT_TRUE(files->Write(
+      LogEntry{{WallTime() + 1'000'000'000, LogLevel::kInfo, "robot", "cart", "text"}}));
+  ASSERT_TRUE(files->Write(CatalogueChanges{true, SteadyClock().Now(), {change}}));
+
+  const auto report = Export();
+
+  ASSERT_TRUE(report) << report.error().message;
+  EXPECT_EQ(report->rows, 2U);
+  EXPECT_EQ(report->events, 1U);
+  EXPECT_EQ(report->log, 1U);
+  EXPECT_EQ(report->others, 1U) << "of the catalogue";
+  EXPECT_EQ(report->incomplete, 0U);
+}
+
+TEST_F(CsvExport, AnExportThatIsStoppedLeavesNoFile) {
+  for (std::uint64_t tick = 0; tick < 2000; ++tick) ASSERT_TRUE(files->Write(RowOf(tick, {})));
+  ASSERT_TRUE(files->Close({}));
+  reader = *mcap::Reader::Open(file);
+
+  const auto report = ExportCsv(*reader, {}, folder.path() / "csv", [] { return true; });
+
+  ASSERT_FALSE(report);
+  EXPECT_THAT(report.error().message, HasSubstr("no file was written"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "csv"));
+}
+
+TEST_F(CsvExport, AFolderThatCannotBeMadeIsNamed) {
+  ASSERT_TRUE(files->Write(RowOf(1, {})));
+  folder.Write("file", "");
+  ASSERT_TRUE(files->Close({}));
+  reader = *mcap::Reader::Open(file);
+
+  const auto report = ExportCsv(*reader, {}, folder.path() / "file" / "csv");
+
+  ASSERT_FALSE(report);
+  EXPECT_THAT(report.error().message, HasSubstr("cannot create"));
 }
 
 TEST_F(CsvExport, ReplacesNoFile) {
@@ -171,7 +223,157 @@ TEST_F(CsvExport, ReplacesNoFile) {
   EXPECT_EQ(folder.Read("csv/robot.cart.state.csv"), "of somebody else");
 }
 
-TEST(CsvExportOfOthers, AForeignFileIsRefusedAndNoNameLeavesTheFolder) {
+/// A message that starts as ROS 2 writes it.
+std::string Encapsulated(const std::string& body, char byte_order = 1) {
+  return std::string({0, byte_order, 0, 0}) + body;
+}
+
+/// "rows 8 bytes": a double.
+std::string BytesOfDouble(double number) {
+  std::string text(sizeof number, 0);
+  std::memcpy(text.data(), &number, sizeof number);
+  return text;
+}
+
+/// A file of another program.
+class CsvExportOfOthers : public testing::Test {
+ protected:
+  mcap::ChannelId AddChannel(const std::string& topic, const std::string& text,
+                             const std::string& encoding = "cdr",
+                             const std::string& schema_encoding = "ros2msg") {
+    const auto schema = *recording.writer->AddSchema("a/msg/B", schema_encoding, text);
+    return *recording.writer->AddChannel(schema, topic, encoding);
+  }
+  void Write(mcap::ChannelId channel, const std::string& data) {
+    ++time;
+    EXPECT_TRUE(recording.writer->Write(
+        mcap::Message{channel, static_cast<std::uint32_t>(time), time, time, mcap::BytesOf(data)}));
+  }
+  Result<CsvReport> Export() {
+    EXPECT_TRUE(recording.writer->Close());
+    reader = mcap::Open(recording.disk->bytes);
+    return ExportCsv(*reader, {}, folder.path() / "csv");
+  }
+
+  const test::Folder folder;
+  mcap::MemoryRecording recording;
+  mcap::Timestamp time = 0;
+  std::unique_ptr<mcap::Reader> reader;
+};
+
+TEST_F(CsvExportOfOthers, TopicsOfRosAreExportedByTheirMessageDefinitions) {
+  const auto pose = AddChannel("/arm/pose",
+                               "Point[2] points\nbuiltin_interfaces/Time stamp\nstring name\n"
+                               "===\nMSG: a/Point\nfloat64 x\n");
+  using namespace std::string_literals;
+  Write(pose,
+        Encapsulated(BytesOfDouble(0.5) + BytesOfDouble(-2.0) + "\7\0\0\0\xA0\0\0\0\3\0\0\0ab\0"s));
+
+  const auto report = Export();
+
+  ASSERT_TRUE(report) << report.error().message;
+  EXPECT_THAT(report->files, ElementsAre(folder.path() / "csv" / "arm.pose.csv"));
+  EXPECT_EQ(report->others, 1U);
+  EXPECT_THAT(folder.Read("csv/arm.pose.csv"),
+              testing::StartsWith(
+                  "time_ns,source_time_ns,sequence,lost,points[0].x,points[1].x,stamp,value\n"
+                  "1,1,1,0,0.5,-2,7.00000016"));
+  EXPECT_THAT(folder.Read("csv/arm.pose.csv"), HasSubstr(R"(""name"":""ab"")"));
+}
+
+TEST_F(CsvExportOfOthers, OtherEncodingsAreLeftOutWithTheReason) {
+  const auto good = AddChannel("/good", "float64 x\n");
+  const auto json = AddChannel("/json", "{}", "json", "jsonschema");
+  const auto broken = AddChannel("/broken", "Missing x\n");
+  Write(good, Encapsulated(BytesOfDouble(1.5)));
+  for (int i = 0; i < 3; ++i) Write(json, "{}");
+  Write(broken, Encapsulated(BytesOfDouble(1.5)));
+
+  const auto report = Export();
+
+  ASSERT_TRUE(report) << report.error().message;
+  EXPECT_EQ(report->others, 1U);
+  EXPECT_THAT(report->left_out,
+              ElementsAre(Pair("their encoding is 'json' with a schema in 'jsonschema', and only "
+                               "'cdr' with a schema in 'ros2msg' is read",
+                               3U),
+                          Pair(HasSubstr("the definition of 'Missing' is missing"), 1U)));
+}
+
+TEST_F(CsvExportOfOthers, AValueThatDoesNotFitItsTypeHasEmptyCellsAndIsCounted) {
+  const auto channel = AddChannel("/x", "float64 x\n");
+  Write(channel, Encapsulated(BytesOfDouble(1.5)));
+  Write(channel, Encapsulated(BytesOfDouble(1.5), 0));            // big-endian
+  Write(channel, Encapsulated("1234567"));                        // too short
+  Write(channel, Encapsulated(BytesOfDouble(1.5) + "12345678"));  // too long
+  Write(channel, "");
+
+  const auto report = Export();
+
+  ASSERT_TRUE(report) << report.error().message;
+  EXPECT_EQ(report->others, 5U);
+  EXPECT_EQ(report->incomplete, 4U);
+  EXPECT_EQ(folder.Read("csv/x.csv"),
+            "time_ns,source_time_ns,sequence,lost,x\n"
+            "1,1,1,0,1.5\n2,2,2,0,\n3,3,3,0,\n4,4,4,0,\n5,5,5,0,\n");
+}
+
+TEST_F(CsvExportOfOthers, AnArrayWithMoreNumbersThanColumnsIsAlsoThereAsJson) {
+  Write(AddChannel("/large", "uint8[16385] x\n"), Encapsulated(std::string(16384, 1) + '\7'));
+
+  const auto report = Export();
+
+  ASSERT_TRUE(report) << report.error().message;
+  const std::string text = folder.Read("csv/large.csv");
+  EXPECT_THAT(text, HasSubstr(",x[16383],value\n"));
+  EXPECT_THAT(text, testing::EndsWith(",1,1,7]}\"\n"));
+}
+
+TEST_F(CsvExportOfOthers, TooManyOpenFilesNameTheWayOut) {
+  for (const char* topic : {"/a", "/b", "/c"}) {
+    Write(AddChannel(topic, "uint8 x\n"), Encapsulated("1"));
+  }
+  ASSERT_TRUE(recording.writer->Close());
+  reader = mcap::Open(recording.disk->bytes);
+  rlimit before{};
+  getrlimit(RLIMIT_NOFILE, &before);
+  const int lowest_free = dup(0);
+  close(lowest_free);
+  rlimit tight = before;
+  tight.rlim_cur = static_cast<rlim_t>(lowest_free + 2);
+  setrlimit(RLIMIT_NOFILE, &tight);
+
+  const auto report = ExportCsv(*reader, {}, folder.path() / "csv");
+
+  setrlimit(RLIMIT_NOFILE, &before);
+  ASSERT_FALSE(report);
+  EXPECT_THAT(report.error().message, HasSubstr("keeps 3 files open"));
+  EXPECT_THAT(report.error().message, HasSubstr("--paths"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "csv"));
+}
+
+TEST_F(CsvExportOfOthers, AFailureWhenTheFilesGetTheirNamesLeavesNoneOfThem) {
+  Write(AddChannel("/a", "uint8 x\n"), Encapsulated("1"));
+  const auto last = AddChannel("/b", "uint8 x\n");
+  for (int i = 0; i < 2000; ++i) Write(last, Encapsulated("1"));
+  ASSERT_TRUE(recording.writer->Close());
+  reader = mcap::Open(recording.disk->bytes);
+  const auto make_the_last = [&] {  // another program, while the export looks at `stop`
+    if (std::filesystem::exists(folder.path() / "csv" / "b.csv.part")) {
+      folder.Write("csv/b.csv", "of somebody else");
+    }
+    return false;
+  };
+
+  const auto report = ExportCsv(*reader, {}, folder.path() / "csv", make_the_last);
+
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().code, ErrorCode::kExists);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "csv" / "a.csv"));
+  EXPECT_EQ(folder.Read("csv/b.csv"), "of somebody else");
+}
+
+TEST(CsvExportOfHostileFiles, AForeignFileIsRefusedAndNoNameLeavesTheFolder) {
   const test::Folder folder;
   const auto write = [&](const std::string& name, std::map<std::string, std::string> metadata) {
     auto writer = *mcap::Writer::Create(folder.path() / name);

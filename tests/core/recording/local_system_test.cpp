@@ -6,7 +6,7 @@
 #include <tendon/middleware/loopback.h>
 #include <tendon/process/process.h>
 #include <tendon/recording/local_system.h>
-#include <tendon/recording/mcap_reader.h>
+#include <tendon/recording/mcap/reader.h>
 #include <tendon/recording/recorder.h>
 #include <tendon/recording/save_last.h>
 #include <tendon/task/periodic_task.h>
@@ -59,9 +59,9 @@ class LocalSystemTest : public testing::Test {
   }
 
   void StartRecorder(const std::vector<std::string>& patterns) {
-    system_ = std::make_shared<LocalSystem>(process_->OpenLocalAccess(), inbox_);
+    system_ = std::make_shared<LocalSystem>(process_->OpenLocalAccess(), queue_);
     auto recorder =
-        Recorder::Start(system_, inbox_, {.patterns = patterns, .files = {.file = file_}});
+        Recorder::Start(system_, queue_, {.patterns = patterns, .files = {.file = file_}});
     ASSERT_TRUE(recorder) << recorder.error().message;
     recorder_ = *std::move(recorder);
   }
@@ -81,7 +81,7 @@ class LocalSystemTest : public testing::Test {
   std::unique_ptr<Process> process_ = std::make_unique<Process>(
       "robot", ProcessOptions{.middleware = std::make_shared<LoopbackMiddleware>(
                                   std::make_shared<LoopbackNetwork>())});
-  const std::shared_ptr<Inbox> inbox_ = std::make_shared<Inbox>();
+  const std::shared_ptr<RecordingQueue> queue_ = std::make_shared<RecordingQueue>();
   std::shared_ptr<LocalSystem> system_;
   std::unique_ptr<Recorder> recorder_;
 };
@@ -139,10 +139,10 @@ TEST_F(LocalSystemTest, AComponentCanBeRemovedWhileItIsRecorded) {
 TEST_F(LocalSystemTest, SaveLastSaysThatTheProcessIsBusy) {
   const auto busy =
       std::make_shared<LocalAccess>("robot", 1U, [](ProcessContent& /*content*/) { return false; });
-  LocalSystem system(busy, inbox_);
+  LocalSystem system(busy, queue_);
 
   const auto saved =
-      SaveLast(system, inbox_, {.patterns = {"**"}, .files = {.file = file_}, .last = 1s});
+      SaveLast(system, queue_, {.patterns = {"**"}, .files = {.file = file_}, .last = 1s});
 
   ASSERT_FALSE(saved);
   EXPECT_THAT(saved.error().message, HasSubstr("process 'robot' is busy"));

@@ -4,7 +4,9 @@
 #include <support/program.h>
 #include <tendon/gcm/text.h>
 #include <tendon/payload/codec.h>
-#include <tendon/recording/recording_files.h>
+#include <tendon/payload/json.h>
+#include <tendon/recording/channel_groups.h>
+#include <tendon/recording/recording_writer.h>
 #include <tests/core/payload/random_value.h>
 #include <tests/core/payload/sample_types.h>
 
@@ -269,11 +271,11 @@ std::map<std::string, std::vector<json>> ByTopic(const std::vector<json>& messag
 class DecodedByAnOracle : public RecordingOracle,
                           public testing::WithParamInterface<mcap::Compression> {
  protected:
-  std::unique_ptr<Files> Create() {
-    auto files = Files::Create({.file = file_, .compression = GetParam()},
-                               {{{"paths", "robot/**"}}, R"({"version": 1})"});
-    EXPECT_TRUE(files) << files.error().message;
-    return *std::move(files);
+  std::unique_ptr<RecordingWriter> Create() {
+    auto writer = RecordingWriter::Create({.file = file_, .compression = GetParam()},
+                                          {{{"paths", "robot/**"}}, R"({"version": 1})"});
+    EXPECT_TRUE(writer) << writer.error().message;
+    return *std::move(writer);
   }
   /// Returns all metadata by name.
   static std::map<std::string, json> MetadataOf(const std::vector<json>& lines) {
@@ -284,8 +286,7 @@ class DecodedByAnOracle : public RecordingOracle,
 };
 
 std::string NameOfCompression(const testing::TestParamInfo<mcap::Compression>& compression) {
-  const std::string name(mcap::NameOf(compression.param));
-  return name.empty() ? "none" : name;
+  return std::string(mcap::NameOf(compression.param));
 }
 
 INSTANTIATE_TEST_SUITE_P(, DecodedByAnOracle,
@@ -296,9 +297,9 @@ INSTANTIATE_TEST_SUITE_P(, DecodedByAnOracle,
 TEST_P(DecodedByAnOracle, EveryValueOfEveryKindOfPayloadIsTheOneThatWasRecorded) {
   TableWithTruth table;
   table.AddRows(0, 300);
-  const auto files = Create();
-  ASSERT_TRUE(files->Write(table.rows()));
-  ASSERT_TRUE(files->Close({}));
+  const auto writer = Create();
+  ASSERT_TRUE(writer->Write(table.rows()));
+  ASSERT_TRUE(writer->Close({}));
 
   const auto lines = Run("decode.mjs");
 
@@ -332,15 +333,15 @@ TEST_P(DecodedByAnOracle, EventsTheLogLossesAndTheCatalogueAreThoseThatWereRecor
                                .kind = CatalogueChange::Kind::kProcess,
                                .process = "robot",
                                .processes = {{.name = "robot", .instance = 7}}};
-  const auto files = Create();
+  const auto writer = Create();
   const std::int64_t logged = WallTime();
-  ASSERT_TRUE(files->Write(Changes{true, raised, {change}}));
-  ASSERT_TRUE(files->Write(Event{source, 0, raised, {}}));
-  ASSERT_TRUE(files->Write(Event{source, 1, raised, value}));
+  ASSERT_TRUE(writer->Write(CatalogueChanges{true, raised, {change}}));
+  ASSERT_TRUE(writer->Write(Event{source, 0, raised, {}}));
+  ASSERT_TRUE(writer->Write(Event{source, 1, raised, value}));
   ASSERT_TRUE(
-      files->Write(LogEntry{{logged, LogLevel::kWarning, "robot", "arm", "too warm: 90 °C"}}));
-  ASSERT_TRUE(files->WriteLoss("robot/arm/state", {1, 2, 5}));
-  ASSERT_TRUE(files->Close({.rows = {{"robot/arm/state", {1, 2, 5}}}, .events = {}, .log = 0}));
+      writer->Write(LogEntry{{logged, LogLevel::kWarning, "robot", "arm", "too warm: 90 °C"}}));
+  ASSERT_TRUE(writer->WriteLoss("robot/arm/state", {1, 2, 5}));
+  ASSERT_TRUE(writer->Close({.rows = {{"robot/arm/state", {1, 2, 5}}}, .events = {}, .log = 0}));
 
   const auto lines = Run("decode.mjs");
 
@@ -473,6 +474,32 @@ TEST_P(WrittenByAnOracle, AFileReadsInOrderOfTime) {
     ASSERT_EQ(std::to_string(found[i].log_time), expected[i]["log_time"]) << i;
     ASSERT_EQ(HexOf(mcap::BytesOf(found[i].data)), expected[i]["data"]) << i;
   }
+}
+
+class RosMessagesOfAnOracle : public RecordingOracle {};
+
+TEST_F(RosMessagesOfAnOracle, AreReadByTheirDefinitions) {
+  const auto written = Run("write_ros.mjs");
+
+  const auto reader = mcap::Reader::Open(file_);
+
+  ASSERT_TRUE(reader) << reader.error().message;
+  std::size_t count = 0;
+  RosTypes known;
+  mcap::MessageStream messages = (*reader)->Messages({.order = mcap::Query::Order::kFile});
+  while (const auto message = messages.Next()) {
+    ASSERT_LT(count, written.size());
+    const json& expected = written[count++];
+    const mcap::Channel& channel = *(*reader)->FindChannel(message->channel_id);
+    ASSERT_EQ(channel.topic, expected["topic"]);
+    const auto member = MemberOf(**reader, channel, known);
+    ASSERT_TRUE(member) << member.error().message;
+    const auto found = ToJson(member->schema, BodyOf(message->data));
+    ASSERT_TRUE(found) << found.error().message;
+    ASSERT_EQ(json::parse(*found), expected["value"]) << count;
+  }
+  EXPECT_EQ(count, written.size());
+  EXPECT_GT(count, 50U);
 }
 
 }  // namespace

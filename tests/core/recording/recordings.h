@@ -3,8 +3,9 @@
 #include <gtest/gtest.h>
 #include <support/memory_file.h>
 #include <tendon/payload/codec.h>
-#include <tendon/recording/mcap_reader.h>
-#include <tendon/recording/mcap_writer.h>
+#include <tendon/recording/mcap/reader.h>
+#include <tendon/recording/mcap/verify.h>
+#include <tendon/recording/mcap/writer.h>
 
 #include <compare>
 #include <cstdint>
@@ -84,6 +85,14 @@ struct MemoryRecording {
 inline std::string Sentences(const Reader& reader) {
   std::string all;
   for (const Problem& problem : reader.problems().first()) all += problem.sentence + "\n";
+  return all;
+}
+
+/// The sentences of everything that Verify() finds; empty for a file that is intact.
+inline std::string FlawsOf(Reader& reader) {
+  const Verification verification = Verify(reader);
+  std::string all;
+  for (const Problem& problem : verification.problems.first()) all += problem.sentence + "\n";
   return all;
 }
 

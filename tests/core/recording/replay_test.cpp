@@ -5,8 +5,9 @@
 #include <tendon/gcm/global_manager.h>
 #include <tendon/middleware/loopback.h>
 #include <tendon/recording/recorder.h>
-#include <tendon/recording/recording_files.h>
+#include <tendon/recording/recording_writer.h>
 #include <tendon/recording/replay.h>
+#include <tendon/recording/selection.h>
 #include <tendon/task/periodic_task.h>
 
 #include <algorithm>
@@ -23,6 +24,7 @@
 #include <vector>
 
 #include "recordings.h"
+#include "tape.h"
 
 namespace tendon::recording {
 
@@ -141,104 +143,9 @@ class Instrument final : public PeriodicTask {
   VoidEvent stopped_;
 };
 
-/// Counts the subscribed sinks, so that no row is missed at the beginning.
-class Readiness {
- public:
-  void Set() { ++count_; }
-  [[nodiscard]] bool IsReached(int count) const { return count_.load() >= count; }
+const InterfaceName kInstrument{"robot", "instrument", ""};
 
- private:
-  std::atomic<int> count_{0};
-};
-
-class TellingRowSink final : public RowSink {
- public:
-  TellingRowSink(std::shared_ptr<RowSink> to, Readiness& readiness)
-      : to_(std::move(to)), readiness_(readiness) {}
-  void OnSubscribed(const std::vector<Schema>& columns) override {
-    to_->OnSubscribed(columns);
-    readiness_.Set();
-  }
-  void OnRows(const RowBatch& batch) override { to_->OnRows(batch); }
-  void OnStale(const Error& reason) override { to_->OnStale(reason); }
-
- private:
-  const std::shared_ptr<RowSink> to_;
-  Readiness& readiness_;
-};
-
-class TellingEventSink final : public EventSink {
- public:
-  TellingEventSink(std::shared_ptr<EventSink> to, Readiness& readiness)
-      : to_(std::move(to)), readiness_(readiness) {}
-  void OnListening(const std::vector<MemberDescription>& events) override {
-    to_->OnListening(events);
-    readiness_.Set();
-  }
-  void OnEvent(std::size_t event, std::span<const std::byte> value,
-               const EventTime& time) override {
-    to_->OnEvent(event, value, time);
-  }
-  void OnEventsLost(std::size_t event, std::uint64_t lost) override {
-    to_->OnEventsLost(event, lost);
-  }
-  void OnStale(const Error& reason) override { to_->OnStale(reason); }
-
- private:
-  const std::shared_ptr<EventSink> to_;
-  Readiness& readiness_;
-};
-
-/// Records one process from the time at which all its tables and events are subscribed.
-class Tape {
- public:
-  Tape(std::shared_ptr<Middleware> middleware, const std::string& gcm,
-       const std::filesystem::path& file, const std::string& process)
-      : client_(std::move(middleware), {.name = "tape", .address = gcm}, inbox_) {
-    auto files = Files::Create({.file = file}, {});
-    EXPECT_TRUE(files) << files.error().message;
-    files_ = *std::move(files);
-    EXPECT_TRUE(client_.WaitUntilWatching());
-    EXPECT_TRUE(EventuallyTrue([&] {
-      const Catalogue catalogue = client_.catalogue();
-      const auto* component = catalogue.FindComponent(process, "instrument");
-      return component != nullptr && component->state == ComponentState::kActive;
-    }));
-    const Choice all = Choose(client_.catalogue(), {process + "/**"});
-    for (const TableSubscription& table : all.tables) {
-      subscriptions_.push_back(client_.telemetry().Subscribe(
-          table, std::make_shared<TellingRowSink>(inbox_->SinkOf(table), readiness_)));
-    }
-    for (const EventSubscription& events : all.events) {
-      std::map<Fingerprint, Schema> types{{FingerprintOf<Posture>(), SchemaOf<Posture>()}};
-      listeners_.push_back(client_.Listen(
-          events, std::make_shared<TellingEventSink>(inbox_->SinkOf(events, types), readiness_)));
-    }
-    const auto sinks = static_cast<int>(all.tables.size() + all.events.size());
-    EXPECT_TRUE(EventuallyTrue([&] { return readiness_.IsReached(sinks); }));
-  }
-
-  /// Writes everything that has arrived.
-  Counts Write() {
-    for (const Entry& entry : inbox_->Take(1ms)) EXPECT_TRUE(files_->Write(entry));
-    return files_->counts();
-  }
-  void Sync() const { EXPECT_TRUE(files_->Sync()); }
-  void Close() {
-    for (const auto id : subscriptions_) client_.telemetry().Unsubscribe(id);
-    for (const auto id : listeners_) client_.StopListening(id);
-    while (inbox_->waiting_bytes() > 0) Write();
-    EXPECT_TRUE(files_->Close(inbox_->losses()));
-  }
-
- private:
-  const std::shared_ptr<Inbox> inbox_ = std::make_shared<Inbox>();
-  Readiness readiness_;
-  GcmClient client_;
-  std::unique_ptr<Files> files_;
-  std::vector<TelemetryClient::Id> subscriptions_;
-  std::vector<GcmClient::ListenerId> listeners_;
-};
+std::map<Fingerprint, Schema> Types() { return {{FingerprintOf<Posture>(), SchemaOf<Posture>()}}; }
 
 /// A GCM over loopback, and recordings of `robot/instrument`.
 class ReplayTest : public testing::Test {
@@ -264,7 +171,7 @@ class ReplayTest : public testing::Test {
     const auto robot = MakeProcess("robot");
     robot->Add<Instrument>("instrument");
     ASSERT_TRUE(robot->StartAll());
-    Tape tape(Node(), gcm_->address(), Path(name), "robot");
+    Tape tape(Node(), gcm_->address(), Path(name), kInstrument, Types());
     std::uint64_t synced = 0;
     ASSERT_TRUE(EventuallyTrue([&] {
       const Counts counts = tape.Write();
@@ -326,7 +233,7 @@ TEST_F(ReplayTest, ARecordingOfAReplayHasTheSameRowsAndEventsAsTheRecording) {
   {
     const auto replay = Open("first.mcap");
     Start(*replay);
-    Tape tape(Node(), gcm_->address(), Path("second.mcap"), "robot");
+    Tape tape(Node(), gcm_->address(), Path("second.mcap"), kInstrument, Types());
     PlayAll(*replay, [&](const ReplayStatus& status) {
       const Counts counts = tape.Write();
       return counts.rows == status.rows && counts.events == status.events;
@@ -360,6 +267,36 @@ TEST_F(ReplayTest, ARecordingOfAReplayHasTheSameRowsAndEventsAsTheRecording) {
   }
   EXPECT_GT(first["robot/instrument/state/Posture"].front().sequence, 0U)
       << "the recording begins while the instrument runs, so the first tick is not 0";
+}
+
+TEST_F(ReplayTest, AReplayThatEndsAfterAllIsSentHasLostNothing) {
+  Record("first.mcap", 200);
+  Counts counts;
+  ReplayStatus played;
+  {
+    auto replay = Open("first.mcap");
+    Start(*replay);
+    Tape tape(Node(), gcm_->address(), Path("second.mcap"), kInstrument, Types());
+    SteadyTime now = SteadyClock().Now();
+    const auto is_sent = [&] { return replay->HasSentAll(); };
+    for (int i = 0; const auto next = replay->Play(now); ++i) {
+      now = *next;
+      if (i % 50 == 49) {
+        ASSERT_TRUE(EventuallyTrue(is_sent));
+      }
+    }
+    played = replay->status();
+
+    EXPECT_TRUE(EventuallyTrue(is_sent));
+    replay.reset();
+
+    EXPECT_TRUE(EventuallyTrue([&] {
+      counts = tape.Write();
+      return counts.rows == played.rows && counts.events == played.events;
+    })) << counts.rows
+        << " of " << played.rows << ", " << counts.events << " of " << played.events;
+    tape.Close();
+  }
 }
 
 /// Uses the replayed instrument like a real one.
@@ -482,29 +419,28 @@ class HandmadeRecording {
   mcap::ChannelId AddColumn(const std::string& path, const std::string& epoch) {
     const auto schema = writer_->AddSchema("uint64", kSchemaEncoding, "uint64 data");
     return *writer_->AddChannel(*schema, path, kMessageEncoding,
-                                {{kKindKey, "column"},
+                                {{kKindKey, kColumnKind},
                                  {kPathKey, path},
                                  {kSchemaKey, SchemaOf<std::uint64_t>().TextWithHelp()},
                                  {kEpochKey, epoch}});
   }
   void AddRow(mcap::ChannelId column, std::uint32_t tick, mcap::Timestamp time,
               std::uint64_t value) {
-    std::vector<std::byte> body(kEncapsulationSize);
-    body[1] = std::byte{1};
     std::vector<std::byte> encoded;
     Encode(value, encoded);
-    body.insert(body.end(), encoded.begin(), encoded.end());
-    EXPECT_TRUE(writer_->Write(mcap::Message{column, tick, time, time, body}));
+    mcap::Buffer data;
+    Encapsulate(encoded, data);
+    EXPECT_TRUE(writer_->Write(mcap::Message{column, tick, time, time, data}));
   }
   void AddLog(const RosLog& record, mcap::Timestamp time) {
     const auto schema = writer_->AddSchema("rcl_interfaces/msg/Log", kSchemaEncoding, "");
     const auto channel =
-        *writer_->AddChannel(*schema, kLogTopic, kMessageEncoding, {{kKindKey, "other"}});
+        *writer_->AddChannel(*schema, kLogTopic, kMessageEncoding, {{kKindKey, kOtherKind}});
     std::vector<std::byte> encoded;
     Encode(record, encoded);
-    std::vector<std::byte> body(kEncapsulationSize);
-    body.insert(body.end(), encoded.begin(), encoded.end());
-    EXPECT_TRUE(writer_->Write(mcap::Message{channel, 0, time, time, body}));
+    mcap::Buffer data;
+    Encapsulate(encoded, data);
+    EXPECT_TRUE(writer_->Write(mcap::Message{channel, 0, time, time, data}));
   }
   void Close() const { EXPECT_TRUE(writer_->Close()); }
 
@@ -512,14 +448,14 @@ class HandmadeRecording {
   std::unique_ptr<mcap::Writer> writer_;
 };
 
-constexpr mcap::Timestamp kBegin = 1'700'000'000'000'000'000;
+constexpr mcap::Timestamp kRecordedAt = 1'700'000'000'000'000'000;
 
 TEST_F(ReplayTest, TheTimesBetweenRowsAreDividedByTheRate) {
   HandmadeRecording recording(Path("run.mcap"));
   const auto column = recording.AddColumn("robot/arm/state.Number", "1");
-  recording.AddRow(column, 1, kBegin, 1);
-  recording.AddRow(column, 2, kBegin + 10'000'000, 2);
-  recording.AddRow(column, 3, kBegin + 40'000'000, 3);
+  recording.AddRow(column, 1, kRecordedAt, 1);
+  recording.AddRow(column, 2, kRecordedAt + 10'000'000, 2);
+  recording.AddRow(column, 3, kRecordedAt + 40'000'000, 3);
   recording.Close();
   const auto replay = Open("run.mcap", {.rate = 2.0, .delay = 1s});
   Start(*replay);
@@ -541,7 +477,8 @@ TEST_F(ReplayTest, TheTimesBetweenRowsAreDividedByTheRate) {
 TEST_F(ReplayTest, AReplayThatIsTooLateTakesLongerAndLeavesNothingOut) {
   HandmadeRecording recording(Path("run.mcap"));
   const auto column = recording.AddColumn("robot/arm/state.Number", "1");
-  for (std::uint32_t i = 0; i < 10; ++i) recording.AddRow(column, i, kBegin + i * 10'000'000, i);
+  for (std::uint32_t i = 0; i < 10; ++i)
+    recording.AddRow(column, i, kRecordedAt + i * 10'000'000, i);
   recording.Close();
   const auto replay = Open("run.mcap");
   Start(*replay);
@@ -560,7 +497,8 @@ TEST_F(ReplayTest, AReplayThatIsTooLateTakesLongerAndLeavesNothingOut) {
 TEST_F(ReplayTest, ALoopBeginsAgainAndItsTicksGoOn) {
   HandmadeRecording recording(Path("run.mcap"));
   const auto column = recording.AddColumn("robot/arm/state.Number", "1");
-  for (std::uint32_t i = 0; i < 3; ++i) recording.AddRow(column, 7 + i, kBegin + i * 1'000'000, i);
+  for (std::uint32_t i = 0; i < 3; ++i)
+    recording.AddRow(column, 7 + i, kRecordedAt + i * 1'000'000, i);
   recording.Close();
   const auto replay = Open("run.mcap", {.loops = true});
   Start(*replay);
@@ -578,14 +516,15 @@ TEST_F(ReplayTest, ALoopBeginsAgainAndItsTicksGoOn) {
 TEST_F(ReplayTest, TheLogIsSentAgainAsThatOfTheReplayedProcess) {
   HandmadeRecording recording(Path("run.mcap"));
   const auto column = recording.AddColumn("robot/arm/state.Number", "1");
-  recording.AddRow(column, 1, kBegin, 1);
-  recording.AddLog({.level = 30, .name = "robot/arm", .msg = "the goal is far away"}, kBegin + 1);
-  recording.AddLog({.level = 20, .name = "desk/pedal", .msg = "pressed"}, kBegin + 2);
+  recording.AddRow(column, 1, kRecordedAt, 1);
+  recording.AddLog({.level = 30, .name = "robot/arm", .msg = "the goal is far away"},
+                   kRecordedAt + 1);
+  recording.AddLog({.level = 20, .name = "desk/pedal", .msg = "pressed"}, kRecordedAt + 2);
   recording.Close();
   const auto replay = Open("run.mcap", {.as = "rehearsal"});
   Start(*replay);
-  const auto inbox = std::make_shared<Inbox>();
-  GcmClient client(Node(), {.name = "viewer", .address = gcm_->address()}, inbox);
+  const auto queue = std::make_shared<RecordingQueue>();
+  GcmClient client(Node(), {.name = "viewer", .address = gcm_->address()}, queue);
   ASSERT_TRUE(client.WaitUntilWatching());
   client.WatchLog();
 
@@ -593,7 +532,7 @@ TEST_F(ReplayTest, TheLogIsSentAgainAsThatOfTheReplayedProcess) {
 
   std::vector<message::LogRecord> found;
   ASSERT_TRUE(EventuallyTrue([&] {
-    for (const Entry& entry : inbox->Take(1ms)) {
+    for (const Entry& entry : queue->Take(1ms)) {
       const auto* log = std::get_if<LogEntry>(&entry);
       if (log != nullptr && log->record.text == "the goal is far away")
         found.push_back(log->record);
@@ -611,8 +550,8 @@ TEST_F(ReplayTest, AnotherNameIsForOneProcessOnly) {
   HandmadeRecording recording(Path("run.mcap"));
   const auto robot = recording.AddColumn("robot/arm/state.Number", "1");
   const auto desk = recording.AddColumn("desk/pedal/state.Number", "1");
-  recording.AddRow(robot, 1, kBegin, 1);
-  recording.AddRow(desk, 1, kBegin, 1);
+  recording.AddRow(robot, 1, kRecordedAt, 1);
+  recording.AddRow(desk, 1, kRecordedAt, 1);
   recording.Close();
   auto reader = mcap::Reader::Open(Path("run.mcap"));
   ASSERT_TRUE(reader);
@@ -624,31 +563,31 @@ TEST_F(ReplayTest, AnotherNameIsForOneProcessOnly) {
   EXPECT_THAT(Open("run.mcap")->processes(), ElementsAre("desk", "robot"));
 }
 
-class RecordedItemsTest : public ReplayTest {};
+class RecordingReaderTest : public ReplayTest {};
 
-TEST_F(RecordedItemsTest, AreInTheOrderOfTimeAndTicksGoOnAfterARestart) {
+TEST_F(RecordingReaderTest, AreInTheOrderOfTimeAndTicksGoOnAfterARestart) {
   HandmadeRecording recording(Path("run.mcap"));
   const auto first = recording.AddColumn("robot/arm/state.Number", "1");
   const auto other = recording.AddColumn("desk/pedal/state.Number", "1");
-  recording.AddRow(first, 0xffffffff, kBegin, 1);
-  recording.AddRow(first, 0, kBegin + 2, 2);
-  recording.AddRow(first, 4, kBegin + 4, 3);  // three rows are lost before
-  recording.AddRow(other, 9, kBegin + 1, 4);
-  recording.AddRow(other, 10, kBegin + 5, 5);
+  recording.AddRow(first, 0xffffffff, kRecordedAt, 1);
+  recording.AddRow(first, 0, kRecordedAt + 2, 2);
+  recording.AddRow(first, 4, kRecordedAt + 4, 3);  // three rows are lost before
+  recording.AddRow(other, 9, kRecordedAt + 1, 4);
+  recording.AddRow(other, 10, kRecordedAt + 5, 5);
   const auto restarted = recording.AddColumn("robot/arm/state.Number", "2");
-  recording.AddRow(restarted, 0, kBegin + 6, 6);
+  recording.AddRow(restarted, 0, kRecordedAt + 6, 6);
   recording.Close();
   const auto reader = mcap::Reader::Open(Path("run.mcap"));
   ASSERT_TRUE(reader);
 
-  const auto items = RecordedItems::Open(**reader, {});
+  const auto items = RecordingReader::Open(**reader, {});
   ASSERT_TRUE(items) << items.error().message;
   std::vector<std::pair<std::string, std::uint64_t>> ticks;
   std::vector<mcap::Timestamp> times;
   while (const auto item = (*items)->Next()) {
     const auto& source = (*items)->sources()[item->source];
     ticks.emplace_back(source.name.process, std::get<RecordedRow>(item->content).tick);
-    times.push_back(item->time - kBegin);
+    times.push_back(item->time - kRecordedAt);
   }
 
   EXPECT_THAT(times, ElementsAre(0U, 1U, 2U, 4U, 5U, 6U));
@@ -658,16 +597,16 @@ TEST_F(RecordedItemsTest, AreInTheOrderOfTimeAndTicksGoOnAfterARestart) {
                                  std::pair("desk", 10U), std::pair("robot", kFirst + 6)));
 }
 
-TEST_F(RecordedItemsTest, MoreTablesThanAMachineHoldsAreRefused) {
+TEST_F(RecordingReaderTest, MoreTablesThanAMachineHoldsAreRefused) {
   HandmadeRecording recording(Path("run.mcap"));
-  for (std::size_t i = 0; i <= RecordedItems::kMostSources; ++i) {
+  for (std::size_t i = 0; i <= RecordingReader::kMostSources; ++i) {
     recording.AddColumn("robot/arm" + std::to_string(i) + "/state.Number", "1");
   }
   recording.Close();
   const auto reader = mcap::Reader::Open(Path("run.mcap"));
   ASSERT_TRUE(reader);
 
-  const auto items = RecordedItems::Open(**reader, {});
+  const auto items = RecordingReader::Open(**reader, {});
 
   ASSERT_FALSE(items);
   EXPECT_THAT(items.error().message, HasSubstr("4097 state tables and interfaces with events"));
@@ -677,7 +616,7 @@ TEST_F(ReplayTest, RefusesAReplayOfMoreThanTenYears) {
   HandmadeRecording recording(Path("run.mcap"));
   const auto column = recording.AddColumn("robot/arm/state.Number", "1");
   recording.AddRow(column, 1, 1, 1);
-  recording.AddRow(column, 2, kBegin, 2);
+  recording.AddRow(column, 2, kRecordedAt, 2);
   recording.Close();
   auto reader = mcap::Reader::Open(Path("run.mcap"));
   ASSERT_TRUE(reader);
@@ -688,15 +627,15 @@ TEST_F(ReplayTest, RefusesAReplayOfMoreThanTenYears) {
   EXPECT_THAT(replay.error().message, HasSubstr("days, more than 3650; choose a smaller part"));
 }
 
-TEST_F(RecordedItemsTest, APartWithoutRowsAndEventsIsRefused) {
+TEST_F(RecordingReaderTest, APartWithoutRowsAndEventsIsRefused) {
   HandmadeRecording recording(Path("run.mcap"));
   const auto column = recording.AddColumn("robot/arm/state.Number", "1");
-  recording.AddRow(column, 1, kBegin, 1);
+  recording.AddRow(column, 1, kRecordedAt, 1);
   recording.Close();
   const auto reader = mcap::Reader::Open(Path("run.mcap"));
   ASSERT_TRUE(reader);
 
-  const auto none = RecordedItems::Open(**reader, {.from = kBegin + 1});
+  const auto none = RecordingReader::Open(**reader, {.from = kRecordedAt + 1});
 
   ASSERT_FALSE(none);
   EXPECT_THAT(none.error().message, HasSubstr("has no row of a Tendon table and no event"));

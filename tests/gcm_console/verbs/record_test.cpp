@@ -2,8 +2,9 @@
 #include <gtest/gtest.h>
 #include <program/exit_code.h>
 #include <tendon/payload/codec.h>
-#include <tendon/recording/mcap_reader.h>
-#include <tendon/recording/recording_files.h>
+#include <tendon/recording/mcap/reader.h>
+#include <tendon/recording/mcap/verify.h>
+#include <tendon/recording/recording_format.h>
 
 #include <csignal>
 #include <cstdint>
@@ -180,7 +181,7 @@ TEST_F(RecordTest, ContinuesWithARestartedProcessAndWithoutAGcm) {
 
   const auto reader = mcap::Reader::Open(std::filesystem::path(file));
   ASSERT_TRUE(reader);
-  EXPECT_TRUE((*reader)->Verify());
+  EXPECT_TRUE(tendon::mcap::Verify(**reader).is_intact());
   std::size_t channels = 0;
   for (const auto& [id, channel] : (*reader)->channels()) {
     channels += channel.topic == "robot/odometer/state/Count" ? 1 : 0;
@@ -194,8 +195,15 @@ TEST_F(RecordTest, AKilledRecorderLeavesAFileThatCanBeRecovered) {
   record->Signal(SIGKILL);
   ASSERT_TRUE(record->Wait());
 
+  const Outcome info = Gcm({"info", file});
   const Outcome recovered = Gcm({"recover", file, "--json"});
 
+  EXPECT_EQ(info.exit_code, program::kPartial);
+  EXPECT_THAT(info.out, HasSubstr("robot/odometer/state/Count"));
+  EXPECT_THAT(info.err, HasSubstr("the end of the file is missing"));
+  EXPECT_THAT(info.err, HasSubstr("run.mcap is damaged; to copy everything that can be read into a "
+                                  "new file: gcm recover " +
+                                  file));
   ASSERT_EQ(recovered.exit_code, program::kOk) << recovered.err;
   const std::string mended = json::parse(recovered.out)["file"];
   EXPECT_EQ(mended, Path("run-recovered.mcap"));

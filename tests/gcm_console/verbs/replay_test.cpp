@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <program/exit_code.h>
-#include <tendon/recording/mcap_reader.h>
-#include <tendon/recording/recording_files.h>
+#include <tendon/recording/mcap/reader.h>
+#include <tendon/recording/recording_format.h>
 
 #include <csignal>
 #include <cstdint>

@@ -1,6 +1,7 @@
 #include <tendon/payload/codec.h>
-#include <tendon/recording/mcap_copy.h>
-#include <tendon/recording/recording_files.h>
+#include <tendon/recording/mcap/copy.h>
+#include <tendon/recording/mcap/verify.h>
+#include <tendon/recording/recording_format.h>
 
 #include <algorithm>
 #include <array>
@@ -150,7 +151,7 @@ TEST_P(RecordingFaults, AKilledRecorderLosesASecondAtMostAndLeavesWholeChunks) {
       const auto whole = mcap::Reader::Open(recovered);
       ASSERT_TRUE(whole) << whole.error().message;
       EXPECT_FALSE((*whole)->was_scanned());
-      EXPECT_TRUE((*whole)->Verify());
+      EXPECT_TRUE(tendon::mcap::Verify(**whole).is_intact());
       EXPECT_EQ(NumbersIn(**whole), numbers);
     }
   }
@@ -161,6 +162,42 @@ TEST_P(RecordingFaults, AKilledRecorderLosesASecondAtMostAndLeavesWholeChunks) {
   EXPECT_LE(static_cast<double>(most_lost), 10 * kGoal * Slowness());
   EXPECT_TRUE(Eventually([this, before = newest_->number()] { return newest_->number() > before; }))
       << "the component goes on";
+}
+
+/// Row 26, on a RAM disk in a mount namespace of its own.
+TEST_P(RecordingFaults, AFullDiskEndsTheRecordingAloneAndTellsWhatIsSafe) {
+  constexpr int kNoMount = 77;
+  const std::string size = std::to_string(Size(1, 8)) + "m";
+  const std::string disk = home_.path() / "disk";
+  const std::string copy = home_.path() / "copy.mcap";
+  std::filesystem::create_directory(disk);
+  std::string script = "mount -t tmpfs -o size=" + size + " tmpfs " + disk + " || exit " +
+                       std::to_string(kNoMount) + ";";
+  for (const std::string& word : Command("gcm", {"record", "robot/ledger/state", "-o",
+                                                 disk + "/run.mcap", "--compression", "none"})) {
+    script += " '" + word + "'";
+  }
+  script += "; code=$?; cp " + disk + "/run.mcap " + copy + "; exit $code";
+  Program record({"/usr/bin/unshare", "-Urm", "/bin/sh", "-c", script}, environment());
+
+  const auto code = record.Wait(std::chrono::seconds(600));
+
+  if (code == kNoMount || record.err().starts_with("unshare:")) {
+    GTEST_SKIP() << "this user may not mount a RAM disk: " << record.err();
+  }
+  EXPECT_EQ(code, 1) << record.err();
+  EXPECT_NE(record.err().find("No space left on device"), std::string::npos) << record.err();
+  EXPECT_NE(record.err().find(" are in the file"), std::string::npos) << record.err();
+  const auto reader = mcap::Reader::Open(std::filesystem::path(copy));
+  ASSERT_TRUE(reader) << reader.error().message;
+  const auto numbers = NumbersIn(**reader);
+  ASSERT_GT(numbers.size(), 1000U);
+  for (std::size_t i = 1; i < numbers.size(); ++i) ASSERT_EQ(numbers[i], numbers[i - 1] + 1);
+  EXPECT_TRUE(mcap::Verify(**reader).is_intact())
+      << "the file is completed in the space that was reserved";
+  EXPECT_TRUE(Eventually([this, before = newest_->number()] { return newest_->number() > before; }))
+      << "the component goes on";
+  Tell(size + " were full after " + std::to_string(numbers.size()) + " samples");
 }
 
 }  // namespace

@@ -36,8 +36,8 @@ class Poller {
   void Wake();
 
  private:
-  Socket poll_;  // holds an epoll descriptor, which Socket closes
-  Socket wake_;  // holds an event descriptor, which Socket closes
+  Socket poll_;  // an epoll descriptor; a Socket, so that it is closed automatically
+  Socket wake_;  // an eventfd; a Socket, so that it is closed automatically
   std::vector<Event> events_;
 };
 

@@ -150,12 +150,23 @@ Result<std::unique_ptr<WritableFile>> CreateWritableFile(const fs::path& file) {
   }
   auto made = std::make_unique<PosixWritableFile>(file.string(), opened);
   flock(opened, LOCK_EX | LOCK_NB);  // is_being_written() checks this lock
+  SyncName(file);
+  return std::unique_ptr<WritableFile>(std::move(made));
+}
+
+Result<void> SyncContent(const fs::path& file) {
+  const Descriptor opened(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (opened.get() < 0 || fdatasync(opened.get()) != 0) {
+    return Error{ErrorCode::kFailed,
+                 "cannot write " + file.string() + " to the disk: " + SystemReason()};
+  }
+  return {};
+}
+
+void SyncName(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
   const Descriptor above(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  // Makes the file's name survive a power cut. Ignores errors, because some file systems cannot do
-  // it.
   if (above.get() >= 0) static_cast<void>(fsync(above.get()));
-  return std::unique_ptr<WritableFile>(std::move(made));
 }
 
 }  // namespace tendon::os

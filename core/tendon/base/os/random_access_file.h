@@ -66,4 +66,10 @@ Result<std::unique_ptr<RandomAccessFile>> OpenRandomAccessFile(const std::filesy
 /// created.
 Result<std::unique_ptr<WritableFile>> CreateWritableFile(const std::filesystem::path& file);
 
+/// Waits until the content of a closed file is on the disk. kFailed if the disk fails.
+Result<void> SyncContent(const std::filesystem::path& file);
+/// Makes the name of a file survive a power cut. Ignores errors, because some file systems cannot
+/// do it.
+void SyncName(const std::filesystem::path& file);
+
 }  // namespace tendon::os

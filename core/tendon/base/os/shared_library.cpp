@@ -200,8 +200,7 @@ Error Explained(const std::string& words) {
             "a library that this library needs is missing: " + Printable(words.substr(0, at), 256) +
                 "; install the missing library, or add its folder to LD_LIBRARY_PATH"};
   }
-  return {ErrorCode::kFailed,
-          "expected a library that can be loaded, but " + Printable(words, 512)};
+  return {ErrorCode::kFailed, "the library cannot be loaded: " + Printable(words, 512)};
 }
 
 }  // namespace

@@ -250,7 +250,8 @@ void GcmLink::Receive(const SharedChannel& channel, message::Changes changes) {
   if (has_hole) Watch(channel);
 }
 
-/// Lets components share the memory of equal parts, also with components in the catalogue.
+/// Makes equal parts of component descriptions share memory, both within `changes` and with the
+/// catalogue.
 void GcmLink::ShareDescriptions(std::vector<CatalogueChange>& changes) {
   const std::scoped_lock lock(mutex_);
   for (CatalogueChange& change : changes) {

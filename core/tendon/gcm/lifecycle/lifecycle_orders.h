@@ -29,8 +29,8 @@ namespace tendon::server {
 /// called once, after the lock is released.
 class LifecycleOrders : private OrderSender {
  public:
-  /// Takes the owner's lock, calls its argument with the LifecycleOrders, releases the lock, and
-  /// runs the deferred actions. Does nothing if the owner no longer exists.
+  /// Takes the owner's lock, calls the given function with the LifecycleOrders, releases the lock,
+  /// and runs the deferred actions. Does nothing if the owner no longer exists.
   using Locked = std::function<void(const std::function<void(LifecycleOrders&)>&)>;
   template <typename T>
   using Done = OrderSender::Done<T>;
@@ -47,8 +47,8 @@ class LifecycleOrders : private OrderSender {
 
   /// Executes an order that `who` has requested.
   void ExecuteOrder(const message::LifecycleOrder& order, const std::string& who, Done<None> done);
-  /// Restores connections, then calls its argument with the outcome. The lock may be held during
-  /// this call.
+  /// Restores connections, then calls the given function with the outcome. The lock may be held
+  /// during this call.
   using Connect = std::function<void(Done<None>)>;
   /// Undoes a step. Calls `connect` without the lock, before it starts components. The undo is not
   /// recorded in the history.

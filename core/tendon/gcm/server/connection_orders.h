@@ -26,8 +26,8 @@ namespace tendon::server {
 /// called once, after the lock is released.
 class ConnectionOrders : private OrderSender {
  public:
-  /// Takes the owner's lock, calls its argument with the ConnectionOrders, releases the lock, and
-  /// runs the deferred actions. Does nothing if the owner no longer exists.
+  /// Takes the owner's lock, calls the given function with the ConnectionOrders, releases the lock,
+  /// and runs the deferred actions. Does nothing if the owner no longer exists.
   using Locked = std::function<void(const std::function<void(ConnectionOrders&)>&)>;
   template <typename T>
   using Done = OrderSender::Done<T>;

@@ -32,8 +32,8 @@ namespace tendon::server {
 /// `done` is called once, after the lock is released.
 class Supervisor {
  public:
-  /// Takes the owner's lock, calls its argument with the Supervisor, releases the lock, and runs
-  /// the deferred actions. Does nothing if the owner no longer exists.
+  /// Takes the owner's lock, calls the given function with the Supervisor, releases the lock, and
+  /// runs the deferred actions. Does nothing if the owner no longer exists.
   using Locked = std::function<void(const std::function<void(Supervisor&)>&)>;
   using Done = std::function<void(Result<None>)>;
 

@@ -196,6 +196,12 @@ void ServedConnections::RemoveComponent(const std::string& component) {
   TakeDownWhere(hanging_, is_of_it, deadline);
 }
 
+bool ServedConnections::HasSentAllEvents() const {
+  const auto lock = context_.process.LockStructure();
+  return std::ranges::none_of(entries_,
+                              [](const Entry& entry) { return entry.proxy->has_unsent_events(); });
+}
+
 void ServedConnections::Close(SteadyTime deadline) {
   const auto any = [](const Entry& /*entry*/) { return true; };
   const auto lock = context_.process.LockStructure();

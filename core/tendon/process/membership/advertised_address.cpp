@@ -47,9 +47,9 @@ std::string ForThisHostOnly(const std::string& listens, const std::string& told)
 
 std::string OnAnotherNetwork(const std::string& listens, const std::string& from) {
   return "listens at " + listens + ", but reaches its GCM from " + from +
-         ": other hosts on that network may be unable to reach this process; start it with "
-         "--listen " +
-         AnyPortOf(from) + ", or for all networks with --listen " + AnyPortOf("0.0.0.0");
+         ", which is on another network: hosts on the network of " + from +
+         " may be unable to reach this process; start it with --listen " + AnyPortOf(from) +
+         ", or with --listen " + AnyPortOf("0.0.0.0") + " to listen on all networks";
 }
 
 /// Returns the text in brackets: "Connection refused" for "nobody answers at 127.0.0.1:10705

@@ -89,6 +89,14 @@ void RowStream::RemoveClosed() {
   if (topic_->viewers().empty()) topic_ = nullptr;
 }
 
+bool RowStream::has_sent_all() const {
+  const bool is_newest = rows_.delivery == RowDelivery::kNewest && batch_.rows() > 0;
+  return std::ranges::all_of(viewers_, [&](const DirectViewer& viewer) {
+    const bool is_behind = viewer.is_owed || (is_newest && viewer.next_tick <= newest_tick_);
+    return !is_behind || !viewer.channel->is_open();
+  });
+}
+
 void RowStream::Take(std::uint64_t tick, std::int64_t time, std::span<const std::uint64_t> row) {
   if (!Wants(time)) return;
   if (rows_.delivery == RowDelivery::kNewest) batch_.Clear();

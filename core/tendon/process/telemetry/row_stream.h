@@ -75,6 +75,8 @@ class ViewerList {
   }
   [[nodiscard]] auto begin() { return viewers_.begin(); }
   [[nodiscard]] auto end() { return viewers_.end(); }
+  [[nodiscard]] auto begin() const { return viewers_.begin(); }
+  [[nodiscard]] auto end() const { return viewers_.end(); }
 
  private:
   std::vector<Viewer> viewers_;
@@ -137,6 +139,8 @@ class RowStream {
   void OnRowsTaken(const RowAcknowledgements& acknowledgements);
   void RemoveClosed();
   [[nodiscard]] bool has_viewers() const { return !viewers_.empty() || topic_; }
+  /// True if no viewer waits for rows that were taken.
+  [[nodiscard]] bool has_sent_all() const;
 
   /// Adds the next row of the table if the viewers want it. `row` is a copy made by CopyRow().
   void Take(std::uint64_t tick, std::int64_t time, std::span<const std::uint64_t> row);

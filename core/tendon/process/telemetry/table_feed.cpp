@@ -89,6 +89,12 @@ bool TableFeed::Gather() {
   return has_more_;
 }
 
+bool TableFeed::HasSentAll() const {
+  if (!has_viewers()) return true;
+  return next_tick_ >= table_.next_tick() &&
+         std::ranges::all_of(streams_, [](const RowStream& one) { return one.has_sent_all(); });
+}
+
 std::uint64_t TableFeed::FallBehind() {
   const std::uint64_t oldest = table_.oldest_tick();
   const std::uint64_t newest = table_.next_tick() - 1;

@@ -46,6 +46,8 @@ class TableFeed {
   /// Sends the rows written since the last call, or one full batch. Returns true if more rows wait.
   bool Gather();
   [[nodiscard]] bool has_more() const { return has_more_; }
+  /// True if the viewers were sent all rows that are written by now.
+  [[nodiscard]] bool HasSentAll() const;
   void End(const Error& reason);
 
  private:

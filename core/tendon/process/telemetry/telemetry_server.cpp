@@ -343,6 +343,11 @@ void TelemetryServer::RemoveComponent(const std::string& component) {
   });
 }
 
+bool TelemetryServer::HasSentAll() {
+  const std::scoped_lock lock(mutex_);
+  return std::ranges::all_of(feeds_, [](const TableFeed& feed) { return feed.HasSentAll(); });
+}
+
 bool TelemetryServer::Work(SteadyTime now, SteadyTime& next) {
   const std::scoped_lock lock(mutex_);
   if (feeds_.empty()) {

@@ -88,6 +88,9 @@ class TelemetryServer final : public NetworkJob {
   /// is removed. Any thread.
   void RemoveComponent(const std::string& component);
 
+  /// True if the viewers were sent all rows that are written by now. Any thread.
+  [[nodiscard]] bool HasSentAll();
+
   bool Work(SteadyTime now, SteadyTime& next) override;
 
  private:

@@ -21,7 +21,8 @@ namespace tendon::server {
 using namespace std::
     chrono_literals;  // NOLINT(google-build-using-namespace,google-global-names-in-headers)
 
-/// A process that ends when the test requests it. Called under the lock of the launcher's owner.
+/// A fake process that ends when the test requests it. Its functions are called while the
+/// launcher's owner holds its lock.
 class FakeProcessOfGcm final : public StartedProcess {
  public:
   explicit FakeProcessOfGcm(std::int64_t pid) : pid_(pid) {}

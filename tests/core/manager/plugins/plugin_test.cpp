@@ -156,19 +156,18 @@ TEST_F(PluginTest, KnowsTheVersionOfTheProject) {
 }
 
 TEST_F(PluginTest, ACrashOnLoadingDoesNotHarmTheProcess) {
-  EXPECT_THAT(Refusal("crashes"), MatchesRegex("expected a library that can be loaded, but loading "
+  EXPECT_THAT(Refusal("crashes"), MatchesRegex("the library cannot be loaded: loading "
                                                "it ends the process with (SIGSEGV|exit code .*)"));
 }
 
 TEST_F(PluginTest, ReportsAPlugInThatExits) {
   EXPECT_EQ(Refusal("exits"),
-            "expected a library that can be loaded, but loading it ends the process with "
-            "exit code 0");
+            "the library cannot be loaded: loading it ends the process with exit code 0");
 }
 
 TEST_F(PluginTest, QuotesAnExceptionOfTheStartUp) {
   EXPECT_EQ(Refusal("throws_at_start"),
-            "expected a library that can be loaded, but its start-up threw: no calibration");
+            "the library cannot be loaded: its start-up threw: no calibration");
 }
 
 TEST_F(PluginTest, ReportsAPlugInThatNeverFinishesLoading) {
@@ -176,7 +175,7 @@ TEST_F(PluginTest, ReportsAPlugInThatNeverFinishesLoading) {
 
   ASSERT_FALSE(loaded);
   EXPECT_THAT(loaded.error().message,
-              HasSubstr("can be loaded, but loading it has not finished after 200 ms"));
+              HasSubstr("the library cannot be loaded: loading it has not finished after 200 ms"));
 }
 
 TEST_F(PluginTest, QuotesAnExceptionOfTheRegistration) {

@@ -1,7 +1,13 @@
 #include <gtest/gtest.h>
 #include <tendon/process/telemetry/make_telemetry_client.h>
 #include <tendon/process/telemetry/row_batch.h>
+#include <tendon/process/version_messages.h>
 #include <tendon/process/viewer_messages.h>
+
+#include <chrono>
+#include <future>
+#include <memory>
+#include <string>
 
 #include "core/process/telemetry/recording_handler.h"
 #include "support/wait.h"
@@ -70,6 +76,32 @@ TEST(RowSource, EndsASubscriptionAfterAnInvalidReply) {
 
 TEST(RowSource, EndsASubscriptionAfterAMissingReply) {
   EXPECT_TRUE(EndsThere(std::make_shared<Forgotten>()));
+}
+
+/// A process that is too old for past rows.
+class Older final : public RecordingHandler {};
+
+TEST(RowSource, SaysThatAProcessIsTooOldForPastRows) {
+  const auto network = std::make_shared<LoopbackNetwork>();
+  LoopbackMiddleware middleware(network);
+  const auto listener = *middleware.Listen(
+      "127.0.0.1:0", Channel::Acceptor(HelloOf("robot"), [] { return std::make_shared<Older>(); }));
+  const auto viewer = MakeTelemetryClient(
+      std::make_shared<LoopbackMiddleware>(network),
+      [&](const std::string& /*process*/) { return Result<std::string>(listener->address()); },
+      HelloOf("viewer"));
+  std::promise<Result<PastRows>> answer;
+
+  viewer->ReadPast({"robot", "plant", "state", {"Move"}}, std::chrono::seconds(1),
+                   std::make_shared<DeafSink>(),
+                   [&](const Result<PastRows>& past) { answer.set_value(past); });
+  const Result<PastRows> past = answer.get_future().get();
+
+  ASSERT_FALSE(past);
+  EXPECT_EQ(past.error().message,
+            "process 'robot' does not know the request 'read past rows', because it runs an older "
+            "version of Tendon; start it again with " +
+                OwnVersion().release + " or later");
 }
 
 }  // namespace

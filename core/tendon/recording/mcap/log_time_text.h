@@ -1,0 +1,13 @@
+#pragma once
+
+#include <tendon/recording/mcap/records.h>
+
+#include <string>
+
+namespace tendon::mcap {
+
+/// Returns a log time for people: as a date if it can be one, such as "2025-11-21 15:40:03.250",
+/// else in seconds, such as "12.250 s".
+[[nodiscard]] std::string LogTimeText(Timestamp time);
+
+}  // namespace tendon::mcap

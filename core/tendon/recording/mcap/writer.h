@@ -1,0 +1,194 @@
+#pragma once
+
+#include <tendon/base/os/random_access_file.h>
+#include <tendon/base/result.h>
+#include <tendon/recording/mcap/compression.h>
+#include <tendon/recording/mcap/records.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tendon::mcap {
+
+/// How a file is written.
+struct WriterOptions {
+  std::string profile;  ///< for example "ros2"; see mcap.dev/spec/registry
+  std::string library = "tendon";
+  Compression compression = Compression::kZstd;
+  int level = 0;  ///< of the compression; 0: its default
+  /// A chunk is written when its messages have this many bytes before compression. A crash loses
+  /// at most one chunk, and a reader reads at least one. Limited to 4 KiB to 64 MiB.
+  std::size_t chunk_size = std::size_t{1} << 20U;
+  /// Memory for the index of the file, in bytes: about 80 for each chunk and 16 for each channel
+  /// in it. Write() fails when it is used up.
+  std::size_t largest_index = std::size_t{256} << 20U;
+};
+
+/// The messages that were accepted, written or synced up to now.
+struct Progress {
+  std::uint64_t messages = 0;
+  std::uint64_t bytes = 0;      ///< of the file
+  Timestamp last_log_time = 0;  ///< of the latest message
+
+  bool operator==(const Progress&) const = default;
+};
+
+/// Writes an MCAP file, chunk by chunk, and its index and summary at the end.
+///
+/// A chunk begins with the schemas and channels that were new in the chunk before, and from time to
+/// time with all of them. So a reader without the summary loses only the chunk that is damaged.
+///
+/// The file is append-only: a complete chunk is never touched again, so after SIGKILL, a power cut
+/// or a full disk all chunks that were written (or, after a power cut, synced) can be read. Space
+/// for the summary is reserved ahead, so that Close() can also complete a file on a full disk.
+///
+///     auto writer = Writer::Create("run.mcap", {.profile = "ros2"});
+///     const auto schema = (*writer)->AddSchema("arm/msg/JointState", "ros2msg", text);
+///     const auto channel = (*writer)->AddChannel(*schema, "robot/arm/state/Joints", "cdr");
+///     (*writer)->Write({.channel_id = *channel, .log_time = now, .publish_time = now, .data =
+///     row});
+///     (*writer)->Sync();   // once a second
+///     (*writer)->Close();
+///
+/// Errors: after a failed write, every further call except Close() fails with the same sentence,
+/// which says how much is safe. A refused argument (kInvalid) changes nothing. No function throws.
+///
+/// Memory: twice the chunk size, the largest message three times, a few MiB for the compression,
+/// and the index. Cost: Write() copies the message, 50 ns and 0.1 ns a byte; each full chunk is
+/// compressed and written within the call that fills it.
+///
+/// Thread safety: one thread at a time. Not for a thread that must be real-time.
+class Writer {
+ public:
+  /// The most bytes of one message, so that every reader can take its chunk in one piece.
+  static constexpr std::size_t kLargestMessage = std::size_t{128} << 20U;
+  /// The most bytes of a schema, the texts of a channel, or metadata.
+  static constexpr std::size_t kLargestText = std::size_t{16} << 20U;
+  /// The bytes of metadata that Close() can write to a full disk.
+  static constexpr std::size_t kLastMetadata = std::size_t{4} << 10U;
+
+  /// Creates the file and writes its begin. kExists if there is a file of that name already, also
+  /// if another writer is writing it.
+  static Result<std::unique_ptr<Writer>> Create(const std::filesystem::path& file,
+                                                const WriterOptions& options = {});
+  /// Writes into an empty file that the caller has opened.
+  static Result<std::unique_ptr<Writer>> Create(std::unique_ptr<os::WritableFile> file,
+                                                const WriterOptions& options = {});
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+  /// Calls Close() and ignores its result.
+  ~Writer();
+
+  /// Returns the id that the schema or channel has in this file; it can be used at once. kInvalid
+  /// if the schema is unknown, the text is too large, or the file has 65,535 of them.
+  Result<SchemaId> AddSchema(const std::string& name, const std::string& encoding,
+                             const std::string& data);
+  Result<ChannelId> AddChannel(SchemaId schema, const std::string& topic,
+                               const std::string& message_encoding,
+                               const std::map<std::string, std::string>& metadata = {});
+
+  /// Adds a message to the chunk. Times need not ascend. kInvalid if the channel is unknown or the
+  /// message is larger than kLargestMessage.
+  Result<void> Write(const Message& message);
+  /// Writes an attachment behind the chunks before it, at once.
+  Result<void> Write(const Attachment& attachment);
+  Result<void> Write(const Metadata& metadata);
+
+  /// Writes the present chunk, if it has any record, and waits until all is on the disk.
+  Result<void> Sync();
+  /// Writes the present chunk, and does not wait for the disk.
+  Result<void> Flush();
+  /// Writes what is left, `last`, the index and the summary, and waits until all is on the disk.
+  /// After a failed write, completes the file with the chunks before it, and with up to
+  /// kLastMetadata bytes of `last`. If that fails, too, the file has no summary, which Recover()
+  /// makes. A second call returns the same result.
+  Result<void> Close(std::span<const Metadata> last = {});
+
+  /// Why the file is not continued; empty while there was no failed write.
+  [[nodiscard]] const std::optional<Error>& failure() const { return failure_; }
+
+  /// Everything that Write() has accepted.
+  [[nodiscard]] const Progress& accepted() const { return accepted_; }
+  /// Everything in complete chunks of the file, which is safe if the process is killed.
+  [[nodiscard]] const Progress& written() const { return written_; }
+  /// Everything that was on the disk after the last Sync(), which is safe if the power fails.
+  [[nodiscard]] const Progress& synced() const { return synced_; }
+  /// Memory that the index takes, in bytes. At half of WriterOptions::largest_index, it is time
+  /// for a next file.
+  [[nodiscard]] std::size_t index_size() const { return index_size_; }
+
+ private:
+  struct ChannelState {
+    Channel channel;
+    std::uint64_t messages = 0;     // in the file
+    std::size_t in_chunk = 0;       // in the present chunk
+    std::size_t index_place = 0;    // where in index_ its next entry goes, while that is made
+    std::uint64_t index_begin = 0;  // where in index_ its record begins
+  };
+  struct ChunkEntry {
+    ChannelId channel;
+    MessageIndexEntry entry;
+  };
+
+  Writer(std::unique_ptr<os::WritableFile> file, const WriterOptions& options);
+
+  template <typename Call>
+  auto Guarded(const Call& call) -> decltype(call());
+  Result<void> Begin();
+  Result<void> CheckOpen() const;
+  Result<void> AddMessage(const Message& message);
+  Result<void> MakeRoom(std::size_t size);
+  void BeginChunk();
+  Result<void> WriteChunk();
+  void WriteLast(std::span<const Metadata> last);
+  Result<void> WriteRecords(std::span<const Bytes> parts, std::uint32_t crc);
+  void MakeMessageIndexes(ChunkIndex& index);
+  void CountChunk(ChunkIndex index);
+  Result<void> WriteSummary();
+  [[nodiscard]] Buffer Summary(std::uint64_t start) const;
+  [[nodiscard]] Statistics MakeStatistics() const;
+  [[nodiscard]] std::uint64_t SummarySize() const;
+  [[nodiscard]] Error Failure(const Error& reason) const;
+
+  const std::unique_ptr<os::WritableFile> file_;
+  const WriterOptions options_;
+  Compressor compressor_;
+  std::uint64_t end_ = 0;  // of the complete records in the file
+  std::uint32_t crc_ = 0;  // of all of them
+  std::optional<Error> failure_;
+  std::optional<Result<void>> closed_;
+
+  std::vector<Schema> schemas_;         // by id - 1
+  std::vector<ChannelState> channels_;  // likewise
+  std::size_t text_size_ = 0;           // of both in the summary, bytes
+  std::size_t repeated_schemas_ = 0;    // that later chunks need not repeat
+  std::size_t repeated_channels_ = 0;   // likewise
+  std::uint64_t next_repeat_ = 0;       // size of the file at which all are repeated
+
+  Buffer chunk_;                     // the records of the present chunk
+  std::vector<ChunkEntry> entries_;  // its messages
+  std::vector<ChannelId> used_;      // the channels of its messages
+  Timestamp chunk_start_ = 0;
+  Timestamp chunk_end_ = 0;
+  Buffer head_;
+  Buffer index_;  // its message indexes
+
+  std::vector<ChunkIndex> chunks_;
+  std::vector<AttachmentIndex> attachments_;
+  std::vector<MetadataIndex> metadata_;
+  std::size_t index_size_ = 0;
+  Timestamp first_time_ = 0;
+  Timestamp last_time_ = 0;
+
+  Progress accepted_;
+  Progress written_;
+  Progress synced_;
+};
+
+}  // namespace tendon::mcap

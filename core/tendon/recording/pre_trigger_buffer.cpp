@@ -1,0 +1,180 @@
+#include <tendon/recording/pre_trigger_buffer.h>
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+namespace tendon::recording {
+namespace {
+
+SteadyTime TimeOfRow(const Rows& rows, std::size_t row) {
+  return SteadyTime(std::chrono::nanoseconds(rows.times[row]) - rows.clock_offset);
+}
+
+SteadyTime TimeOfRecord(const LogEntry& entry, std::int64_t wall_minus_steady) {
+  return SteadyTime(std::chrono::nanoseconds(entry.record.time - wall_minus_steady));
+}
+
+/// Keeps the rows from `begin` to before `end`.
+void KeepRows(Rows& rows, std::size_t begin, std::size_t end) {
+  const std::size_t width = rows.source->members.size();
+  const auto bytes_of = [&](std::size_t first, std::size_t last) {
+    std::size_t bytes = 0;
+    for (std::size_t i = first * width; i < last * width; ++i) bytes += rows.cell_sizes[i];
+    return static_cast<std::ptrdiff_t>(bytes);
+  };
+  const auto keep = [](auto& list, std::size_t first, std::size_t last) {
+    list.erase(list.begin() + static_cast<std::ptrdiff_t>(last), list.end());
+    list.erase(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(first));
+  };
+  const std::ptrdiff_t before = bytes_of(0, begin);
+  const std::ptrdiff_t kept = bytes_of(begin, end);
+  rows.cells.erase(rows.cells.begin() + before + kept, rows.cells.end());
+  rows.cells.erase(rows.cells.begin(), rows.cells.begin() + before);
+  keep(rows.cell_sizes, begin * width, end * width);
+  keep(rows.ticks, begin, end);
+  keep(rows.times, begin, end);
+  if (begin > 0) rows.lost_before = {};  // they were lost before the rows that are gone
+}
+
+}  // namespace
+
+EntryTimes TimesOf(const Entry& entry, std::int64_t wall_minus_steady) {
+  if (const auto* rows = std::get_if<Rows>(&entry)) {
+    return {TimeOfRow(*rows, 0), TimeOfRow(*rows, rows->times.size() - 1)};
+  }
+  if (const auto* event = std::get_if<Event>(&entry)) return {event->raised, event->raised};
+  if (const auto* record = std::get_if<LogEntry>(&entry)) {
+    const SteadyTime time = TimeOfRecord(*record, wall_minus_steady);
+    return {time, time};
+  }
+  const SteadyTime received = std::get<CatalogueChanges>(entry).received;
+  return {received, received};
+}
+
+bool Trim(Entry& entry, SteadyTime from, SteadyTime to, std::int64_t wall_minus_steady) {
+  if (std::holds_alternative<CatalogueChanges>(entry)) return true;
+  const EntryTimes times = TimesOf(entry, wall_minus_steady);
+  if (times.last < from || times.first > to) return false;
+  if (times.first >= from && times.last <= to) return true;
+  Rows& rows = std::get<Rows>(entry);
+  std::size_t begin = 0;
+  while (TimeOfRow(rows, begin) < from) ++begin;
+  std::size_t end = rows.times.size();
+  while (end > begin && TimeOfRow(rows, end - 1) > to) --end;
+  KeepRows(rows, begin, end);
+  return end > begin;
+}
+
+LostRows LostBefore(const Entry& entry) {
+  const auto* rows = std::get_if<Rows>(&entry);
+  return rows == nullptr ? LostRows() : rows->lost_before;
+}
+
+void PreTriggerBuffer::Add(Entry entry, SteadyTime now) {
+  constexpr std::chrono::seconds kLatest(1);  // until a trigger that has fired is known
+  const std::size_t size = SizeOf(entry);
+  const SteadyTime last = TimesOf(entry, wall_minus_steady_).last;
+  entries_.push_back({std::move(entry), size, last});
+  bytes_ += size;
+  const SteadyTime oldest = now - age_ - kLatest;
+  while (!entries_.empty() && entries_.front().last < oldest) DropOldest(true);
+  while (entries_.size() > 1 && bytes_ > most_bytes_) DropOldest(false);
+  ForgetDroppedBefore(oldest);
+}
+
+void PreTriggerBuffer::ForgetDroppedBefore(SteadyTime from) {
+  std::erase_if(dropped_, [&](const Dropped& dropped) {
+    if (dropped.last >= from) return false;
+    for (const auto& [path, one] : dropped.by_path) {
+      if (one.lost_before.all() > 0) losses_[path] += one.lost_before;
+    }
+    return true;
+  });
+}
+
+void PreTriggerBuffer::NoteDropped(const Kept& kept) {
+  constexpr int kParts = 1000;
+  constexpr std::chrono::nanoseconds kShortest = std::chrono::milliseconds(1);
+  const auto part = std::max(kShortest, age_ / kParts);
+  if (dropped_.empty() || kept.last - dropped_.back().first > part) {
+    dropped_.push_back({kept.last, kept.last, {}});
+  }
+  Dropped& now = dropped_.back();
+  now.last = std::max(now.last, kept.last);
+  Missing& missing = now.by_path[PathOf(kept.entry)];
+  const auto* rows = std::get_if<Rows>(&kept.entry);
+  missing.rows += rows != nullptr ? rows->ticks.size() : 0U;
+  missing.others += rows != nullptr ? 0U : 1U;
+  missing.lost_before += LostBefore(kept.entry);
+}
+
+void PreTriggerBuffer::DropOldest(bool is_too_old) {
+  const Kept& oldest = entries_.front();
+  if (is_too_old) CountLoss(oldest.entry, LostBefore(oldest.entry));
+  if (const auto* changes = std::get_if<CatalogueChanges>(&oldest.entry)) {
+    if (changes->is_snapshot && !changes->changes.empty()) {
+      catalogue_ = Catalogue::At(changes->changes.back().revision - changes->changes.size());
+    }
+    for (const CatalogueChange& change : changes->changes) (void)catalogue_.Apply(change);
+    has_catalogue_ = true;
+  } else if (!is_too_old) {
+    NoteDropped(oldest);
+  }
+  bytes_ -= oldest.size;
+  entries_.pop_front();
+}
+
+std::deque<Entry> PreTriggerBuffer::TakeSince(SteadyTime from) {
+  ForgetDroppedBefore(from);
+  // Changes of the catalogue are kept, whatever their time, so that the file has the whole
+  // catalogue.
+  std::deque<Entry> taken;
+  if (has_catalogue_) {
+    taken.emplace_back(
+        CatalogueChanges{.is_snapshot = true, .received = from, .changes = catalogue_.AsChanges()});
+  }
+  for (Kept& kept : entries_) {
+    if (auto* changes = std::get_if<CatalogueChanges>(&kept.entry)) {
+      changes->received = std::max(changes->received, from);
+    }
+    const LostRows lost = LostBefore(kept.entry);
+    const bool is_wanted = Trim(kept.entry, from, SteadyTime::max(), wall_minus_steady_);
+    if (!is_wanted || LostBefore(kept.entry) != lost) CountLoss(kept.entry, lost);
+    if (is_wanted) taken.push_back(std::move(kept.entry));
+  }
+  entries_.clear();
+  bytes_ = 0;
+  return taken;
+}
+
+void PreTriggerBuffer::CountLoss(const Entry& entry, const LostRows& lost) {
+  if (lost.all() == 0) return;
+  losses_[ToString(std::get<Rows>(entry).source->name)] += lost;
+}
+
+Losses PreTriggerBuffer::MissingSince(SteadyTime from) const {
+  Losses missing;
+  for (const Dropped& dropped : dropped_) {
+    if (dropped.last < from) continue;
+    for (const auto& [path, one] : dropped.by_path) {
+      if (one.rows > 0) missing.rows[path].viewer += one.rows;
+      if (one.others > 0 && !path.empty()) missing.events[path] += one.others;
+      if (one.others > 0 && path.empty()) missing.log += one.others;
+    }
+  }
+  return missing;
+}
+
+std::map<std::string, LostRows> PreTriggerBuffer::LostBeforeMissingSince(SteadyTime from) const {
+  std::map<std::string, LostRows> lost;
+  for (const Dropped& dropped : dropped_) {
+    if (dropped.last < from) continue;
+    for (const auto& [path, one] : dropped.by_path) {
+      if (one.lost_before.all() > 0) lost[path] += one.lost_before;
+    }
+  }
+  return lost;
+}
+
+}  // namespace tendon::recording

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <tendon/gcm/client.h>
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace tendon::recording {
+
+/// A system that a recorder can record: the seam between the recorder and either the client of a
+/// GCM or the own process.
+///
+/// Thread safety: all functions, from any thread except handlers and sinks. The recorder calls them
+/// in its follower thread, and in the thread that starts and stops it.
+class RecordedSystem {
+ public:
+  RecordedSystem() = default;
+  RecordedSystem(const RecordedSystem&) = delete;
+  RecordedSystem& operator=(const RecordedSystem&) = delete;
+  virtual ~RecordedSystem() = default;
+
+  /// The revision of catalogue(). Cheap: a recorder asks ten times a second.
+  [[nodiscard]] virtual std::uint64_t revision() = 0;
+  [[nodiscard]] virtual Catalogue catalogue() const = 0;
+  /// Returns the reason if the catalogue is still empty because the system could not be asked.
+  [[nodiscard]] virtual std::optional<Error> WhyUnknown() { return std::nullopt; }
+  [[nodiscard]] virtual TelemetryClient& telemetry() = 0;
+  virtual GcmClient::ListenerId Listen(const EventSubscription& events,
+                                       std::shared_ptr<EventSink> sink) = 0;
+  /// After the return, the sink is not called any more.
+  virtual void StopListening(GcmClient::ListenerId id) = 0;
+  /// Waits for the answer of the process.
+  virtual Result<Schema> FindSchema(const std::string& process, Fingerprint type) = 0;
+  /// The listener gets the whole catalogue again.
+  virtual void Resync() = 0;
+  /// From now on, the listener gets the log.
+  virtual void WatchLog() = 0;
+};
+
+/// All processes that a GCM knows. The client must outlive it.
+class GcmSystem final : public RecordedSystem {
+ public:
+  /// `timeout` is that of a request to a process.
+  GcmSystem(GcmClient& client, std::chrono::milliseconds timeout)
+      : client_(client), timeout_(timeout) {}
+
+  std::uint64_t revision() override {
+    std::uint64_t revision = 0;
+    client_.WithCatalogue([&](const Catalogue& now) { revision = now.revision(); });
+    return revision;
+  }
+  [[nodiscard]] Catalogue catalogue() const override { return client_.catalogue(); }
+  TelemetryClient& telemetry() override { return client_.telemetry(); }
+  GcmClient::ListenerId Listen(const EventSubscription& events,
+                               std::shared_ptr<EventSink> sink) override {
+    return client_.Listen(events, std::move(sink));
+  }
+  void StopListening(GcmClient::ListenerId id) override { client_.StopListening(id); }
+  Result<Schema> FindSchema(const std::string& process, Fingerprint type) override {
+    return Wait<Schema>(timeout_, [&](auto handler) { client_.GetSchema(process, type, handler); });
+  }
+  void Resync() override { client_.Resync(); }
+  void WatchLog() override { client_.WatchLog(); }
+
+ private:
+  GcmClient& client_;
+  const std::chrono::milliseconds timeout_;
+};
+
+}  // namespace tendon::recording

@@ -1,0 +1,169 @@
+#pragma once
+
+#include <tendon/base/clock.h>
+#include <tendon/base/error.h>
+#include <tendon/gcm/client.h>
+#include <tendon/payload/fingerprint.h>
+#include <tendon/payload/schema.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// The entries that a recorder receives of a running system. In LostRows, `viewer` counts the rows
+/// that the recorder itself has lost, because the disk was slower than the data, or failed.
+namespace tendon::recording {
+
+/// A column of a table, or an event.
+struct Member {
+  std::string name;
+  Schema schema;
+};
+
+/// A table, or the events of an interface, with the types that it has now. Another object after
+/// each recovery.
+struct Source {
+  InterfaceName name;
+  std::vector<Member> members;
+};
+
+/// Rows of a table, one after the other.
+struct Rows {
+  std::shared_ptr<const Source> source;
+  std::uint64_t epoch = 0;                        ///< as in RowBatch
+  std::chrono::nanoseconds clock_offset{0};       ///< likewise
+  std::chrono::nanoseconds clock_uncertainty{0};  ///< likewise
+  LostRows lost_before;                           ///< between the rows before and these
+  std::vector<std::uint64_t> ticks;
+  std::vector<std::int64_t> times;        ///< on the clock of the source, ns
+  std::vector<std::uint32_t> cell_sizes;  ///< bytes, row by row
+  std::vector<std::byte> cells;           ///< CDR bodies, row by row
+};
+
+/// An event that was raised.
+struct Event {
+  std::shared_ptr<const Source> source;
+  std::size_t member = 0;
+  SteadyTime raised;
+  std::vector<std::byte> value;  ///< a CDR body; empty without an argument
+};
+
+/// A record of the log of a process.
+struct LogEntry {
+  message::LogRecord record;
+};
+
+/// The whole catalogue, or its next changes.
+struct CatalogueChanges {
+  bool is_snapshot = false;
+  SteadyTime received;
+  std::vector<CatalogueChange> changes;
+};
+
+using Entry = std::variant<Rows, Event, LogEntry, CatalogueChanges>;
+
+/// The memory that an entry takes, bytes.
+[[nodiscard]] std::size_t SizeOf(const Entry& entry);
+/// The path of the table or event; empty for a log record and for changes of the catalogue.
+[[nodiscard]] std::string PathOf(const Entry& entry);
+
+/// All losses of a recording up to now, by the path of the table or event.
+struct Losses {
+  std::map<std::string, LostRows> rows;
+  std::map<std::string, std::uint64_t> events;
+  std::uint64_t log = 0;  ///< records
+
+  /// Sums over all paths.
+  [[nodiscard]] LostRows all_rows() const;
+  [[nodiscard]] std::uint64_t all_events() const;
+  /// Returns the number of all lost rows, events and log records.
+  [[nodiscard]] std::uint64_t all() const { return all_rows().all() + all_events() + log; }
+  Losses& operator+=(const Losses& other);
+  /// Counts an entry that was not written as lost by the recorder, apart from its first `written`
+  /// rows.
+  void AddUnwritten(const Entry& entry, std::uint64_t written = 0);
+};
+
+/// The queue between the threads of the middleware, which receive rows and events, and the thread
+/// that writes the file. It is bounded in bytes. An entry that does not fit is counted as lost, and
+/// no thread waits for the writer, so a slow disk never slows down a component.
+///
+/// Give it to a GcmClient as its listener, to also record the log and the catalogue.
+///
+/// Thread safety: all functions, from any thread. Cost: a batch of rows is copied once, outside of
+/// the lock.
+class RecordingQueue final : public GcmListener,
+                             public std::enable_shared_from_this<RecordingQueue> {
+ public:
+  static constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
+
+  explicit RecordingQueue(std::size_t most_bytes = kMostBytes) : most_bytes_(most_bytes) {}
+
+  /// The sink for the rows of this table.
+  std::shared_ptr<RowSink> SinkOf(const TableSubscription& table);
+  /// The sink for these events. Events whose type is not one of `types` are counted as lost.
+  std::shared_ptr<EventSink> SinkOf(const EventSubscription& events,
+                                    std::map<Fingerprint, Schema> types);
+
+  /// Waits until an entry has arrived or Wake() is called, at most `patience`. Removes and returns
+  /// the oldest entries, about a MiB. For the writing thread.
+  std::deque<Entry> Take(std::chrono::nanoseconds patience);
+  /// Lets Take() return.
+  void Wake();
+  /// Drops all entries, and from now on all that arrive, without counting them as lost.
+  void Close();
+
+  [[nodiscard]] Losses losses() const;
+  /// Returns, and forgets, the losses of rows that no accepted rows have followed, by table.
+  [[nodiscard]] std::map<std::string, LostRows> TakeTrailingLosses();
+  [[nodiscard]] std::size_t waiting_bytes() const;
+  /// Returns sentences about interruptions since the last call: at most 100, each once.
+  std::vector<std::string> TakeNotices();
+  [[nodiscard]] bool is_gcm_lost() const;
+  /// True if all log records that the GCM had when it was asked have arrived.
+  [[nodiscard]] bool has_past_log() const;
+  /// How often the whole catalogue has arrived: a new number may mean another GCM, whose revisions
+  /// are not those of the one before.
+  [[nodiscard]] std::uint64_t snapshots() const;
+  /// True if changes of the catalogue did not fit: ask the client for GcmClient::Resync().
+  [[nodiscard]] bool needs_snapshot() const;
+
+  void OnSnapshot(const Catalogue& catalogue) override;
+  void OnChanges(const std::vector<CatalogueChange>& changes) override;
+  void OnGcmLost(const Error& reason) override;
+  void OnLog(const LogBatch& batch) override;
+
+ private:
+  class TableSink;
+  class InterfaceSink;
+
+  /// Returns false if there is no room. Called with the lock held.
+  bool Push(Entry entry, std::size_t size);
+  void Notice(std::string sentence);
+
+  const std::size_t most_bytes_;
+  mutable std::mutex mutex_;
+  std::condition_variable arrival_;
+  std::deque<Entry> entries_;
+  std::size_t bytes_ = 0;  // of the entries
+  bool is_woken_ = false;
+  bool is_closed_ = false;
+  Losses losses_;
+  std::map<std::string, LostRows> trailing_losses_;  // not told by any entry yet
+  std::vector<std::string> notices_;
+  bool is_gcm_lost_ = false;
+  bool needs_snapshot_ = false;
+  std::uint64_t snapshots_ = 0;
+  bool is_log_current_ = false;  // earlier losses are not of this recording
+};
+
+}  // namespace tendon::recording

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <tendon/gcm/catalogue.h>
+#include <tendon/gcm/client.h>
+#include <tendon/recording/recording_writer.h>
+
+#include <string>
+#include <vector>
+
+namespace tendon::recording {
+
+/// The tables and events of a running system that are to be recorded.
+struct Selection {
+  std::vector<TableSubscription> tables;
+  std::vector<EventSubscription> events;
+};
+
+/// Returns the tables and events that `patterns` match, as they are in the catalogue now. A pattern
+/// is a path or a glob of a process, a component, an interface, a column or an event; everything in
+/// it is selected. Cost: each column and event is compared with each pattern.
+[[nodiscard]] Selection Select(const Catalogue& catalogue,
+                               const std::vector<std::string>& patterns);
+
+/// Describes a recording of these patterns: who records what, and the system as a system file.
+[[nodiscard]] Heading HeadingFor(const Catalogue& catalogue,
+                                 const std::vector<std::string>& patterns);
+
+}  // namespace tendon::recording
