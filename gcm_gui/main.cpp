@@ -6,6 +6,7 @@
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/recording/window_recording.h>
+#include <gcm_gui/replay/replay_session.h>
 #include <gcm_gui/session/gcm_session.h>
 #include <gcm_gui/session/hosted_gcm.h>
 #include <gcm_gui/system/system_files.h>
@@ -54,7 +55,9 @@ void AddOptions(CLI::App& app, Options& options) {
   auto* gcm =
       program::AddGcmOption(app, options.gcm, "; with this option, the window never hosts a GCM");
   app.add_option("--listen", options.listen, "host a GCM at this address")->excludes(gcm);
-  app.add_option("file", options.file, "system file to apply; the window first shows its plan");
+  app.add_option("file", options.file,
+                 "system file to apply, whose plan the window first shows; or a recording (.mcap), "
+                 "which the window shows without any running system");
   app.add_flag("--read-only", options.read_only,
                "connect with the role viewer, which cannot change anything");
   app.add_option("--layout", options.layout,
@@ -170,6 +173,41 @@ QStringList GcmCommand(const Options& options) {
   return command;
 }
 
+/// Returns the command that opens a recording in another window.
+QStringList ViewerCommand(const Options& options) {
+  const auto program = tendon::os::ProgramFolder() / "gcm-gui";
+  return {QString::fromStdString(program.string()), QStringLiteral("--theme"),
+          QString::fromStdString(options.theme)};
+}
+
+bool IsRecording(const std::string& file) {
+  return QString::fromStdString(file).endsWith(QStringLiteral(".mcap"), Qt::CaseInsensitive);
+}
+
+QString KeptFolder() {
+  const auto kept = tendon::os::StateFolder().parent_path() / "gcm-gui";
+  return QString::fromStdString(kept.string());
+}
+
+/// Shows a recording, with no connection to any running system.
+int RunReplay(const Options& options) {
+  tendon::gui::ReplaySession session(QString::fromStdString(options.file));
+  auto parts = tendon::gui::PartsOf(session);
+  parts.kept = KeptFolder();
+  parts.viewer = ViewerCommand(options);
+  tendon::gui::SavedSettings values(parts.kept + QStringLiteral("/replay-window.json"));
+  tendon::gui::MainWindow window(parts);
+  if (!options.describe_ui.empty()) {
+    new tendon::gui::UiDescription(window, QString::fromStdString(options.describe_ui));
+  }
+  KeepLayout(window, values);
+  window.show();
+  if (!options.layout.empty()) window.plots().openLayout(QString::fromStdString(options.layout));
+  const int code = tendon::gui::GuardedApplication::exec();
+  window.hide();
+  return code;
+}
+
 int Run(const Options& options) {
   std::optional<tendon::ConnectCancellation> end;  // must outlive everything that opens links
   const auto middleware = program::MakeMiddleware(options.network);
@@ -192,13 +230,13 @@ int Run(const Options& options) {
   tendon::gui::GcmSession session(
       *middleware, address, hosted != nullptr,
       options.read_only ? tendon::Role::kViewer : tendon::Role::kOperator);
-  const auto kept = tendon::os::StateFolder().parent_path() / "gcm-gui";
   auto parts = tendon::gui::PartsOf(session);
   parts.console.gcm = address;
   parts.console.network = options.network;
   parts.console.read_only = options.read_only;
   parts.console.color = console::ColorChoice::kNever;
-  parts.kept = QString::fromStdString(kept.string());
+  parts.kept = KeptFolder();
+  parts.viewer = ViewerCommand(options);
   parts.gcm = GcmCommand(options);
   parts.demo = DemoFile();
   if (options.read_only) parts.read_only = tendon::gui::Words::tr(kReadOnly);
@@ -245,7 +283,7 @@ int main(int argc, char** argv) {
   tendon::gui::SpeakAs(QLocale::system());
   tendon::gui::Theme::instance().choose(ThemeChoice(options.theme));
   try {
-    return Run(options);
+    return IsRecording(options.file) ? RunReplay(options) : Run(options);
   } catch (const std::exception& error) {  // there is no window yet that could show the error
     return Fail({tendon::ErrorCode::kFailed, error.what()});
   }

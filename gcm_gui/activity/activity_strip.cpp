@@ -67,15 +67,16 @@ ActivityStrip::ActivityStrip(const WindowParts& parts, ProblemsModel& problems,
 void ActivityStrip::addReports(const WindowParts& parts, Selection& selection) {
   auto* log = new LogPage(parts.reports, parts.store, parts.actions);
   auto* events = new EventsPage(parts.reports, selection);
+  const int log_page = addPage(log, Words::tr("Log"));
+  addPage(events, Words::tr("Events"));
+  connect(log, &LogPage::pathChosen, &selection, &Selection::select);
+  connect(events, &EventsPage::pathChosen, this, &ActivityStrip::jumpRequested);
+  if (parts.replay != nullptr) return setCurrent(log_page);  // nothing is done to a recording
   const QString history =
       parts.kept.isEmpty() ? QString() : parts.kept + QStringLiteral("/console");
   console_ = new ConsolePage(parts.console, history);
-  addPage(log, Words::tr("Log"));
-  addPage(events, Words::tr("Events"));
   console_page_ = addPage(console_, Words::tr("Console"));
   connect(console_, &ConsolePage::notice, this, &ActivityStrip::notice);
-  connect(log, &LogPage::pathChosen, &selection, &Selection::select);
-  connect(events, &EventsPage::pathChosen, this, &ActivityStrip::jumpRequested);
   connect(&tabs(), &QTabBar::tabBarClicked, this, [this](int page) {
     if (page == console_page_) showConsole();
   });

@@ -24,6 +24,7 @@ class ActivityStrip : public TabPanel {
   ActivityStrip(const WindowParts& parts, ProblemsModel& problems, Selection& selection,
                 QWidget* parent = nullptr);
 
+  /// Not in a window that shows a recording, because its commands are for running systems.
   [[nodiscard]] ConsolePage& console() const { return *console_; }
 
  public Q_SLOTS:
@@ -49,9 +50,9 @@ class ActivityStrip : public TabPanel {
   ActivityModel& activity_;
   SystemActions& actions_;
   RowView* list_;
-  ConsolePage* console_;
+  ConsolePage* console_ = nullptr;
   int problems_page_ = 0;
-  int console_page_ = 0;
+  int console_page_ = -1;
 };
 
 }  // namespace tendon::gui

@@ -58,9 +58,7 @@ bool EventsModel::isShown(const EventRecord& event) const {
 void EventsModel::setPart(const QString& path) {
   if (path == part_) return;
   part_ = path;
-  lost_ = 0;
-  times_.clear();
-  clear();
+  startOver();
 }
 
 void EventsModel::setWords(const QStringList& words) {
@@ -79,6 +77,12 @@ void EventsModel::clear() {
   events_.clear();
   waiting_.clear();
   endResetModel();
+}
+
+void EventsModel::startOver() {
+  lost_ = 0;
+  times_.clear();
+  clear();
 }
 
 void EventsModel::setPaused(bool paused) {

@@ -35,6 +35,8 @@ class EventsModel : public QAbstractListModel {
   void setPaused(bool paused);
   [[nodiscard]] bool isPaused() const { return is_paused_; }
   void clear();
+  /// Clears the list and forgets what has arrived so far.
+  void startOver();
 
   /// Events per second in the two seconds before `now`, which is in ns since 1970.
   [[nodiscard]] double rate(std::int64_t now) const;

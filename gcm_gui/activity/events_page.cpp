@@ -53,6 +53,8 @@ EventsPage::EventsPage(SystemReports& reports, Selection& selection, QWidget* pa
   };
   connect(list_, &QTreeView::activated, this, choose);
   connect(&reports, &SystemReports::eventsArrived, &events_, Guarded(&events_, &EventsModel::add));
+  connect(&reports, &SystemReports::beganAgain, &events_,
+          Guarded(&events_, &EventsModel::startOver));
   connect(&reports, &SystemReports::eventsLost, &events_, Guarded(&events_, &EventsModel::addLost));
   connect(&selection, &Selection::changed, this, Guarded(this, &EventsPage::listen));
   connect(&rate_timer_, &QTimer::timeout, this, Guarded(this, &EventsPage::showRate));

@@ -53,6 +53,7 @@ LogPage::LogPage(SystemReports& reports, const CatalogueStore& store, SystemActi
   };
   connect(list_, &QTreeView::activated, this, choose);
   connect(list_, &QTreeView::clicked, this, choose);
+  connect(&reports, &SystemReports::beganAgain, &log_, Guarded(&log_, &LogModel::clear));
   connect(&reports, &SystemReports::logArrived, &log_, Guarded(&log_, &LogModel::add));
   for (const auto signal : {&QAbstractItemModel::rowsInserted, &QAbstractItemModel::rowsRemoved}) {
     connect(&filter_, signal, this, &LogPage::showCount);

@@ -17,6 +17,8 @@
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
 #include <gcm_gui/recording/window_recording.h>
+#include <gcm_gui/replay/recording_opener.h>
+#include <gcm_gui/replay/window_replay.h>
 #include <gcm_gui/system/system_files.h>
 #include <gcm_gui/theme/tendon_style.h>
 #include <gcm_gui/theme/theme.h>
@@ -70,8 +72,13 @@ WindowCommands::WindowCommands(MainWindow& window) : QObject(&window), window_(w
   window_.topBar().addMenus(&commands_->bar());
   addSystemCommands();
   addPlotCommands();
-  window_.recording().addCommands(*commands_);
+  addRecordingCommands();
   window_.graphCommands().addCommands(*commands_);
+  if (window_.replay() != nullptr) {  // its key sets marks there
+    commands_->menu(Commands::Menu::kGraph)
+        .findChild<QAction*>(Words::tr("Map of the graph"))
+        ->setShortcut({});
+  }
   QMenu& view = commands_->menu(Commands::Menu::kView);
   window_.panels().fill(view);
   view.addSeparator();
@@ -88,6 +95,19 @@ WindowCommands::WindowCommands(MainWindow& window) : QObject(&window), window_(w
   window_.addAction(leave);
   addPalette();
   if (!window_.parts().read_only.isEmpty()) forbidChanges();
+}
+
+void WindowCommands::addRecordingCommands() {
+  if (window_.replay() != nullptr) {
+    window_.replay()->addCommands(*commands_);
+  } else {
+    window_.recording().addCommands(*commands_);
+  }
+  if (!window_.opener().isPossible()) return;
+  commands_->menu(Commands::Menu::kRecord).addSeparator();
+  commands_->add(Commands::Menu::kRecord, Words::tr("Open a recor&ding…"),
+                 QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O),
+                 [this] { window_.opener().ask(); });
 }
 
 void WindowCommands::addSystemCommands() {
@@ -117,7 +137,11 @@ void WindowCommands::addSystemCommands() {
         : window_.catalogue().focusFilter();
   });
   add(Words::tr("&Show in graph and catalogue"), Qt::Key_F4, [this] { window_.revealSelection(); });
-  add(Words::tr("Reload everythi&ng"), Qt::Key_F5, [this] {
+  const bool is_live = window_.replay() == nullptr;
+  const auto add_live = [&](const QString& text, const QKeySequence& key, auto what) {
+    if (is_live) add(text, key, what);
+  };
+  add_live(Words::tr("Reload everythi&ng"), Qt::Key_F5, [this] {
     const bool is_there = window_.parts().link.state() == LinkState::State::kConnected;
     window_.notice().showNotice(
         is_there ? Words::tr("Everything is loaded from the GCM again")
@@ -126,12 +150,12 @@ void WindowCommands::addSystemCommands() {
   });
   add(Words::tr("Search or &run…"), QKeySequence(Qt::CTRL | Qt::Key_K),
       [this] { palette_->open(); });
-  add(Words::tr("C&onsole"), QKeySequence(Qt::CTRL | Qt::Key_J), [this] {
+  add_live(Words::tr("C&onsole"), QKeySequence(Qt::CTRL | Qt::Key_J), [this] {
     window_.panels().reveal(window_.strip());
     window_.strip().showConsole();
   });
   commands_->menu(Commands::Menu::kSystem).addSeparator();
-  add(Words::tr("Connect to another &machine…"), {}, [this] { window_.gcmSwitcher().ask(); });
+  add_live(Words::tr("Connect to another &machine…"), {}, [this] { window_.gcmSwitcher().ask(); });
   add(Words::tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), [this] { window_.close(); });
 }
 
@@ -189,7 +213,10 @@ void WindowCommands::addPlotCommands() {
   add(Words::tr("Close t&his plot"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_W),
       [this] { window_.plots().closePlot(window_.plots().currentIndex()); });
   commands_->menu(Commands::Menu::kPlot).addSeparator();
-  QAction& pause = add(Words::tr("Pause &view"), Qt::Key_Space,
+  // In a recording, Space plays and pauses.
+  const QKeySequence pause_key =
+      window_.replay() == nullptr ? QKeySequence(Qt::Key_Space) : QKeySequence();
+  QAction& pause = add(Words::tr("Pause &view"), pause_key,
                        [this] { window_.plots().setPaused(!window_.plots().isPaused()); });
   pause.setCheckable(true);
   new ButtonsHaveSpace(window_);

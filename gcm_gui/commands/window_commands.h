@@ -28,6 +28,7 @@ class WindowCommands : public QObject {
 
  private:
   void addSystemCommands();
+  void addRecordingCommands();
   void addLifecycleCommands();
   void addPlotCommands();
   void addHelpCommands();

@@ -29,8 +29,9 @@ CandidatesModel::Row CandidatesModel::rowOf(const PortCandidate& candidate) {
   row.trail = Words::tr("%1 of %2")
                   .arg(candidate.compatibility.matched)
                   .arg(candidate.compatibility.needed);
-  row.tip =
-      row.name + Words::tr("\nHas %1 of the commands and events that are needed.").arg(row.trail);
+  row.tip = row.name + Words::tr("\nHas %1 of the %2 commands and events that are needed.")
+                           .arg(candidate.compatibility.matched)
+                           .arg(candidate.compatibility.needed);
   if (candidate.gone) {
     row.trail = WordOf(StateMark::kLost);
   } else if (candidate.present) {

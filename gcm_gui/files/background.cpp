@@ -46,6 +46,12 @@ void Background::start(Task task) {
     thread_ = std::thread([what = what_, queue = queue_] { work(what, queue); });
 }
 
+void Background::dropWaiting() {
+  std::deque<Task> dropped;  // destroyed without the lock
+  const std::lock_guard lock(queue_->mutex);
+  dropped.swap(queue_->tasks);
+}
+
 void Background::work(const char* what, const std::shared_ptr<Queue>& queue) {
   std::unique_lock lock(queue->mutex);
   while (true) {

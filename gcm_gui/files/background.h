@@ -25,6 +25,8 @@ class Background {
   ~Background();
 
   void start(Task task);
+  /// Drops the tasks that have not begun.
+  void dropWaiting();
 
  private:
   struct Queue;

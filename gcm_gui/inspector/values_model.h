@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gcm_gui/models/row_rate.h>
+#include <gcm_gui/models/shown_clock.h>
 #include <gcm_gui/models/state_marks.h>
 #include <gcm_gui/session/signal_source.h>
 #include <tendon/base/clock.h>
@@ -33,7 +34,7 @@ class ValuesModel : public QAbstractTableModel {
   /// After this time without an answer, the row of the column says so.
   static constexpr std::chrono::seconds kPatience{1};
 
-  explicit ValuesModel(QObject* parent = nullptr, const Clock& clock = SteadyClock())
+  explicit ValuesModel(QObject* parent = nullptr, const Clock& clock = ShownClock())
       : QAbstractTableModel(parent), clock_(clock) {}
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;

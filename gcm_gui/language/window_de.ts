@@ -281,9 +281,9 @@ Das kann etwas in Bewegung setzen: den Knopf 0.4&#xa0;s halten</translation>
     </message>
     <message>
         <source>
-Has %1 of the commands and events that are needed.</source>
+Has %1 of the %2 commands and events that are needed.</source>
         <translation>
-Hat %1 der benötigten Befehle und Ereignisse.</translation>
+Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
     </message>
     <message>
         <source>replaces %1</source>
@@ -2474,12 +2474,12 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
         <translation>Importiert nach </translation>
     </message>
     <message>
-        <source>Import a file of cisst</source>
-        <translation>Eine Datei von cisst importieren</translation>
+        <source>Import a cisst file</source>
+        <translation>Eine cisst-Datei importieren</translation>
     </message>
     <message>
-        <source>&amp;Import a file of cisst…</source>
-        <translation>Eine Datei von cisst &amp;importieren…</translation>
+        <source>&amp;Import a cisst file…</source>
+        <translation>Eine cisst-Datei &amp;importieren…</translation>
     </message>
     <message>
         <source>Files of a cisst component manager (*.json)</source>
@@ -3371,6 +3371,226 @@ Hat %1 der benötigten Befehle und Ereignisse.</translation>
     <message>
         <source>The path is in the clipboard</source>
         <translation>Der Pfad ist in der Zwischenablage</translation>
+    </message>
+    <message>
+        <source>Open a recor&amp;ding…</source>
+        <translation>Eine Auf&amp;zeichnung öffnen…</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>Eine Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>Recordings (*.mcap)</source>
+        <translation>Aufzeichnungen (*.mcap)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened, because %2 cannot be started</source>
+        <translation>%1 kann nicht geöffnet werden, weil sich %2 nicht starten lässt</translation>
+    </message>
+    <message>
+        <source>%1 opens in a window of its own</source>
+        <translation>%1 öffnet sich in einem eigenen Fenster</translation>
+    </message>
+    <message>
+        <source>Open another recording…</source>
+        <translation>Eine andere Aufzeichnung öffnen…</translation>
+    </message>
+    <message>
+        <source>%1 is being opened</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+    <message>
+        <source>A file without an index, such as one that is still being written, is read as a whole first.</source>
+        <translation>Eine Datei ohne Verzeichnis, etwa eine, die noch geschrieben wird, wird zuerst ganz gelesen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be shown</source>
+        <translation>%1 kann nicht gezeigt werden</translation>
+    </message>
+    <message>
+        <source>No component at this moment</source>
+        <translation>Keine Komponente zu diesem Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>The recording has no component at this moment. Move the slider above, or look at the catalogue and the log.</source>
+        <translation>Die Aufzeichnung hat zu diesem Zeitpunkt keine Komponente. Den Regler oben verschieben, oder Katalog und Protokoll ansehen.</translation>
+    </message>
+    <message>
+        <source>the reading of a recording</source>
+        <translation>das Lesen einer Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>This window shows the recording %1: nothing in it can be changed</source>
+        <translation>Dieses Fenster zeigt die Aufzeichnung %1: nichts darin lässt sich ändern</translation>
+    </message>
+    <message>
+        <source>this type is not in the recording</source>
+        <translation>dieser Typ ist nicht in der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>There is no event, loss or mark after this moment</source>
+        <translation>Nach diesem Zeitpunkt gibt es kein Ereignis, keinen Verlust und keine Marke</translation>
+    </message>
+    <message>
+        <source>There is no event, loss or mark before this moment</source>
+        <translation>Vor diesem Zeitpunkt gibt es kein Ereignis, keinen Verlust und keine Marke</translation>
+    </message>
+    <message>
+        <source>Previous event, loss or mark</source>
+        <translation>Voriges Ereignis, voriger Verlust oder vorige Marke</translation>
+    </message>
+    <message>
+        <source>One row or event back</source>
+        <translation>Eine Zeile oder ein Ereignis zurück</translation>
+    </message>
+    <message>
+        <source>One row or event on</source>
+        <translation>Eine Zeile oder ein Ereignis weiter</translation>
+    </message>
+    <message>
+        <source>Next event, loss or mark</source>
+        <translation>Nächstes Ereignis, nächster Verlust oder nächste Marke</translation>
+    </message>
+    <message>
+        <source>The recording is being opened</source>
+        <translation>Die Aufzeichnung wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>How fast the recording is played</source>
+        <translation>Wie schnell die Aufzeichnung abgespielt wird</translation>
+    </message>
+    <message>
+        <source>Begin again at the end</source>
+        <translation>Am Ende von vorn beginnen</translation>
+    </message>
+    <message>
+        <source>Mark this moment, or remove its mark</source>
+        <translation>Diesen Zeitpunkt markieren oder seine Marke entfernen</translation>
+    </message>
+    <message>
+        <source>Copy the command gcm recover</source>
+        <translation>Den Befehl gcm recover kopieren</translation>
+    </message>
+    <message>
+        <source>In the clipboard: %1</source>
+        <translation>In der Zwischenablage: %1</translation>
+    </message>
+    <message>
+        <source>Load what came since</source>
+        <translation>Neues nachladen</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>is being opened…</source>
+        <translation>wird geöffnet…</translation>
+    </message>
+    <message>
+        <source>cannot be shown</source>
+        <translation>kann nicht gezeigt werden</translation>
+    </message>
+    <message>
+        <source>recorded on %1 at %2</source>
+        <translation>aufgezeichnet am %1 um %2</translation>
+    </message>
+    <message>
+        <source>The file is still being written; it is shown up to %1</source>
+        <translation>Die Datei wird noch geschrieben; gezeigt wird sie bis %1</translation>
+    </message>
+    <message>
+        <source>The end of the file is missing or damaged; it is shown up to %1. To repair it: gcm recover</source>
+        <translation>Das Ende der Datei fehlt oder ist beschädigt; gezeigt wird sie bis %1. Zum Reparieren: gcm recover</translation>
+    </message>
+    <message>
+        <source>Parts of the file are damaged and are left out: %1. To repair it: gcm recover</source>
+        <translation>Teile der Datei sind beschädigt und fehlen: %1. Zum Reparieren: gcm recover</translation>
+    </message>
+    <message>
+        <source>Not complete</source>
+        <translation>Unvollständig</translation>
+    </message>
+    <message>
+        <source>Damaged</source>
+        <translation>Beschädigt</translation>
+    </message>
+    <message>
+        <source>REPLAY</source>
+        <translation>WIEDERGABE</translation>
+    </message>
+    <message>
+        <source>Moment of the recording</source>
+        <translation>Zeitpunkt der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>&amp;Replay</source>
+        <translation>&amp;Wiedergabe</translation>
+    </message>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>&amp;Abspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Faster</source>
+        <translation>S&amp;chneller</translation>
+    </message>
+    <message>
+        <source>&amp;Slower</source>
+        <translation>&amp;Langsamer</translation>
+    </message>
+    <message>
+        <source>One row or event &amp;on</source>
+        <translation>Eine Zeile oder ein Ereignis &amp;weiter</translation>
+    </message>
+    <message>
+        <source>One row or event &amp;back</source>
+        <translation>Eine Zeile oder ein Ereignis &amp;zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Next event, loss or mark</source>
+        <translation>&amp;Nächstes Ereignis, nächster Verlust oder nächste Marke</translation>
+    </message>
+    <message>
+        <source>P&amp;revious event, loss or mark</source>
+        <translation>&amp;Voriges Ereignis, voriger Verlust oder vorige Marke</translation>
+    </message>
+    <message>
+        <source>To the be&amp;gin</source>
+        <translation>Zum A&amp;nfang</translation>
+    </message>
+    <message>
+        <source>To the &amp;end</source>
+        <translation>Zum &amp;Ende</translation>
+    </message>
+    <message>
+        <source>&amp;Mark this moment, or remove its mark</source>
+        <translation>Diesen Zeitpunkt &amp;markieren oder seine Marke entfernen</translation>
+    </message>
+    <message>
+        <source>Open a recording…</source>
+        <translation>Eine Aufzeichnung öffnen…</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>REPLAY %1 – gcm-gui</source>
+        <translation>WIEDERGABE %1 – gcm-gui</translation>
+    </message>
+    <message>
+        <source>This window shows the recording %1. It is connected to no running system.</source>
+        <translation>Dieses Fenster zeigt die Aufzeichnung %1. Es ist mit keinem laufenden System verbunden.</translation>
     </message>
 </context>
 </TS>

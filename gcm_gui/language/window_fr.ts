@@ -281,9 +281,9 @@ Cela peut mettre quelque chose en mouvement&#xa0;: maintenir le bouton 0.4&#xa0;
     </message>
     <message>
         <source>
-Has %1 of the commands and events that are needed.</source>
+Has %1 of the %2 commands and events that are needed.</source>
         <translation>
-Possède %1 des commandes et événements requis.</translation>
+Possède %1 des %2 commandes et événements requis.</translation>
     </message>
     <message>
         <source>replaces %1</source>
@@ -2474,12 +2474,12 @@ Possède %1 des commandes et événements requis.</translation>
         <translation>Importé dans </translation>
     </message>
     <message>
-        <source>Import a file of cisst</source>
-        <translation>Importer un fichier de cisst</translation>
+        <source>Import a cisst file</source>
+        <translation>Importer un fichier cisst</translation>
     </message>
     <message>
-        <source>&amp;Import a file of cisst…</source>
-        <translation>&amp;Importer un fichier de cisst…</translation>
+        <source>&amp;Import a cisst file…</source>
+        <translation>&amp;Importer un fichier cisst…</translation>
     </message>
     <message>
         <source>Files of a cisst component manager (*.json)</source>
@@ -3371,6 +3371,226 @@ Possède %1 des commandes et événements requis.</translation>
     <message>
         <source>The path is in the clipboard</source>
         <translation>Le chemin est dans le presse-papiers</translation>
+    </message>
+    <message>
+        <source>Open a recor&amp;ding…</source>
+        <translation>&amp;Ouvrir un enregistrement…</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>Ouvrir un enregistrement</translation>
+    </message>
+    <message>
+        <source>Recordings (*.mcap)</source>
+        <translation>Enregistrements (*.mcap)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened, because %2 cannot be started</source>
+        <translation>Impossible d’ouvrir %1, car %2 ne démarre pas</translation>
+    </message>
+    <message>
+        <source>%1 opens in a window of its own</source>
+        <translation>%1 s’ouvre dans sa propre fenêtre</translation>
+    </message>
+    <message>
+        <source>Open another recording…</source>
+        <translation>Ouvrir un autre enregistrement…</translation>
+    </message>
+    <message>
+        <source>%1 is being opened</source>
+        <translation>Ouverture de %1</translation>
+    </message>
+    <message>
+        <source>A file without an index, such as one that is still being written, is read as a whole first.</source>
+        <translation>Un fichier sans index, par exemple en cours d’écriture, est d’abord lu en entier.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be shown</source>
+        <translation>Impossible de montrer %1</translation>
+    </message>
+    <message>
+        <source>No component at this moment</source>
+        <translation>Aucun composant à cet instant</translation>
+    </message>
+    <message>
+        <source>The recording has no component at this moment. Move the slider above, or look at the catalogue and the log.</source>
+        <translation>L’enregistrement n’a aucun composant à cet instant. Déplacer le curseur ci-dessus, ou regarder le catalogue et le journal.</translation>
+    </message>
+    <message>
+        <source>the reading of a recording</source>
+        <translation>la lecture d’un enregistrement</translation>
+    </message>
+    <message>
+        <source>This window shows the recording %1: nothing in it can be changed</source>
+        <translation>Cette fenêtre montre l’enregistrement %1&#xa0;: rien ne peut y être modifié</translation>
+    </message>
+    <message>
+        <source>this type is not in the recording</source>
+        <translation>ce type n’est pas dans l’enregistrement</translation>
+    </message>
+    <message>
+        <source>There is no event, loss or mark after this moment</source>
+        <translation>Aucun événement, perte ou repère après cet instant</translation>
+    </message>
+    <message>
+        <source>There is no event, loss or mark before this moment</source>
+        <translation>Aucun événement, perte ou repère avant cet instant</translation>
+    </message>
+    <message>
+        <source>Previous event, loss or mark</source>
+        <translation>Événement, perte ou repère précédent</translation>
+    </message>
+    <message>
+        <source>One row or event back</source>
+        <translation>Reculer d’une ligne ou d’un événement</translation>
+    </message>
+    <message>
+        <source>One row or event on</source>
+        <translation>Avancer d’une ligne ou d’un événement</translation>
+    </message>
+    <message>
+        <source>Next event, loss or mark</source>
+        <translation>Événement, perte ou repère suivant</translation>
+    </message>
+    <message>
+        <source>The recording is being opened</source>
+        <translation>L’enregistrement s’ouvre</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>How fast the recording is played</source>
+        <translation>Vitesse de lecture de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Begin again at the end</source>
+        <translation>Recommencer à la fin</translation>
+    </message>
+    <message>
+        <source>Mark this moment, or remove its mark</source>
+        <translation>Marquer cet instant, ou enlever son repère</translation>
+    </message>
+    <message>
+        <source>Copy the command gcm recover</source>
+        <translation>Copier la commande gcm recover</translation>
+    </message>
+    <message>
+        <source>In the clipboard: %1</source>
+        <translation>Dans le presse-papiers&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Load what came since</source>
+        <translation>Charger la suite</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Lire</translation>
+    </message>
+    <message>
+        <source>is being opened…</source>
+        <translation>s’ouvre…</translation>
+    </message>
+    <message>
+        <source>cannot be shown</source>
+        <translation>ne peut pas être montré</translation>
+    </message>
+    <message>
+        <source>recorded on %1 at %2</source>
+        <translation>enregistré le %1 à %2</translation>
+    </message>
+    <message>
+        <source>The file is still being written; it is shown up to %1</source>
+        <translation>Le fichier est en cours d’écriture&#xa0;; il est montré jusqu’à %1</translation>
+    </message>
+    <message>
+        <source>The end of the file is missing or damaged; it is shown up to %1. To repair it: gcm recover</source>
+        <translation>La fin du fichier manque ou est abîmée&#xa0;; il est montré jusqu’à %1. Pour le réparer&#xa0;: gcm recover</translation>
+    </message>
+    <message>
+        <source>Parts of the file are damaged and are left out: %1. To repair it: gcm recover</source>
+        <translation>Des parties du fichier sont abîmées et manquent&#xa0;: %1. Pour le réparer&#xa0;: gcm recover</translation>
+    </message>
+    <message>
+        <source>Not complete</source>
+        <translation>Incomplet</translation>
+    </message>
+    <message>
+        <source>Damaged</source>
+        <translation>Abîmé</translation>
+    </message>
+    <message>
+        <source>REPLAY</source>
+        <translation>LECTURE</translation>
+    </message>
+    <message>
+        <source>Moment of the recording</source>
+        <translation>Instant de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>&amp;Replay</source>
+        <translation>&amp;Lecture</translation>
+    </message>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>&amp;Lire ou suspendre</translation>
+    </message>
+    <message>
+        <source>&amp;Faster</source>
+        <translation>Plus &amp;vite</translation>
+    </message>
+    <message>
+        <source>&amp;Slower</source>
+        <translation>Moins vi&amp;te</translation>
+    </message>
+    <message>
+        <source>One row or event &amp;on</source>
+        <translation>&amp;Avancer d’une ligne ou d’un événement</translation>
+    </message>
+    <message>
+        <source>One row or event &amp;back</source>
+        <translation>&amp;Reculer d’une ligne ou d’un événement</translation>
+    </message>
+    <message>
+        <source>&amp;Next event, loss or mark</source>
+        <translation>Événement, perte ou repère &amp;suivant</translation>
+    </message>
+    <message>
+        <source>P&amp;revious event, loss or mark</source>
+        <translation>Événement, perte ou repère &amp;précédent</translation>
+    </message>
+    <message>
+        <source>To the be&amp;gin</source>
+        <translation>Au &amp;début</translation>
+    </message>
+    <message>
+        <source>To the &amp;end</source>
+        <translation>À la &amp;fin</translation>
+    </message>
+    <message>
+        <source>&amp;Mark this moment, or remove its mark</source>
+        <translation>&amp;Marquer cet instant, ou enlever son repère</translation>
+    </message>
+    <message>
+        <source>Open a recording…</source>
+        <translation>Ouvrir un enregistrement…</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>Ouvrir %1</translation>
+    </message>
+    <message>
+        <source>REPLAY %1 – gcm-gui</source>
+        <translation>LECTURE %1 – gcm-gui</translation>
+    </message>
+    <message>
+        <source>This window shows the recording %1. It is connected to no running system.</source>
+        <translation>Cette fenêtre montre l’enregistrement %1. Elle n’est reliée à aucun système en marche.</translation>
     </message>
 </context>
 </TS>

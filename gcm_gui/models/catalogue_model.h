@@ -2,6 +2,7 @@
 
 #include <gcm_gui/models/catalogue_item.h>
 #include <gcm_gui/models/column_arrivals.h>
+#include <gcm_gui/models/shown_clock.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/plot/series/signal_path.h>
 #include <gcm_gui/session/catalogue_store.h>
@@ -30,7 +31,7 @@ class CatalogueModel : public QAbstractItemModel {
  public:
   enum Column { kName, kValue, kRate, kAge, kConnected, kColumnCount };
 
-  explicit CatalogueModel(QObject* parent = nullptr, const Clock& clock = SteadyClock());
+  explicit CatalogueModel(QObject* parent = nullptr, const Clock& clock = ShownClock());
   ~CatalogueModel() override;
 
   [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent) const override;

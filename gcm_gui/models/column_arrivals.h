@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gcm_gui/models/row_rate.h>
+#include <gcm_gui/models/shown_clock.h>
 #include <tendon/base/clock.h>
 
 #include <QHash>
@@ -20,7 +21,7 @@ class ColumnArrivals {
   /// The maximum time without rows for a column that is not watched.
   static constexpr std::chrono::seconds kSilence{2};
 
-  explicit ColumnArrivals(const Clock& clock = SteadyClock()) : clock_(clock) {}
+  explicit ColumnArrivals(const Clock& clock = ShownClock()) : clock_(clock) {}
 
   void onValues(const QString& column, const ColumnValues& values);
   /// Sets the columns that certainly have a subscription. For other columns, missing rows do not

@@ -1,5 +1,6 @@
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
+#include <gcm_gui/plot/series/shown_time.h>
 #include <tendon/gcm/staleness.h>
 
 #include <QDateTime>
@@ -122,11 +123,7 @@ QString CallLine(const QString& path, const QString& json) {
   return json.isEmpty() ? line : line + ' ' + ShellWord(json);
 }
 
-std::int64_t WallClock() {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(
-             std::chrono::system_clock::now().time_since_epoch())
-      .count();
-}
+std::int64_t WallClock() { return ShownWallTime(); }
 
 QStringList CountsLines(const ConnectionCounts& counts) {
   QStringList lines{Words::tr("connected for ") + AgeText(counts.age.count())};

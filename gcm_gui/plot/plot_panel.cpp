@@ -9,6 +9,7 @@
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_picture.h>
 #include <gcm_gui/plot/plot_view.h>
+#include <gcm_gui/plot/series/shown_time.h>
 
 #include <QFileDialog>
 #include <QInputDialog>
@@ -28,9 +29,9 @@ namespace {
 constexpr int kHeadPeriod = 250;  // ms
 
 CsvTable InSight(const PlotView& view) {
-  const std::chrono::nanoseconds utc = std::chrono::system_clock::now().time_since_epoch();
   const TimeWindow& window = view.window();
-  return CsvTableOf(view.curves(), window.firstTime(), window.lastTime(), utc.count() - view.now());
+  return CsvTableOf(view.curves(), window.firstTime(), window.lastTime(),
+                    ShownWallTime() - view.now());
 }
 
 }  // namespace
@@ -167,11 +168,23 @@ void PlotPanel::addMark(Mark mark) {
   for (PlotView* view : plots()) view->marksChanged();
 }
 
+void PlotPanel::removeMarks() {
+  marks_.clear();
+  for (PlotView* view : plots()) view->marksChanged();
+}
+
 void PlotPanel::setMarksShown(bool shown) {
   if (shown == marks_shown_) return;
   marks_shown_ = shown;
   for (PlotView* view : plots()) view->setMarksShown(shown);
   Q_EMIT marksShownChanged(shown);
+}
+
+void PlotPanel::removeSamples() {
+  for (PlotView* view : plots()) {
+    for (const auto& curve : view->curves().curves()) curve->removeSamples();
+    view->curveStateChanged();
+  }
 }
 
 void PlotPanel::beginEpoch(const QString& path) {
@@ -317,7 +330,8 @@ void PlotPanel::askForRemap(const QString& path) {
 }
 
 void PlotPanel::remap(const QString& given, const CurveKey& to) {
-  const QString from = given;  // a copy, because `given` may refer to the path in a curve itself
+  // Copied, because `given` may refer to the path of a curve that this function removes.
+  const QString from = given;
   if (from == to.path || to.path.isEmpty()) return;
   for (PlotView* view : plots()) {
     if (view->curve(from) == nullptr) continue;

@@ -45,6 +45,8 @@ class PlotPanel : public QWidget {
   /// Sets the names of a signal's values in all present and future plots; null if the values are
   /// plain numbers.
   void setNames(const QString& path, const ValueNamesPointer& names);
+  /// Empties all curves, because samples of another time follow.
+  void removeSamples();
   /// Called when the source was restarted, so that its ticks start again.
   void beginEpoch(const QString& path);
   /// Called when no samples will arrive until the next append(). With an empty `reason`, the curve
@@ -53,6 +55,7 @@ class PlotPanel : public QWidget {
   [[nodiscard]] QStringList paths() const;
   /// Adds a mark to all plots.
   void addMark(Mark mark);
+  void removeMarks();
   [[nodiscard]] const MarkTrack& marks() const { return marks_; }
   /// Shows or hides the marks in all plots. Marks that are added while hidden are stored.
   void setMarksShown(bool shown);

@@ -11,6 +11,7 @@
 #include <gcm_gui/plot/controls/plot_navigator.h>
 #include <gcm_gui/plot/controls/plot_overlay.h>
 #include <gcm_gui/plot/plot_view.h>
+#include <gcm_gui/plot/series/shown_time.h>
 #include <gcm_gui/theme/icon.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
@@ -41,10 +42,6 @@ constexpr auto kHint = QT_TRANSLATE_NOOP("Words", "Select a value and press P, o
 std::uint64_t NextId() {
   static std::uint64_t last = 0;
   return ++last;
-}
-
-std::int64_t LocalNow() {
-  return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 }  // namespace
@@ -281,7 +278,10 @@ void PlotView::updateLive() {
   Q_EMIT liveChanged(was_live_);
 }
 
-std::int64_t PlotView::now() const { return time_axis_->clock().now(LocalNow()); }
+std::int64_t PlotView::now() const {
+  // A recording is always complete up to its moment, so there is no delay to estimate.
+  return IsMomentShown() ? ShownTime() : time_axis_->clock().now(ShownTime());
+}
 
 // Returns the width of the time axis in columns. This width differs slightly from the width of the
 // canvas.
@@ -294,7 +294,7 @@ void PlotView::noticeSamples() {
   const std::int64_t newest = curves_.newestTime();
   if (newest == newest_ns_) return;
   newest_ns_ = newest;
-  time_axis_->clock().update(newest, LocalNow());
+  time_axis_->clock().update(newest, ShownTime());
   dirty_ = true;
 }
 

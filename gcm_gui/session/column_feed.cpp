@@ -30,10 +30,10 @@ bool SameShape(const std::vector<NumericField>& a, const std::vector<NumericFiel
 }
 
 /// Drops the oldest samples above the limit. Returns the number of dropped samples.
-std::size_t DropOldest(std::vector<ColumnFeed::Run>& runs, std::size_t& waiting) {
-  if (waiting <= ColumnFeed::kMostWaiting) return 0;
+std::size_t DropOldest(std::vector<ColumnFeed::Run>& runs, std::size_t& waiting, std::size_t most) {
+  if (waiting <= most) return 0;
   std::size_t dropped = 0;
-  const std::size_t wanted = waiting - ColumnFeed::kMostWaiting;
+  const std::size_t wanted = waiting - most;
   for (ColumnFeed::Run& run : runs) {
     const std::size_t some = std::min(wanted - dropped, run.samples.size());
     run.samples.erase(run.samples.begin(), run.samples.begin() + static_cast<std::ptrdiff_t>(some));
@@ -170,7 +170,7 @@ std::size_t ColumnFeed::feed(Tap& tap, const RowBatch& batch, bool new_epoch) co
                        NumberOf(*tap.field, batch.cell(row, 0))});
   }
   tap.waiting += batch.count;
-  return DropOldest(tap.runs, tap.waiting);
+  return DropOldest(tap.runs, tap.waiting, most_waiting_);
 }
 
 void ColumnFeed::OnStale(const Error& reason) {

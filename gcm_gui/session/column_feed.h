@@ -22,9 +22,11 @@ namespace tendon::gui {
 /// next call.
 class ColumnFeed final : public RowSink {
  public:
-  /// The maximum number of samples that are stored for each number until they are taken. Above it,
-  /// the oldest samples are dropped and count as lost.
+  /// The default of the maximum number of samples that are stored for each number until they are
+  /// taken. Above it, the oldest samples are dropped and count as lost.
   static constexpr std::size_t kMostWaiting = std::size_t{1} << 18;
+
+  explicit ColumnFeed(std::size_t most_waiting = kMostWaiting) : most_waiting_(most_waiting) {}
 
   /// Samples from one run of the source, between two restarts.
   struct Run {
@@ -92,6 +94,7 @@ class ColumnFeed final : public RowSink {
   std::size_t feed(Tap& tap, const RowBatch& batch, bool new_epoch) const;
   [[nodiscard]] NumericFieldList shapeOf(const std::vector<std::byte>& row);
 
+  const std::size_t most_waiting_;
   std::mutex mutex_;
   std::optional<Schema> schema_;
   bool is_picture_ = false;

@@ -10,6 +10,11 @@ void LinkState::setAddress(const QString& address, bool hosted) {
   Q_EMIT changed();
 }
 
+void LinkState::setFile(const QString& name) {
+  is_file_ = true;
+  setAddress(name, false);
+}
+
 void LinkState::setConnected() {
   reason_.clear();
   enter(State::kConnected);

@@ -21,6 +21,9 @@ class LinkState : public QObject {
 
   [[nodiscard]] State state() const { return state_; }
   [[nodiscard]] const QString& address() const { return address_; }
+  /// True if the system is a recording, and address() the name of its file. Then the link is either
+  /// searching, which means that the file is being opened, or connected.
+  [[nodiscard]] bool isFile() const { return is_file_; }
   /// True if the GCM runs inside this program.
   [[nodiscard]] bool isHosted() const { return hosted_; }
   /// The reason why the GCM is unreachable.
@@ -29,6 +32,7 @@ class LinkState : public QObject {
   [[nodiscard]] std::int64_t since() const { return since_; }
 
   void setAddress(const QString& address, bool hosted);
+  void setFile(const QString& name);
   void setConnected();
   /// Sets the state kLost. If the GCM was never found, sets the state kSearching.
   void setUnreachable(const QString& reason);
@@ -45,6 +49,7 @@ class LinkState : public QObject {
   State state_ = State::kSearching;
   QString address_;
   bool hosted_ = false;
+  bool is_file_ = false;
   QString reason_;
   std::int64_t since_ = 0;
 };

@@ -56,6 +56,9 @@ class SystemReports : public QObject {
   virtual void askClasses(const std::string& process, Handler<message::Classes> handler) = 0;
 
  Q_SIGNALS:
+  /// Emitted when a recording jumps to another moment. Discard all earlier log records and events.
+  /// logArrived() and eventsArrived() then deliver those up to the new moment.
+  void beganAgain();
   void logArrived(const tendon::LogBatch& batch);
   /// Emitted with events in the order of arrival. An event of an unknown type is delayed until the
   /// type is known.

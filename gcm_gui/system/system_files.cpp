@@ -49,7 +49,7 @@ void SystemFiles::addCommands(Commands& commands) {
   };
   QMenu& menu = commands.menu(Commands::Menu::kSystem);
   add(Words::tr("&Open a system file…"), QKeySequence::Open, [this] { open(); });
-  add(Words::tr("&Import a file of cisst…"), {}, [this] { importFile(); });
+  add(Words::tr("&Import a cisst file…"), {}, [this] { importFile(); });
   add(Words::tr("Sa&ve the running system"), QKeySequence::Save, [this] { save(); });
   add(Words::tr("Save the running system &as…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
       [this] { saveAs(); });
@@ -148,7 +148,7 @@ void SystemFiles::open() {
 }
 
 void SystemFiles::importFile() {
-  auto* dialog = new QFileDialog(&window_, Words::tr("Import a file of cisst"));
+  auto* dialog = new QFileDialog(&window_, Words::tr("Import a cisst file"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setNameFilter(Words::tr("Files of a cisst component manager (*.json)"));
   dialog->setFileMode(QFileDialog::ExistingFile);
@@ -166,7 +166,7 @@ void SystemFiles::askForProcess(const QString& file) {
   auto* dialog = new QInputDialog(&window_);
   dialog->setObjectName(QStringLiteral("importProcess"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setWindowTitle(Words::tr("Import a file of cisst"));
+  dialog->setWindowTitle(Words::tr("Import a cisst file"));
   dialog->setLabelText(Words::tr("The process to which the components belong"));
   dialog->setComboBoxItems(names);
   dialog->setComboBoxEditable(true);

@@ -3,16 +3,20 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
+#include <gcm_gui/views/link_button.h>
 #include <gcm_gui/window/empty_state.h>
 #include <tendon/process/membership/advertised_address.h>
 
 #include <QClipboard>
+#include <QFileInfo>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QToolButton>
 #include <QVBoxLayout>
+#include <utility>
 
 namespace tendon::gui {
 namespace {
@@ -31,7 +35,7 @@ bool IsHere(const LinkState& link) {
 EmptyState::EmptyState(const LinkState& link, Offers offers, QWidget* parent)
     : QWidget(parent),
       link_(link),
-      offers_(offers),
+      offers_(std::move(offers)),
       title_(new QLabel),
       text_(new QLabel),
       demo_(buildDemo()),
@@ -65,6 +69,7 @@ EmptyState::EmptyState(const LinkState& link, Offers offers, QWidget* parent)
   column->addLayout(line);
   column->addSpacing(2 * kGrid);
   column->addLayout(buildWaysOn());
+  if (offers_.recordings) column->addWidget(buildRecordings());
   auto* middle = new QHBoxLayout(this);
   middle->addStretch(1);
   middle->addWidget(body, 100, Qt::AlignVCenter);
@@ -105,6 +110,30 @@ QLayout* EmptyState::buildWaysOn() {
   for (QPushButton* button : {start_, other, tour}) row->addWidget(button);
   row->addStretch();
   return row;
+}
+
+QWidget* EmptyState::buildRecordings() {
+  constexpr qsizetype kShown = 3;
+  auto* recordings = new QWidget;
+  auto* open = new QPushButton(Words::tr("Open a recording…"));
+  open->setObjectName(QStringLiteral("openRecordingButton"));
+  connect(open, &QPushButton::clicked, this, &EmptyState::recordingRequested);
+  auto* row = new QHBoxLayout(recordings);
+  row->setContentsMargins(0, 2 * kGrid, 0, 0);
+  row->setSpacing(2 * kGrid);
+  row->addWidget(open);
+  for (const QString& file : offers_.recent.mid(0, kShown)) {
+    constexpr int kNameWidth = 120;
+    QToolButton* recent = MakeLinkButton({}, QStringLiteral("recentRecording"));
+    recent->setText(
+        recent->fontMetrics().elidedText(QFileInfo(file).fileName(), Qt::ElideMiddle, kNameWidth));
+    recent->setToolTip(file);
+    recent->setAccessibleName(Words::tr("Open %1").arg(file));
+    connect(recent, &QToolButton::clicked, this, [this, file] { Q_EMIT recentRequested(file); });
+    row->addWidget(recent);
+  }
+  row->addStretch();
+  return recordings;
 }
 
 void EmptyState::refresh() {

@@ -2,6 +2,8 @@
 
 #include <gcm_gui/session/link_state.h>
 
+#include <QString>
+#include <QStringList>
 #include <QWidget>
 
 class QLabel;
@@ -12,8 +14,8 @@ class QPushButton;
 namespace tendon::gui {
 
 /// The middle of the window while no component is known. It explains why, and has buttons to start
-/// a GCM or the demo (if possible), to connect to another machine, and to take the tour. It also
-/// shows a shell command that starts components.
+/// a GCM or the demo (if possible), to connect to another machine, to open a recording, and to take
+/// the tour. It also shows a shell command that starts components.
 class EmptyState : public QWidget {
   Q_OBJECT
 
@@ -22,6 +24,8 @@ class EmptyState : public QWidget {
   struct Offers {
     bool gcm = false;
     bool demo = false;
+    bool recordings = false;  ///< another window, for a recording
+    QStringList recent{};     ///< recordings, latest first
   };
 
   EmptyState(const LinkState& link, Offers offers, QWidget* parent = nullptr);
@@ -33,10 +37,14 @@ class EmptyState : public QWidget {
   /// Emitted when the user wants to connect to another GCM.
   void otherRequested();
   void tourRequested();
+  /// Emitted when the user wants to choose a recording, or to open this one.
+  void recordingRequested();
+  void recentRequested(const QString& file);
 
  private:
   [[nodiscard]] QWidget* buildDemo();
   [[nodiscard]] QLayout* buildWaysOn();
+  [[nodiscard]] QWidget* buildRecordings();
   void refresh();
 
   const LinkState& link_;

@@ -23,6 +23,11 @@
 #include <gcm_gui/recording/record_button.h>
 #include <gcm_gui/recording/recording_strip.h>
 #include <gcm_gui/recording/window_recording.h>
+#include <gcm_gui/replay/recording_opener.h>
+#include <gcm_gui/replay/replay_page.h>
+#include <gcm_gui/replay/replay_session.h>
+#include <gcm_gui/replay/replay_strip.h>
+#include <gcm_gui/replay/window_replay.h>
 #include <gcm_gui/session/system_reports.h>
 #include <gcm_gui/system/system_files.h>
 #include <gcm_gui/theme/icon.h>
@@ -45,8 +50,11 @@
 #include <tendon/base/log.h>
 #include <tendon/base/path.h>
 
+#include <QDragEnterEvent>
+#include <QDropEvent>
 #include <QHeaderView>
 #include <QLineEdit>
+#include <QMimeData>
 #include <QPushButton>
 #include <QSplitter>
 #include <QStackedWidget>
@@ -82,6 +90,8 @@ MainWindow::MainWindow(WindowParts parts)
   setObjectName(QStringLiteral("window"));
   setWindowIcon(ThemeIcon(QStringLiteral("logo"), Token::kAccent));
   resize(kWindow);
+  setAcceptDrops(true);
+  opener_ = new RecordingOpener(parts_.viewer, parts_.kept, *this);
   connectModels();
   connectExceptionGuard();
   buildViews();
@@ -168,12 +178,19 @@ QWidget* MainWindow::buildTop() {
                                    {.plotted = [this] { return plots_->paths(); },
                                     .selected = [this] { return selection_.paths(); }},
                                    *this);
-  top_bar_->addRecordButton(&recording_->button());
+  if (parts_.replay == nullptr) {
+    top_bar_->addRecordButton(&recording_->button());
+  } else {
+    recording_->button().setParent(top_bar_);
+    recording_->button().hide();
+    replay_ = new WindowReplay(*parts_.replay, opener_->notes(), this);
+  }
   auto* top = new QWidget;
   auto* column = new QVBoxLayout(top);
   column->setContentsMargins(0, 0, 0, kGap);
   column->setSpacing(kGap);
   column->addWidget(top_bar_);
+  if (replay_ != nullptr) column->addWidget(&replay_->strip());
   column->addWidget(lost_);
   column->addWidget(&recording_->strip());
   return top;
@@ -213,6 +230,7 @@ QSplitter* MainWindow::buildCentre() {
   binding_ = new PlotBinding(*plots_, parts_.source, catalogue_model_, this);
   ExceptionGuard::setName(*plots_, Words::tr("Plots"));
   ExceptionGuard::setName(*binding_, Words::tr("Plots"));
+  if (replay_ != nullptr) replay_->setPlots(*plots_);
   new MarkBinding(*plots_, parts_.store, parts_.activity, parts_.reports, plots_);
   auto* rows = new QSplitter(Qt::Vertical);
   rows->setObjectName(QStringLiteral("centreRows"));
@@ -233,17 +251,30 @@ QWidget* MainWindow::buildGraphPage() {
   new ZoomButtons(*graph_);
   graph_commands_ = new GraphCommands(parts_, *graph_, *this);
   graph_page_ = new QStackedWidget;
-  auto* empty =
-      new EmptyState(parts_.link, {.gcm = !parts_.gcm.isEmpty(), .demo = !parts_.demo.isEmpty()});
+  graph_page_->addWidget(buildEmptyPage());
+  graph_page_->addWidget(graph_);
+  return graph_page_;
+}
+
+QWidget* MainWindow::buildEmptyPage() {
   other_ = new GcmSwitcher(*this, parts_.link);
-  connect(empty, &EmptyState::otherRequested, other_, &GcmSwitcher::ask);
   gcm_start_ = new GcmLauncher(parts_.gcm, parts_.link, this);
+  if (parts_.replay != nullptr) {
+    auto* page = new ReplayPage(*parts_.replay);
+    connect(page, &ReplayPage::openRequested, opener_, &RecordingOpener::ask);
+    return page;
+  }
+  auto* empty = new EmptyState(parts_.link, {.gcm = !parts_.gcm.isEmpty(),
+                                             .demo = !parts_.demo.isEmpty(),
+                                             .recordings = opener_->isPossible(),
+                                             .recent = opener_->notes().recent()});
+  connect(empty, &EmptyState::otherRequested, other_, &GcmSwitcher::ask);
+  connect(empty, &EmptyState::recordingRequested, opener_, &RecordingOpener::ask);
+  connect(empty, &EmptyState::recentRequested, opener_, &RecordingOpener::open);
   connect(empty, &EmptyState::gcmRequested, gcm_start_, &GcmLauncher::start);
   connect(empty, &EmptyState::tourRequested, this, [this] { tour().start(); });
   connect(empty, &EmptyState::demoRequested, this, [this] { files_->startDemo(); });
-  graph_page_->addWidget(empty);
-  graph_page_->addWidget(graph_);
-  return graph_page_;
+  return empty;
 }
 
 QWidget* MainWindow::buildConnectionsPage() {
@@ -304,6 +335,13 @@ void MainWindow::connectViews() {
   connect(graph_commands_, &GraphCommands::notice, notice_, &NoticeLine::showNotice);
   connect(files_, &SystemFiles::titleChanged, this, &MainWindow::showLink);
   connect(recording_, &WindowRecording::notice, notice_, &NoticeLine::showNotice);
+  connect(opener_, &RecordingOpener::notice, notice_, &NoticeLine::showNotice);
+  if (replay_ != nullptr) {
+    connect(replay_, &WindowReplay::notice, notice_, &NoticeLine::showNotice);
+    connect(parts_.replay, &ReplaySession::moved, this, [this] {
+      if (parts_.replay->isSought()) tick();  // the ages are those of another moment
+    });
+  }
   connect(plots_, &PlotPanel::notice, notice_, &NoticeLine::showNotice);
   connect(top_bar_, &TopBar::pauseRequested, plots_, &PlotPanel::setPaused);
   connect(plots_, &PlotPanel::pausedChanged, top_bar_, &TopBar::showPaused);
@@ -429,6 +467,18 @@ void MainWindow::revealSelection() {
   graph_->reveal(selection_.current());
 }
 
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  const bool has_recording = !RecordingOpener::recordingsIn(*event->mimeData()).isEmpty();
+  if (has_recording && opener_->isPossible()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  for (const QString& file : RecordingOpener::recordingsIn(*event->mimeData())) {
+    opener_->open(file);
+  }
+  event->acceptProposedAction();
+}
+
 void MainWindow::escape() {
   if (graph_->cancelDrag() || graph_commands_->search().leave()) return;
   if (mode_.active()) return mode_.leave();
@@ -448,6 +498,7 @@ void MainWindow::showPage() {
 void MainWindow::showLink() {
   // The title names the system, because several windows may be open.
   const LinkState& link = parts_.link;
+  if (link.isFile()) return setWindowTitle(Words::tr("REPLAY %1 – gcm-gui").arg(link.address()));
   const QString file = files_->document().title();
   setWindowTitle((file.isEmpty() ? file : file + QStringLiteral(" – ")) +
                  (link.isHosted() ? Words::tr("Hosting the GCM at %1 – gcm-gui")

@@ -36,12 +36,14 @@ class MatchCard;
 class NoticeLine;
 class PlotBinding;
 class PlotPanel;
+class RecordingOpener;
 class SystemFiles;
 class TabPanel;
 class TopBar;
 class Tour;
 class WindowCommands;
 class WindowRecording;
+class WindowReplay;
 
 /// The window with a bar at the top, three columns, and a panel at the bottom. It creates the views
 /// and connects their signals. The views fill themselves, and WindowCommands assigns the keys.
@@ -65,6 +67,9 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] CandidatePanel& candidates() const { return *candidates_; }
   [[nodiscard]] SystemFiles& files() const { return *files_; }
   [[nodiscard]] WindowRecording& recording() const { return *recording_; }
+  [[nodiscard]] RecordingOpener& opener() const { return *opener_; }
+  /// Null unless the window shows a recording.
+  [[nodiscard]] WindowReplay* replay() const { return replay_; }
   [[nodiscard]] TabPanel& centre() const { return *centre_; }
   [[nodiscard]] Tour& tour() const;
   [[nodiscard]] Panels& panels() const { return *panels_; }
@@ -89,6 +94,10 @@ class MainWindow : public QMainWindow {
   void goTo(const QString& path);
   void escape();
 
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
  private:
   void connectModels();
   /// Reports the views that have thrown an exception.
@@ -99,6 +108,8 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] QSplitter* buildCentre();
   void buildPanels(QSplitter& centre);
   [[nodiscard]] QWidget* buildGraphPage();
+  /// Stands in the place of the graph while there is none.
+  [[nodiscard]] QWidget* buildEmptyPage();
   [[nodiscard]] QWidget* buildConnectionsPage();
   void connectViews();
   void connectModeToViews();
@@ -125,6 +136,8 @@ class MainWindow : public QMainWindow {
   TopBar* top_bar_ = nullptr;
   LostBanner* lost_ = nullptr;
   WindowRecording* recording_ = nullptr;
+  RecordingOpener* opener_ = nullptr;
+  WindowReplay* replay_ = nullptr;
   CataloguePanel* catalogue_ = nullptr;
   GraphScene* scene_ = nullptr;
   GraphView* graph_ = nullptr;

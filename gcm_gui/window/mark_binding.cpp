@@ -3,6 +3,7 @@
 #include <gcm_gui/models/state_marks.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/plot/plot_panel.h>
+#include <gcm_gui/plot/series/shown_time.h>
 #include <gcm_gui/window/audit_line.h>
 #include <gcm_gui/window/mark_binding.h>
 #include <tendon/base/path.h>
@@ -19,12 +20,8 @@ namespace {
 constexpr std::int64_t kLatestLog = 2'000'000'000;
 constexpr int kOwnCalls = 32;  // the number of newest actions that are checked
 
-std::int64_t SteadyNow() {
-  return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 /// Converts `when`, ns since 1970, to the steady clock.
-std::int64_t SteadyTimeOf(std::int64_t when) { return SteadyNow() - (WallClock() - when); }
+std::int64_t SteadyTimeOf(std::int64_t when) { return ShownTime() - (WallClock() - when); }
 
 /// Returns the component of a signal or event: "robot/arm".
 QString ComponentPathOf(const QString& path) { return path.section('/', 0, 1); }
@@ -39,6 +36,7 @@ MarkBinding::MarkBinding(PlotPanel& panel, CatalogueStore& store, ActivityModel&
   connect(&panel, &PlotPanel::subscriptionWanted, this, &MarkBinding::follow);
   connect(&panel, &PlotPanel::subscriptionReleased, this, &MarkBinding::follow);
   connect(&panel, &PlotPanel::marksShownChanged, this, &MarkBinding::follow);
+  connect(&reports, &SystemReports::beganAgain, this, Guarded(this, &MarkBinding::startOver));
   connect(&reports, &SystemReports::logArrived, this, Guarded(this, &MarkBinding::markLog));
   connect(&reports, &SystemReports::eventsArrived, this,
           [this](const std::vector<EventRecord>& events) {
@@ -48,14 +46,12 @@ MarkBinding::MarkBinding(PlotPanel& panel, CatalogueStore& store, ActivityModel&
           });
   connect(&activity, &ActivityModel::finished, this, Guarded(this, &MarkBinding::markAction));
   connect(&store, &CatalogueStore::changed, this, Guarded(this, &MarkBinding::compare));
-  ChangedParts all;
-  for (const auto& [name, entry] : store.catalogue().processes()) all.insert({name, {}});
-  compare(store.catalogue(), all);
+  compareAll();
 }
 
 void MarkBinding::add(Mark::Kind kind, const QString& label, const QString& text, bool is_bad) {
   panel_.addMark(
-      {.kind = kind, .time_ns = SteadyNow(), .label = label, .text = text, .is_bad = is_bad});
+      {.kind = kind, .time_ns = ShownTime(), .label = label, .text = text, .is_bad = is_bad});
 }
 
 void MarkBinding::follow() {
@@ -73,6 +69,22 @@ void MarkBinding::follow() {
   reports_.listen(this, patterns);
   if (patterns.isEmpty()) events_.clear();
   if (!patterns.isEmpty() && !std::exchange(watches_log_, true)) reports_.watchLog();
+}
+
+void MarkBinding::startOver() {
+  panel_.removeMarks();
+  events_.clear();
+  processes_.clear();
+  components_.clear();
+  connections_.clear();
+  compareAll();
+}
+
+/// Of what is not known yet, nothing is marked.
+void MarkBinding::compareAll() {
+  ChangedParts all;
+  for (const auto& [name, entry] : store_.catalogue().processes()) all.insert({name, {}});
+  compare(store_.catalogue(), all);
 }
 
 // This window also receives the events that only other receivers have subscribed to.
@@ -103,9 +115,10 @@ void MarkBinding::markLog(const LogBatch& batch) {
     const auto sent = SentCommandOf(record);
     if (!sent || isRead(sent->path) || isOwnCall(sent->path)) continue;
     const std::int64_t now = WallClock();
-    // The time of a record is used only if it is plausible, because the clock of another host may
-    // be wrong.
-    const bool is_near = record.time <= now && now - record.time < kLatestLog;
+    // Uses the time of a record only if it is less than kLatestLog old and not in the future,
+    // because the clock of another host may be wrong. In a recording, every time is accepted,
+    // because a jump delivers records of any age.
+    const bool is_near = IsMomentShown() || (record.time <= now && now - record.time < kLatestLog);
     panel_.addMark({.kind = Mark::Kind::kCommand,
                     .time_ns = SteadyTimeOf(is_near ? record.time : now),
                     .label = LastPart(sent->path),

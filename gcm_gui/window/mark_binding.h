@@ -47,12 +47,15 @@ class MarkBinding : public QObject {
   };
 
   void follow();
+  /// Forgets what was marked and compared.
+  void startOver();
   void markEvent(const EventRecord& event);
   void markLog(const LogBatch& batch);
   [[nodiscard]] bool isRead(const QString& path) const;
   [[nodiscard]] bool isOwnCall(const QString& path) const;
   void markAction(const Action& action);
   void compare(const Catalogue& catalogue, const ChangedParts& touched);
+  void compareAll();
   void compareProcess(const Catalogue& catalogue, const std::string& process);
   void compareComponent(const ProcessEntry& entry, const ComponentDescription& component);
   void compareConnections(const Catalogue& catalogue, const ChangedPart& part);

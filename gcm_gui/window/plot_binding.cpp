@@ -2,6 +2,7 @@
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/catalogue_model.h>
 #include <gcm_gui/models/row_roles.h>
+#include <gcm_gui/models/shown_clock.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/window/plot_binding.h>
 
@@ -17,6 +18,7 @@ PlotBinding::PlotBinding(PlotPanel& panel, SignalSource& source, const Catalogue
   connect(&panel, &PlotPanel::subscriptionReleased, &source, &SignalSource::release);
   connect(&source, &SignalSource::namesLearned, &panel, Guarded(&panel, &PlotPanel::setNames));
   connect(&source, &SignalSource::samplesArrived, &panel, Guarded(&panel, &PlotPanel::append));
+  connect(&source, &SignalSource::beganAgain, &panel, Guarded(&panel, &PlotPanel::removeSamples));
   connect(&source, &SignalSource::epochBegan, &panel, Guarded(&panel, &PlotPanel::beginEpoch));
   connect(&source, &SignalSource::wentStale, this, Guarded(this, &PlotBinding::showStale));
   panel.setLosses([&source](const QString& path) { return source.losses(path); });
@@ -40,7 +42,7 @@ QString PlotBinding::standstillOf(const QString& path,
   if (why == StaleReason::kNone) return {};
   std::optional<std::chrono::nanoseconds> age;
   if (newest_ns) {
-    const std::chrono::nanoseconds now = SteadyClock().Now().time_since_epoch();
+    const std::chrono::nanoseconds now = ShownClock().Now().time_since_epoch();
     age = std::max(std::chrono::nanoseconds(0), now - std::chrono::nanoseconds(*newest_ns));
   }
   return IsStale(why, age, 0) ? OldText(why, age) : QString();

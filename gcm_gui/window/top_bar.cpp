@@ -145,6 +145,7 @@ void TopBar::resizeEvent(QResizeEvent* event) {
 QString TopBar::linkText() const { return link_pill_->spoken(); }
 
 void TopBar::showLink() {
+  if (link_.isFile()) return showFile();
   const QString age = AgeText(now_ - link_.since());
   switch (link_.state()) {
     case LinkState::State::kSearching:
@@ -166,6 +167,16 @@ void TopBar::showLink() {
                                    "and makes the connections between the processes.")
                              .arg(link_.address()) +
                          (link_.reason().isEmpty() ? QString() : '\n' + link_.reason()));
+}
+
+void TopBar::showFile() {
+  const bool is_open = link_.state() == LinkState::State::kConnected;
+  link_pill_->show(is_open ? StateMark::kReady : StateMark::kPending, Words::tr("Recording"),
+                   is_open ? Counts(store_.catalogue()) : QString());
+  link_pill_->setToolTip(
+      Words::tr("This window shows the recording %1. It is connected to no running system.")
+          .arg(link_.address()));
+  pause_->hide();
 }
 
 void TopBar::showProblemCount(int count) {

@@ -49,6 +49,7 @@ class TopBar : public QFrame {
 
  private:
   void showLink();
+  void showFile();
   void addButtons();
   void showTexts();
 

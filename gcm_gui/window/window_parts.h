@@ -14,6 +14,7 @@ class ConnectionChecks;
 class LinkState;
 class PlanRunner;
 class RecordingRunner;
+class ReplaySession;
 class GcmSession;
 class SignalSource;
 class SystemActions;
@@ -33,12 +34,17 @@ struct WindowParts {
   RecordingRunner& recordings;
   console::Settings console = {};  ///< settings of the console in the window
   QString kept = {};               ///< folder for the saved state; if empty, nothing is saved
-  QStringList gcm = {};    ///< `gcm` with its options; if empty, the window cannot start a GCM
-  QString demo = {};       ///< system file of the demo; if empty, the demo is not offered
-  QString read_only = {};  ///< why this window cannot change anything; empty if it can
+  QStringList gcm = {};  ///< `gcm` with its options; if empty, the window cannot start a GCM
+  QString demo = {};     ///< system file of the demo; if empty, the demo is not offered
+  /// This program with its options, which opens a recording in a window of its own; if empty, the
+  /// window does not offer it.
+  QStringList viewer = {};
+  ReplaySession* replay = nullptr;  ///< the recording that the window shows; null if it shows none
+  QString read_only = {};           ///< why this window cannot change anything; empty if it can
 };
 
 /// Returns the parts that belong to a session.
 [[nodiscard]] WindowParts PartsOf(GcmSession& session);
+[[nodiscard]] WindowParts PartsOf(ReplaySession& session);
 
 }  // namespace tendon::gui

@@ -17,10 +17,14 @@ desktop-file-validate "$entry"
 appstreamcli validate --no-net "$metadata"
 xmllint --noout "$icon" "$metadata" "$types"
 
-# The files must name the same program, icon and MIME type.
-type=$(xmllint --xpath 'string(//*[local-name()="mime-type"]/@type)' "$types")
-grep -qx "MimeType=$type;" "$entry"
+# The files must name the same program, icon and MIME types.
+all=
+for type in $(xmllint --xpath '//*[local-name()="mime-type"]/@type' "$types" | sed 's/ *type="\([^"]*\)"/\1 /g'); do
+  all+="$type;"
+  grep -q "<mediatype>$type</mediatype>" "$metadata"
+done
+[[ $all == *x-mcap* ]]
+grep -qx "MimeType=$all" "$entry"
 grep -qx "Icon=$(basename "$icon" .svg)" "$entry"
-grep -q "<mediatype>$type</mediatype>" "$metadata"
 grep -q "^Exec=$(basename "$program") " "$entry"
 [[ -x $prefix/bin/$(basename "$program") ]]

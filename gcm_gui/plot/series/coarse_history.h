@@ -25,6 +25,7 @@ class CoarseHistory {
   /// Adds samples. Ignores values that are not finite. Starts again with an empty history if the
   /// clock was set back by more than a second, or if the kind of number changes. O(samples).
   void append(std::span<const Sample> samples);
+  void clear() { buckets_.clear(); }
   /// Sets the maximum number of buckets, and drops the oldest ones above it.
   void setLimit(std::size_t buckets);
   /// All buckets, oldest first.

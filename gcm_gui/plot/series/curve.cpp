@@ -23,6 +23,13 @@ void Curve::append(std::span<const Sample> samples) {
   stale_reason_.clear();
 }
 
+void Curve::removeSamples() {
+  samples_.clear();
+  history_.clear();
+  drawn_ = {};
+  stale_reason_ = WaitingFor(path());
+}
+
 void Curve::setStandstill(const QString& why) {
   if (!why.isEmpty()) samples_.noteStandstill();
   if (why.isEmpty() && isStandingStill()) samples_.endStandstill();

@@ -33,6 +33,8 @@ class Curve {
 
   /// Appends samples. The curve then no longer counts as stale.
   void append(std::span<const Sample> samples);
+  /// Keeps no sample, and waits for new ones.
+  void removeSamples();
   /// Called when the source was restarted; see SampleRing::beginEpoch().
   void beginEpoch() { samples_.beginEpoch(); }
   /// Sets the memory for samples in bytes. An eighth of it is used for the older part, which is

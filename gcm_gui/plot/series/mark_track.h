@@ -33,6 +33,7 @@ class MarkTrack {
   /// Returns the marks within [from_ns, to_ns].
   [[nodiscard]] std::pair<Iterator, Iterator> between(std::int64_t from_ns,
                                                       std::int64_t to_ns) const;
+  void clear() { marks_.clear(); }
   [[nodiscard]] const std::deque<Mark>& all() const { return marks_; }
 
  private:

@@ -44,5 +44,25 @@ TEST(Background, TheDestructorTimesOutWithAWarning) {
   EXPECT_EQ(end->get_future().wait_for(kLongForBackground), std::future_status::ready);
 }
 
+TEST(Background, DroppedTasksAreNotDone) {
+  std::promise<void> begun;
+  std::promise<void> go;
+  std::string done;
+  {
+    Background background("a test");
+    background.start([&] {
+      begun.set_value();
+      go.get_future().wait();
+      done += 'a';
+    });
+    background.start([&] { done += 'b'; });
+    begun.get_future().wait();
+    background.dropWaiting();
+    go.set_value();
+  }
+
+  EXPECT_EQ(done, "a");
+}
+
 }  // namespace
 }  // namespace tendon::gui

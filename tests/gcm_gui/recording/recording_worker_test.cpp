@@ -8,7 +8,8 @@
 #include <tendon/gcm/global_manager.h>
 #include <tendon/middleware/loopback.h>
 #include <tendon/process/process.h>
-#include <tendon/recording/mcap_reader.h>
+#include <tendon/recording/mcap/reader.h>
+#include <tendon/recording/mcap/verify.h>
 #include <tendon/task/periodic_task.h>
 
 #include <QAbstractButton>
@@ -112,7 +113,7 @@ class RecordingWorkerTest : public ::testing::Test {
     EXPECT_TRUE(reader) << reader.error().message;
     if (!reader) return topics;
     EXPECT_FALSE((*reader)->was_scanned()) << "the file has no index";
-    EXPECT_TRUE((*reader)->Verify());
+    EXPECT_TRUE(tendon::mcap::Verify(**reader).is_intact());
     auto messages = (*reader)->Messages({});
     while (const auto message = messages.Next()) {
       ++topics[(*reader)->FindChannel(message->channel_id)->topic];

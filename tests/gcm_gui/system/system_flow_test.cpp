@@ -127,7 +127,7 @@ TEST_F(SystemFlowTest, ImportsACisstFileAndSavesTheRunningSystem) {
   file.write(R"({"connections": [{"required": {"component": "plant", "interface": "Arm"},
                                   "provided": {"component": "MTML", "interface": "Arm"}}]})");
   file.close();
-  QAction* importing = window_->findChild<QAction*>("Import a file of cisst");
+  QAction* importing = window_->findChild<QAction*>("Import a cisst file");
   ASSERT_NE(importing, nullptr);
   importing->trigger();
   auto* files = window_->findChild<QFileDialog*>();

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+
+/// The present time of the system that this program shows. Everything that compares the time of a
+/// value with the present asks here, so that a recording looks as the system did at that moment.
+namespace tendon::gui {
+
+/// A moment on two clocks.
+struct ShownMoment {
+  std::int64_t steady_ns = 0;  ///< the clock of samples
+  std::int64_t wall_ns = 0;    ///< since 1970
+};
+
+/// Returns the time on this machine's steady clock, in ns; in a program that shows a recording, the
+/// moment of the recording.
+[[nodiscard]] std::int64_t ShownTime();
+/// Likewise the time in ns since 1970.
+[[nodiscard]] std::int64_t ShownWallTime();
+/// From now on, the present is this moment of a recording, until the next call. GUI thread.
+void ShowMoment(const ShownMoment& moment);
+/// From now on, the present is that of this machine. GUI thread.
+void ShowPresent();
+/// True between ShowMoment() and ShowPresent().
+[[nodiscard]] bool IsMomentShown();
+
+}  // namespace tendon::gui

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QString>
+#include <QWidget>
+
+class QLabel;
+class QPushButton;
+
+namespace tendon::gui {
+
+class ReplaySession;
+
+/// Replaces the graph while a recording has no components to show: it is being opened, cannot be
+/// opened, or holds none.
+class ReplayPage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `session` must outlive it.
+  explicit ReplayPage(ReplaySession& session, QWidget* parent = nullptr);
+
+  [[nodiscard]] QString text() const;
+
+ Q_SIGNALS:
+  void openRequested();
+
+ private:
+  void refresh();
+
+  ReplaySession& session_;
+  QLabel* title_;
+  QLabel* text_;
+  QPushButton* open_;
+};
+
+}  // namespace tendon::gui

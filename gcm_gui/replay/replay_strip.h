@@ -1,0 +1,71 @@
+#pragma once
+
+#include <gcm_gui/replay/time_slider.h>
+
+#include <QFrame>
+
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QToolButton;
+
+namespace tendon::gui {
+
+class ReplaySession;
+class ReplayStripe;
+class StateLabel;
+
+/// The head of a window that shows a recording: the stripe, the buttons and the slider for the
+/// moment and, if the file is not whole, a line that says what is missing.
+class ReplayStrip final : public QFrame {
+  Q_OBJECT
+
+ public:
+  /// `session` must outlive it.
+  explicit ReplayStrip(ReplaySession& session, QWidget* parent = nullptr);
+
+  [[nodiscard]] ReplayStripe& stripe() const { return *stripe_; }
+  [[nodiscard]] TimeSlider& slider() const { return *slider_; }
+  /// What is missing in the file; empty if it is whole.
+  [[nodiscard]] QString warning() const { return warning_text_; }
+
+ Q_SIGNALS:
+  /// One sentence for the user.
+  void notice(const QString& text);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  [[nodiscard]] QWidget* buildControls();
+  /// The speed, and whether it begins again.
+  void setUpChoices();
+  [[nodiscard]] QWidget* buildWarning();
+  QToolButton* addButton(const QString& icon, const QString& name, const QString& text,
+                         const QString& key);
+  void refresh();
+  void showMoment();
+  void showWarning();
+  void elideWarning();
+
+  ReplaySession& session_;
+  ReplayStripe* stripe_;
+  QPushButton* play_;
+  QLabel* moment_;
+  QLabel* length_;
+  TimeSlider* slider_;
+  QProgressBar* busy_;
+  QComboBox* speed_;
+  QToolButton* loop_;
+  QWidget* controls_ = nullptr;
+  QWidget* warning_ = nullptr;
+  StateLabel* warning_state_ = nullptr;
+  QLabel* warning_label_ = nullptr;
+  QToolButton* copy_ = nullptr;
+  QToolButton* reload_ = nullptr;
+  QString warning_text_;
+  bool is_dismissed_ = false;
+};
+
+}  // namespace tendon::gui

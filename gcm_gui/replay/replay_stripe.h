@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QString>
+#include <QWidget>
+
+namespace tendon::gui {
+
+/// A coloured line across the window with the word REPLAY, so that nobody takes a recording for a
+/// running system.
+class ReplayStripe final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ReplayStripe(QWidget* parent = nullptr);
+
+  /// `file` is a name, `about` more about it, `time` the time of day of the moment shown.
+  void show(const QString& file, const QString& about, const QString& time);
+  /// Everything that it shows, for screen readers.
+  [[nodiscard]] QString text() const;
+
+  [[nodiscard]] QSize minimumSizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QString file_;
+  QString about_;
+  QString time_;
+};
+
+}  // namespace tendon::gui
