@@ -15,10 +15,11 @@ namespace tendon {
 /// disabled the command, and kNotActive while the server does not run. Reads also work while the
 /// server is stopped, but not while it is faulted.
 ///
-/// A call of a void or write function never waits, locks or allocates. A read runs the server's
-/// code in the calling thread. If the server is in another process and the function is not
-/// mirrored, the read waits for the reply, at most for the interface's read deadline. Wait() waits
-/// until the server has executed the call:
+/// A call of a void or write function never waits or locks. Within one process, it never allocates;
+/// to another process, it allocates only until its buffers have grown to the size of the arguments.
+/// A read runs the server's code in the calling thread. If the server is in another process and the
+/// function is not mirrored, the read waits for the reply, at most for the interface's read
+/// deadline. Wait() waits until the server has executed the call:
 ///
 ///     move_to_.Wait(goal, 50ms)
 ///
