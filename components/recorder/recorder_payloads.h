@@ -37,10 +37,11 @@ struct RecorderState {
   bool is_waiting = false;  ///< for the condition to start
   std::uint64_t rows = 0;
   std::uint64_t events = 0;
+  std::uint64_t commands = 0;   ///< calls
   std::uint64_t bytes = 0;      ///< of the files that are kept
   double rate = 0.0;            ///< bytes per second, over the last second
   std::uint64_t disk_left = 0;  ///< bytes
-  std::uint64_t lost = 0;       ///< rows, events and log records
+  std::uint64_t lost = 0;       ///< rows, events, calls and log records
 };
 
 }  // namespace recorder
@@ -74,10 +75,10 @@ inline constexpr auto tendon::kPayload<recorder::RecorderConfiguration> = tendon
     tendon::Field{"record_at_start", &recorder::RecorderConfiguration::record_at_start}.Help(
         "Begin to record when the component starts."),
     tendon::Field{"start_when", &recorder::RecorderConfiguration::start_when}.Help(
-        "Event or condition, such as robot/arm/state.Joints.position[2] > 1.2 rad, before which "
-        "nothing is written; empty means none."),
+        "Event, command or condition, such as robot/arm/state.Joints.position[2] > 1.2 rad, before "
+        "which nothing is written; empty means none."),
     tendon::Field{"stop_when", &recorder::RecorderConfiguration::stop_when}.Help(
-        "Event or condition that ends the recording; empty means none."),
+        "Event, command or condition that ends the recording; empty means none."),
     tendon::Field{"before", &recorder::RecorderConfiguration::before, "s"}
         .Within(0.0, recorder::kLongestAround)
         .Help("With start_when: time before the condition that is also written."),
@@ -91,6 +92,7 @@ inline constexpr auto tendon::kPayload<recorder::RecorderState> = tendon::Descri
     tendon::Field{"is_waiting", &recorder::RecorderState::is_waiting},
     tendon::Field{"rows", &recorder::RecorderState::rows},
     tendon::Field{"events", &recorder::RecorderState::events},
+    tendon::Field{"commands", &recorder::RecorderState::commands},
     tendon::Field{"bytes", &recorder::RecorderState::bytes, "B"},
     tendon::Field{"rate", &recorder::RecorderState::rate, "B/s"},
     tendon::Field{"disk_left", &recorder::RecorderState::disk_left, "B"},

@@ -126,6 +126,7 @@ void RecordingThread::StopNow() {
     state_.is_waiting = false;
     state_.rows = status.counts.rows;
     state_.events = status.counts.events;
+    state_.commands = status.counts.commands;
     state_.bytes = status.counts.bytes;
     state_.rate = 0.0;
     state_.disk_left = status.disk_free;
@@ -175,6 +176,7 @@ void RecordingThread::Look() {
               .is_waiting = status.is_waiting,
               .rows = status.counts.rows,
               .events = status.counts.events,
+              .commands = status.counts.commands,
               .bytes = status.counts.bytes,
               .rate = state_.is_recording ? state_.rate : 0.0,
               .disk_left = status.disk_free,

@@ -14,9 +14,22 @@ namespace console {
 std::vector<tendon::EventSubscription> MatchingEvents(const tendon::Catalogue& catalogue,
                                                       const std::vector<std::string>& patterns);
 
-/// Returns an error if a pattern matches no event. kNotFound suggests similar names. kInvalid names
-/// the object that the pattern matches instead of an event.
+/// The commands that a pattern may match.
+enum class CommandChoice {
+  kNamed,  ///< only the command whose path the pattern is
+  kAll,    ///< like events
+};
+
+/// Returns the commands that match any of `patterns`, as MatchingEvents() does. Reads are left out,
+/// since their calls cannot be observed.
+std::vector<tendon::EventSubscription> MatchingCommands(const tendon::Catalogue& catalogue,
+                                                        const std::vector<std::string>& patterns,
+                                                        CommandChoice choice);
+
+/// Returns an error if a pattern matches no event and no command. kNotFound suggests similar names.
+/// kInvalid names the object that the pattern matches instead.
 tendon::Result<void> CheckEventPatterns(const tendon::Catalogue& catalogue,
-                                        const std::vector<std::string>& patterns);
+                                        const std::vector<std::string>& patterns,
+                                        CommandChoice choice);
 
 }  // namespace console

@@ -27,7 +27,7 @@ enum class WordKind {
   kCommand,
   kReadable,  ///< a read command or a column
   kColumn,    ///< a column of a state table
-  kEvent,     ///< an event, or a provided interface with events
+  kEvent,     ///< an event, a command, or a provided interface with events
 };
 
 /// Declares which kind of words an option or argument accepts.

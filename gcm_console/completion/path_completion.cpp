@@ -2,6 +2,7 @@
 #include <gcm_console/catalogue/telemetry_column.h>
 #include <gcm_console/command_line/command_line.h>
 #include <gcm_console/completion/path_completion.h>
+#include <tendon/interface/observed_call.h>
 
 #include <algorithm>
 #include <set>
@@ -42,6 +43,11 @@ void AddProvided(const std::string& path, const tendon::ProvidedDescription& int
   if (kind == WordKind::kEvent && !interface.events.empty()) steps.Add(path);
   if (kind == WordKind::kPath || kind == WordKind::kEvent)
     AddMembers(path, interface.events, steps);
+  if (kind == WordKind::kEvent) {
+    for (const auto& command : interface.commands) {
+      if (CanBeObserved(command.signature)) steps.Add(path + "." + command.name);
+    }
+  }
   if (kind == WordKind::kPath || (kind == WordKind::kColumn && is_table) ||
       (kind == WordKind::kCommand && !is_table)) {
     AddMembers(path, interface.commands, steps);

@@ -1,5 +1,6 @@
 #include <gcm_console/feeds/event_inbox.h>
 #include <tendon/gcm/text.h>
+#include <tendon/interface/observed_call.h>
 
 #include <chrono>
 #include <utility>
@@ -25,7 +26,9 @@ class EventInbox::Sink final : public tendon::EventSink {
   }
   void OnEvent(std::size_t event, std::span<const std::byte> value,
                const tendon::EventTime& time) override {
-    const std::chrono::nanoseconds age = tendon::SteadyClock().Now() - time.raised;
+    const bool is_call = subscription_.is_command(event);
+    const auto took = is_call ? tendon::HeaderOfCall(value).took : std::chrono::nanoseconds(0);
+    const std::chrono::nanoseconds age = tendon::SteadyClock().Now() - time.raised + took;
     const std::int64_t raised = tendon::WallTime() - age.count();
     const bool is_known = time.uncertainty != tendon::EventTime().uncertainty;
     const std::scoped_lock lock(inbox_->mutex_);
@@ -33,7 +36,8 @@ class EventInbox::Sink final : public tendon::EventSink {
                           .uncertainty_ns = is_known ? time.uncertainty.count() : -1,
                           .path = PathOf(event),
                           .description = events_.at(event),
-                          .value = {value.begin(), value.end()}},
+                          .value = {value.begin(), value.end()},
+                          .is_call = is_call},
                          sizeof(Events::Entry) + value.size(), [](const ReceivedEvent& oldest) {
                            return LostEvents{{{oldest.path, 1}}};
                          });
@@ -48,9 +52,7 @@ class EventInbox::Sink final : public tendon::EventSink {
   }
 
  private:
-  [[nodiscard]] std::string PathOf(std::size_t event) const {
-    return ToString(subscription_.provided) + "." + subscription_.events.at(event);
-  }
+  [[nodiscard]] std::string PathOf(std::size_t event) const { return subscription_.path(event); }
 
   const std::shared_ptr<EventInbox> inbox_;
   const tendon::EventSubscription subscription_;

@@ -108,7 +108,8 @@ class RecordingReport {
       context_.err() << '\n';
     }
     context_.err() << (status.is_waiting ? "gcm: then records " : "gcm: recording ")
-                   << tendon::Counted(status.tables, "table", "tables") << " and the events of "
+                   << tendon::Counted(status.tables, "table", "tables")
+                   << " and the events and commands of "
                    << tendon::Counted(status.interfaces, "interface", "interfaces") << " into "
                    << Plain(status.file.string()) << '\n';
   }
@@ -161,7 +162,7 @@ class RecordingReport {
       context_.err() << " (" << lost.table << " in the table, " << lost.network
                      << " on the network, " << lost.viewer << " here)";
     }
-    context_.err() << ", " << status.losses.all_events() << " events lost\n";
+    context_.err() << ", " << status.losses.all_events() << " events and commands lost\n";
   }
   void EndLine() {
     if (std::exchange(is_line_open_, false)) context_.err() << '\n';
@@ -171,6 +172,7 @@ class RecordingReport {
   static std::string Held(const RecorderStatus& status) {
     return tendon::Counted(status.counts.rows, "row", "rows") + ", " +
            tendon::Counted(status.counts.events, "event", "events") + ", " +
+           tendon::Counted(status.counts.commands, "command", "commands") + ", " +
            SizeText(status.counts.bytes);
   }
   void PrintJson(const RecorderStatus& status, Elapsed passed, bool is_end) {
@@ -181,6 +183,7 @@ class RecordingReport {
                             {"tables", status.tables},
                             {"rows", status.counts.rows},
                             {"events", status.counts.events},
+                            {"commands", status.counts.commands},
                             {"log_records", status.counts.log},
                             {"bytes", status.counts.bytes},
                             {"free_bytes", status.disk_free},
@@ -206,10 +209,9 @@ class RecordingReport {
 void PrintUnmatched(Context& context, const tendon::Catalogue& catalogue,
                     const std::vector<std::string>& patterns) {
   for (const std::string& pattern : patterns) {
-    const auto selection = tendon::recording::Select(catalogue, {pattern});
-    if (!selection.tables.empty() || !selection.events.empty()) continue;
-    context.err() << "gcm: no table or event matches '" << Plain(pattern)
-                  << "' now; tables and events that match later are recorded\n";
+    if (!tendon::recording::Select(catalogue, {pattern}).is_empty()) continue;
+    context.err() << "gcm: no table, event or command matches '" << Plain(pattern)
+                  << "' now; those that match later are recorded\n";
   }
 }
 
@@ -277,8 +279,8 @@ Result<ExitCode> Record(Context& context, const RecordOptions& options) {
 Verb::Run PrepareRecord(CLI::App& app) {
   auto options = std::make_shared<RecordOptions>();
   WithKind(app.add_option("paths", options->paths,
-                          "processes, components, interfaces, columns or events, also as patterns "
-                          "with * and **; objects that appear later are recorded, too"),
+                          "processes, components, interfaces, columns, events or commands, also as "
+                          "patterns with * and **; objects that appear later are recorded, too"),
            WordKind::kPath)
       ->required();
   WithKind(app.add_option("-o,--output", options->file, "the file, such as run.mcap"),
@@ -299,13 +301,14 @@ Verb::Run PrepareRecord(CLI::App& app) {
                  "with --split-size or --split-time: keep only this many of the newest files")
       ->transform(CLI::Validator(&program::TransformCount, ""));
   app.add_option("--start-when", options->start_when,
-                 "write nothing until this event is raised, or until this condition on a state "
-                 "table is true: robot/arm/Control.GoalReached, "
+                 "write nothing until this event is raised or this command is executed, or until "
+                 "this condition on a state table is true: robot/arm/Control.GoalReached, "
                  "'robot/arm/state.Joints.position[2] > 1.2 rad'; a condition has one of > < >= <= "
                  "== != and then a number, true, false or the name of an enumerator")
       ->type_name("CONDITION");
   app.add_option("--stop-when", options->stop_when,
-                 "end when this event is raised, or when this condition is true")
+                 "end when this event is raised or this command is executed, or when this "
+                 "condition is true")
       ->type_name("CONDITION");
   app.add_option("--before", options->before,
                  "with --start-when: also write the data of this time before the start")
@@ -330,7 +333,7 @@ Verb::Run PrepareRecord(CLI::App& app) {
 
 std::vector<Verb> RecordVerbs() {
   return {{"record",
-           "record rows, events, the log and the catalogue into an MCAP file",
+           "record rows, events, commands, the log and the catalogue into an MCAP file",
            &PrepareRecord,
            {"gcm record 'robot/**' -o run.mcap --for 10s",
             "gcm record '**' -o run.mcap --split-size 1GB --keep 10",

@@ -275,6 +275,7 @@ ordered_json ExportJson(const ExportFigures& figures) {
           {"rows", report.rows},
           {"lost", report.lost},
           {"events", report.events},
+          {"commands", report.commands},
           {"log_records", report.log},
           {"other_messages", report.others},
           {"incomplete", report.incomplete},
@@ -284,6 +285,7 @@ ordered_json ExportJson(const ExportFigures& figures) {
 void PrintExport(Context& context, const recording::ExportReport& report, bool is_hdf5) {
   context.err() << "gcm: " << tendon::Counted(report.rows, "row", "rows") << ", " << report.lost
                 << " lost, " << tendon::Counted(report.events, "event", "events") << ", "
+                << tendon::Counted(report.commands, "command", "commands") << ", "
                 << tendon::Counted(report.log, "log record", "log records") << ", "
                 << tendon::Counted(report.others, "message", "messages") << " of other topics\n";
   if (report.incomplete > 0 && is_hdf5) {

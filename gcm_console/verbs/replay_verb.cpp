@@ -83,6 +83,7 @@ void PrintReplayBegin(Context& context, const Replay& replay, const ReplayWords&
   context.err() << "gcm: replaying " + Plain(FileNameOf(words.part.file)) + " as " + Plain(names) +
                        ": " + tendon::Counted(contained.rows, "row", "rows") + ", " +
                        tendon::Counted(contained.events, "event", "events") + ", " +
+                       tendon::Counted(contained.commands, "command", "commands") + ", " +
                        tendon::Counted(contained.log, "log record", "log records") + "\n";
   if (contained.left_out > 0) {
     context.err() << "gcm: " << tendon::Counted(contained.left_out, "message is", "messages are")
@@ -104,6 +105,7 @@ void PrintReplayEnd(Context& context, const Replay& replay, const ReplayWords& w
                        {"seconds", seconds},
                        {"rows", status.rows},
                        {"events", status.events},
+                       {"commands", status.commands},
                        {"log_records", status.log},
                        {"passes", status.passes},
                        {"left_out_messages", replay.contained().left_out},
@@ -112,6 +114,7 @@ void PrintReplayEnd(Context& context, const Replay& replay, const ReplayWords& w
   }
   context.err() << "gcm: replayed " << tendon::Counted(status.rows, "row", "rows") << ", "
                 << tendon::Counted(status.events, "event", "events") << ", "
+                << tendon::Counted(status.commands, "command", "commands") << ", "
                 << tendon::Counted(status.log, "log record", "log records") << " in "
                 << Fixed(seconds, 1) << " s\n";
   if (status.log_left_out > 0) {

@@ -3289,8 +3289,8 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>%1 Zeilen</translation>
     </message>
     <message>
-        <source>%1 rows, %2 events, %3 records of the log</source>
-        <translation>%1 Zeilen, %2 Ereignisse, %3 Einträge des Protokolls</translation>
+        <source>%1 rows, %2 events, %3 commands, %4 records of the log</source>
+        <translation>%1 Zeilen, %2 Ereignisse, %3 Befehle, %4 Einträge des Protokolls</translation>
     </message>
     <message>
         <source>%1 free</source>

@@ -3289,8 +3289,8 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>%1 lignes</translation>
     </message>
     <message>
-        <source>%1 rows, %2 events, %3 records of the log</source>
-        <translation>%1 lignes, %2 événements, %3 entrées du journal</translation>
+        <source>%1 rows, %2 events, %3 commands, %4 records of the log</source>
+        <translation>%1 lignes, %2 événements, %3 commandes, %4 entrées du journal</translation>
     </message>
     <message>
         <source>%1 free</source>

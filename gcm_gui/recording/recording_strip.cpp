@@ -174,9 +174,10 @@ void RecordingStrip::showRecording() {
   interruptions_->setToolTip(controller_.interruptions().join('\n'));
   ShowFigure(*length_, LengthText(progress.seconds));
   ShowFigure(*rows_, Words::tr("%1 rows").arg(counts.rows));
-  rows_->setToolTip(Words::tr("%1 rows, %2 events, %3 records of the log")
+  rows_->setToolTip(Words::tr("%1 rows, %2 events, %3 commands, %4 records of the log")
                         .arg(counts.rows)
                         .arg(counts.events)
+                        .arg(counts.commands)
                         .arg(counts.log));
   ShowFigure(*rate_, BytesText(static_cast<std::uint64_t>(std::llround(progress.rate))) +
                          QStringLiteral("/s"));

@@ -274,6 +274,27 @@ class Rows(OnFile):
         self.assertEqual(run.about, {"paths": "**"})
         self.assertEqual(run.tables(), [])
 
+    def test_commands_are_read(self):
+        call = parse("struct tendon.Call {\n  took: duration\n  outcome: enum tendon.CallOutcome {\n"
+                     "    executed = 0\n    refused = 2\n  }\n  argument: float64\n"
+                     "  client: string\n}")
+        writer = Writer()
+        passed = writer.channel("robot/cart/Control.Passed", "float64", "event")
+        move = writer.channel("robot/cart/Control.Move", call.text(), "command")
+        writer.message(passed, 0, 5, number(1))
+        for sequence, outcome in enumerate(("executed", "refused")):
+            writer.message(move, sequence, 6 + sequence, call.encode(
+                {"took": 0.5, "outcome": outcome, "argument": 1.5, "client": "desk/pilot/Cart"}))
+        run = self.open(writer.finish())
+
+        self.assertEqual(run.commands(), ["robot/cart/Control.Move"])
+        self.assertEqual(run.events(), ["robot/cart/Control.Passed"])
+        self.assertEqual(run["robot/cart/Control.Move.argument"].tolist(), [1.5, 1.5])
+        self.assertEqual(run["robot/cart/Control.Move.client"].tolist(), ["desk/pilot/Cart"] * 2)
+        self.assertEqual(run["robot/cart/Control.Move.outcome"].tolist(), [0, 2])
+        self.assertEqual(run.enumerators("robot/cart/Control.Move.outcome"),
+                         {0: "executed", 2: "refused"})
+
     def test_topics_of_others_are_listed_and_not_read(self):
         writer = counting(3)
         writer.message(writer.foreign_channel("/camera"), 0, 0, b"?")

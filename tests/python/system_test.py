@@ -303,8 +303,12 @@ class InTheDemoSystem(unittest.TestCase):
         self.assertTrue(examples)
         names = {}
         recording = pathlib.Path(self.place.folder.name) / "run.mcap"
-        subprocess.run([PROGRAMS / "gcm", "--timeout", str(1000 * PATIENCE), "record", "robot/**",
-                        "-o", recording, "--for", "1s"], check=True)
+        goal = {"position": [0.0] * 7, "duration": 0.1}
+        with subprocess.Popen([PROGRAMS / "gcm", "--timeout", str(1000 * PATIENCE), "record",
+                               "robot/**", "-o", recording, "--for", "1s"]) as recorder:
+            while recorder.poll() is None:
+                self.system.call("robot/arm/Control.MoveTo", goal)
+        self.assertEqual(recorder.returncode, 0)
         for example in examples:
             patient = example.replace("connect()", f"connect(timeout={PATIENCE})")
             patient = patient.replace("run.mcap", str(recording))

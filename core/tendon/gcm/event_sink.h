@@ -14,12 +14,27 @@
 
 namespace tendon {
 
-/// The wanted events of a provided interface: {"robot", "arm", "Control"}, {"GoalReached"}.
+/// The wanted events of a provided interface: {"robot", "arm", "Control"}, {"GoalReached"}. The
+/// calls of its commands can be subscribed to as if they were events; the value is then an observed
+/// call, see SchemaOfCalls().
 struct EventSubscription {
   InterfaceName provided;
   std::vector<std::string> events;
+  std::vector<std::string> commands = {};  ///< no reads; see CanBeObserved()
   /// The number of events that may wait in the sending process. Further events are lost.
   std::uint32_t capacity = 1024;
+
+  [[nodiscard]] std::size_t size() const { return events.size() + commands.size(); }
+  /// Counts the events first, and then the commands.
+  [[nodiscard]] bool is_command(std::size_t index) const { return index >= events.size(); }
+  [[nodiscard]] const std::string& name(std::size_t index) const {
+    return is_command(index) ? commands.at(index - events.size()) : events[index];
+  }
+  /// "robot/arm/Control.GoalReached"
+  [[nodiscard]] std::string path(std::size_t index) const {
+    return ToString(provided) + "." + name(index);
+  }
+  bool operator==(const EventSubscription&) const = default;
 };
 
 /// The time when an event was raised.
@@ -32,12 +47,14 @@ struct EventTime {
 };
 
 /// Receives events, in threads of the client or the middleware, one call at a time; must not block.
-/// `event` is the index in EventSubscription::events.
+/// `event` is the index in EventSubscription::events, and after these in
+/// EventSubscription::commands.
 class EventSink {
  public:
   virtual ~EventSink() = default;
   /// Called when the subscription becomes active. From now on, each event is delivered or reported
-  /// as lost. Called again after each interruption, with the types that the process has now.
+  /// as lost. Called again after each interruption, with the types that the process has now; those
+  /// of a command are the types of its argument and its result.
   virtual void OnListening(const std::vector<MemberDescription>& events) = 0;
   /// Called for each event. `value` is the CDR body of the event's type; empty if the event has no
   /// type.

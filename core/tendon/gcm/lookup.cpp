@@ -1,6 +1,7 @@
 #include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/interface/compatibility.h>
+#include <tendon/interface/observed_call.h>
 
 #include <charconv>
 #include <vector>
@@ -202,6 +203,18 @@ Result<std::vector<MemberDescription>> LookUpEvents(const Catalogue& catalogue,
                    "there is no event " + ToString(wanted.provided) + "." + name};
     }
     events.push_back(*event);
+  }
+  for (const std::string& name : wanted.commands) {
+    const MemberDescription* command = FindNamed((*provided)->commands, name);
+    const std::string path = ToString(wanted.provided) + "." + name;
+    if (command == nullptr) return Error{ErrorCode::kNotFound, "there is no command " + path};
+    if (!CanBeObserved(command->signature)) {
+      return Error{ErrorCode::kInvalid, path + " is a " +
+                                            std::string(ToString(command->signature.kind)) +
+                                            " command: only calls that can change something are "
+                                            "observed"};
+    }
+    events.push_back(DescribeCalls(*command));
   }
   return events;
 }

@@ -29,7 +29,8 @@ Result<const RequiredDescription*> LookUpRequired(const Catalogue& catalogue,
 /// Finds a command. A column of a state table counts as a read command.
 Result<MemberDescription> LookUpCommand(const Catalogue& catalogue, const Path& path);
 
-/// Returns the descriptions of the events, in the order of the request.
+/// Returns the descriptions of the events, in the order of the request, and then those of the
+/// commands, as DescribeCalls() returns them. kInvalid for a read command.
 Result<std::vector<MemberDescription>> LookUpEvents(const Catalogue& catalogue,
                                                     const EventSubscription& wanted);
 

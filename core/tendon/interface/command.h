@@ -7,8 +7,12 @@
 #include <tendon/payload/codec.h>
 #include <tendon/payload/layout.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
+#include <memory>
 #include <span>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -31,6 +35,22 @@ class ArgumentWriter {
   /// Returns the encoded argument. It is in memory of the caller and valid during the call. Throws
   /// the exceptions of the codec.
   [[nodiscard]] virtual std::span<const std::byte> Encoded() const = 0;
+};
+
+/// An argument that is already encoded.
+class EncodedArgument final : public ArgumentWriter {
+ public:
+  explicit EncodedArgument(std::span<const std::byte> bytes) : bytes_(bytes) {}
+
+  [[nodiscard]] std::size_t size() const override { return bytes_.size(); }
+  [[nodiscard]] bool WriteTo(std::span<std::byte> place) const override {
+    std::ranges::copy(bytes_, place.begin());
+    return true;
+  }
+  [[nodiscard]] std::span<const std::byte> Encoded() const override { return bytes_; }
+
+ private:
+  std::span<const std::byte> bytes_;
 };
 
 /// A command that is bound for one connection. It is created when two interfaces are connected, and
@@ -79,6 +99,9 @@ class CommandBase {
   /// Returns the age of the value that the last read returned. Returns 0 if every read goes to the
   /// server, and the largest value if no value was read.
   [[nodiscard]] virtual std::chrono::nanoseconds age() const { return {}; }
+
+  /// Sets who calls, for observers of the calls. Called once, before the first call.
+  virtual void SetClient(const std::shared_ptr<const std::string>& /*client*/) {}
 
   /// For event handlers. Called with true when the component that raises the event has faulted, and
   /// with false when it is about to restart.

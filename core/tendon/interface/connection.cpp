@@ -46,7 +46,9 @@ Result<std::unique_ptr<Connection>> Connection::Make(RequiredInterface& required
     return Error{ErrorCode::kExists,
                  required_name + " is already connected; end that connection first"};
   }
-  const Compatibility compatibility = Compare(required.description(), provided.description());
+  const Compatibility compatibility = Compare(
+      required.description(),
+      required.observes_calls() ? provided.description_for_observers() : provided.description());
   if (!compatibility.fits()) {
     return Error{ErrorCode::kIncompatible, Refusal(required_name, provided_name, compatibility)};
   }
@@ -73,7 +75,7 @@ Result<std::unique_ptr<Connection>> Connection::Make(RequiredInterface& required
 Connection::Connection(RequiredInterface& required, ProvidedInterface& provided, std::string client)
     : required_(required),
       provided_(provided),
-      client_(std::move(client)),
+      client_(std::make_shared<const std::string>(std::move(client))),
       lost_before_(required.lost_events()) {}
 
 Connection::~Connection() { Close(std::chrono::milliseconds(0)); }
@@ -110,8 +112,14 @@ void Connection::OpenMailboxes() {
     commands_ = &provided_.inbox()->Open(capacity, command_shape, required_.callers());
   }
   if (required_.inbox() != nullptr && !required_.handlers_.empty()) {
-    events_ = &required_.inbox()->Open(capacity, event_shape, provided_.raisers(),
-                                       &required_.event_time_);
+    // Calls are also shown by their callers, if they are refused.
+    const bool shows_calls = std::ranges::any_of(required_.handlers_, [this](const auto& handler) {
+      return provided_.FindEvent(handler->description().name) == nullptr;
+    });
+    const CallerThreads raisers = required_.observes_calls() && shows_calls
+                                      ? CallerThreads::kManyThreads
+                                      : provided_.raisers();
+    events_ = &required_.inbox()->Open(capacity, event_shape, raisers, &required_.event_time_);
     if (required_.has_listener()) events_->Hold();  // until OnConnected() has returned
     peer_.events = events_;
   }
@@ -119,7 +127,9 @@ void Connection::OpenMailboxes() {
 
 void Connection::BindHandlers() {
   for (const auto& handler : required_.handlers_) {
-    EventBase* event = provided_.FindEvent(handler->description().name);
+    const std::string& name = handler->description().name;
+    EventBase* event = provided_.FindEvent(name);
+    if (event == nullptr && required_.observes_calls()) event = provided_.ObserveCalls(name);
     if (event == nullptr) continue;  // optional, and not offered
     Commands& kept = handler->uses_mailbox() ? queued_handlers_ : direct_handlers_;
     kept.push_back(handler->Bind(events_));
@@ -140,6 +150,7 @@ void Connection::BindFunctions() {
       continue;
     }
     functions_.push_back(offer->Bind(commands_));
+    functions_.back()->SetClient(client_);
     CommandBase* command = functions_.back().get();
     if (auto adapter = one.caller->Adapt(*command)) {
       functions_.push_back(std::move(adapter));
@@ -192,7 +203,7 @@ void Connection::ReportClientGone(std::uint64_t number) {
       members_, [](const BoundMember& member) { return member.command != nullptr; });
   const ComponentAccess* const component = provided_.component();
   if (!has_called || component == nullptr || !component->is_notified_of_connections()) return;
-  component->ReportClientGone({.provided = &provided_, .name = client_, .connection = number});
+  component->ReportClientGone({.provided = &provided_, .name = *client_, .connection = number});
 }
 
 std::uint64_t Connection::taken() const {

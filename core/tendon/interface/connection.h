@@ -85,7 +85,7 @@ class Connection {
 
   RequiredInterface& required_;
   ProvidedInterface& provided_;
-  std::string client_;
+  std::shared_ptr<const std::string> client_;
   RequiredInterface::Peer peer_;
   Mailbox* commands_ = nullptr;  // queue at the server
   Mailbox* events_ = nullptr;    // queue at the client

@@ -31,6 +31,7 @@ void EventBase::SetSourceFaulted(bool faulted) {
 void EventBase::Replace(std::unique_ptr<List> next) {
   current_.Exchange(next.get());  // waits until no thread uses the old list
   list_ = std::move(next);
+  OnSubscribersChanged(!list_->empty());
 }
 
 }  // namespace tendon

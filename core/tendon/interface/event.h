@@ -50,6 +50,9 @@ class EventBase : public MemberCaller {
   };
   using List = std::vector<Subscriber>;
 
+  /// Called in a manager's thread, one at a time, after the list of handlers has changed.
+  virtual void OnSubscribersChanged(bool /*has_subscribers*/) {}
+
   /// Runs `call(CommandBase&) -> Status` for each handler and counts a failed call as lost.
   template <typename Call>
   void CallHandlers(Call call) {

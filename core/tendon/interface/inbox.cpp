@@ -19,6 +19,7 @@ Mailbox& Inbox::Open(std::size_t capacity, Mailbox::SlotShape argument, CallerTh
   auto mailbox = std::make_unique<Mailbox>(capacity, argument, callers, server_,
                                            next->FlagOf(place), event_time, ++opened_);
   Mailbox& opened = *mailbox;
+  opened.SetObserved(observers_ > 0);
   next->mailboxes[place] = &opened;
   mailboxes_.push_back(std::move(mailbox));
   list_.swap(next);
@@ -34,6 +35,22 @@ void Inbox::SetAccepting(bool accepting) {
   if (accepting) return;
   const std::scoped_lock lock(mutex_);
   for (const auto& mailbox : mailboxes_) mailbox->completions().Interrupt();
+}
+
+void Inbox::AddObserver() {
+  const std::scoped_lock lock(mutex_);
+  CountObservers(observers_ + 1);
+}
+
+void Inbox::RemoveObserver() {
+  const std::scoped_lock lock(mutex_);
+  CountObservers(observers_ - 1);
+}
+
+/// Called with the lock held.
+void Inbox::CountObservers(std::size_t observers) {
+  observers_ = observers;
+  for (const auto& mailbox : mailboxes_) mailbox->SetObserved(observers > 0);
 }
 
 std::size_t Inbox::Remove(Mailbox& mailbox, std::vector<std::unique_ptr<CommandBase>> commands,

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -54,6 +55,10 @@ class Inbox {
   /// Frees all queued calls without executing them, and returns their number. Call it only while no
   /// thread executes calls.
   std::size_t DiscardQueued();
+
+  /// While there are observers of commands, all mailboxes are marked; see Mailbox::is_observed().
+  void AddObserver();
+  void RemoveObserver();
 
   /// Sets whether calls are accepted. If not, new calls are refused with kNotActive, and callers
   /// that already wait get kNotActive as well.
@@ -109,6 +114,7 @@ class Inbox {
     std::vector<std::unique_ptr<CommandBase>> commands;
   };
 
+  void CountObservers(std::size_t observers);
   std::unique_ptr<List> Copy() const;
   std::size_t FreePlace(List& list);
 
@@ -118,7 +124,8 @@ class Inbox {
   std::vector<std::unique_ptr<Mailbox>> mailboxes_;
   std::unique_ptr<List> list_;
   std::vector<Retired> retired_;
-  std::uint64_t opened_ = 0;                     // number of mailboxes opened so far
+  std::uint64_t opened_ = 0;  // number of mailboxes opened so far
+  std::size_t observers_ = 0;
   alignas(kSeparation) bool executing_ = false;  // used by the executing thread, like the next two
   unsigned passes_ = 0;
   GuardedPointer<List> current_;

@@ -79,7 +79,7 @@ template <typename Ring>
 bool Mailbox::DropIn(Ring& ring) noexcept {
   std::byte* const slot = ring.Front();
   if (slot == nullptr) return false;
-  EntryIn(slot).DropSlot(ring.IndexOf(slot));
+  EntryIn(slot).DropSlot(slot + argument_offset_, ring.IndexOf(slot));
   ring.Release();
   return true;
 }

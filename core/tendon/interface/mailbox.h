@@ -39,7 +39,7 @@ class Mailbox {
     /// slot is freed anyway.
     virtual void ExecuteSlot(std::byte* argument, std::size_t slot) = 0;
     /// Called instead of ExecuteSlot() if the call will not be executed.
-    virtual void DropSlot(std::size_t /*slot*/) noexcept {}
+    virtual void DropSlot(std::byte* /*argument*/, std::size_t /*slot*/) noexcept {}
   };
 
   /// The memory that the arguments of a connection need in a slot: `size` and `alignment` are the
@@ -80,6 +80,8 @@ class Mailbox {
   /// each claimed slot must be published. Returns null if the mailbox is closed or full; if it is
   /// full, counts the call in refused(). In a thread with BlockWhenFull, waits for room first.
   std::byte* Claim() noexcept;
+  /// Like Claim(), but never waits.
+  std::byte* ClaimAtOnce() noexcept;
   /// Like Claim(), but claims a reserved slot. Returns null if all reserved slots are in use.
   std::byte* ClaimReserved() noexcept;
   /// The reason why Claim() returned null.
@@ -107,6 +109,9 @@ class Mailbox {
   /// From now on, queued calls are not executed any more.
   void Abandon() noexcept { abandoned_.Set(true); }
   [[nodiscard]] bool is_abandoned() const noexcept { return abandoned_.Get(); }
+  /// Set while a command of the called component may have observers.
+  void SetObserved(bool is_observed) noexcept { observed_.Set(is_observed); }
+  [[nodiscard]] bool is_observed() const noexcept { return observed_.Get(); }
   /// True if the called component executes calls.
   [[nodiscard]] bool accepting() const noexcept { return server_.accepting.Get(); }
   /// True if the calling thread is the one that executes the posted calls.
@@ -157,6 +162,7 @@ class Mailbox {
   Flag closed_;
   Flag abandoned_;
   Flag held_;
+  Flag observed_;  // in the word of the flags that the executing thread reads before each call
   CompletionPool completions_;
   // These counters are kept apart from data that the server reads, because callers write them and
   // may retry all the time.
@@ -168,6 +174,14 @@ inline std::byte* Mailbox::Claim() noexcept {
   if (!is_open()) return nullptr;
   std::byte* slot = TryClaim();
   if (slot == nullptr) slot = AwaitRoom();
+  if (slot != nullptr) return slot + argument_offset_;
+  refused_.Add();
+  return nullptr;
+}
+
+inline std::byte* Mailbox::ClaimAtOnce() noexcept {
+  if (!is_open()) return nullptr;
+  std::byte* const slot = TryClaim();
   if (slot != nullptr) return slot + argument_offset_;
   refused_.Add();
   return nullptr;

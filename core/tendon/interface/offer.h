@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tendon/interface/execution/call_observer.h>
 #include <tendon/interface/execution/direct_command.h>
 #include <tendon/interface/execution/filtered_command.h>
 #include <tendon/interface/execution/latest_command.h>
@@ -46,7 +47,7 @@ struct ColumnSource {
 
 /// An operation that a component offers: a command of a provided interface, or an event handler of
 /// a required one. Each connection gets its own command, made by Bind().
-class Offer {
+class Offer : public CallSwitches {
  public:
   explicit Offer(MemberDescription description) : description_(std::move(description)) {}
   Offer(const Offer&) = delete;
@@ -98,12 +99,6 @@ class Offer {
   }
   [[nodiscard]] const ColumnSource& source() const { return source_; }
 
-  /// After Disable(), callers of the command get kDisabled. Calls that are already queued are still
-  /// executed. Any thread.
-  void Enable() noexcept { enabled_.Set(true); }
-  void Disable() noexcept { enabled_.Set(false); }
-  [[nodiscard]] const Flag& enabled() const noexcept { return enabled_; }
-
   /// Declares that each call is refused. `sentence` says why, and consoles show it. Callers that do
   /// not show it get the status that the command returns. Interfaces still connect.
   Offer& SetRefusal(std::string sentence) {
@@ -147,7 +142,6 @@ class Offer {
   ColumnSource source_;
   bool reads_table_only_ = false;
   std::string refusal_;
-  Flag enabled_{true};
   const ComponentAccess* component_ = nullptr;
 };
 
@@ -165,18 +159,20 @@ class QueuedOffer : public Offer {
     return QueuedCommand<In, Out, Handler>::Shape();
   }
   [[nodiscard]] std::unique_ptr<CommandBase> Bind(Mailbox* mailbox) const override {
-    return BindTyped(mailbox);
+    return BindTyped(mailbox, this);
   }
 
  protected:
-  [[nodiscard]] std::unique_ptr<Command<In, Out>> BindTyped(Mailbox* mailbox) const {
+  /// Observers of `observed`, if given, see the calls.
+  [[nodiscard]] std::unique_ptr<Command<In, Out>> BindTyped(Mailbox* mailbox,
+                                                            const CallSwitches* observed) const {
     if constexpr (kMayReplace) {
       if (overflow() == Overflow::kLatestOnly && mailbox != nullptr) {
-        return std::make_unique<LatestCommand<In, Handler>>(handler_, *mailbox, expiry());
+        return std::make_unique<LatestCommand<In, Handler>>(handler_, *mailbox, expiry(), observed);
       }
     }
     return std::make_unique<QueuedCommand<In, Out, Handler>>(handler_, mailbox, this->component(),
-                                                             expiry());
+                                                             expiry(), observed);
   }
 
  private:
@@ -195,8 +191,8 @@ class FilteredOffer final : public QueuedOffer<Filtered, None, Handler> {
 
   [[nodiscard]] bool RunsInCaller(bool /*has_mailbox*/) const override { return true; }
   [[nodiscard]] std::unique_ptr<CommandBase> Bind(Mailbox* mailbox) const override {
-    return std::make_unique<FilteredCommand<In, Filtered, Filter>>(filter_,
-                                                                   this->BindTyped(mailbox));
+    return std::make_unique<FilteredCommand<In, Filtered, Filter>>(
+        filter_, this->BindTyped(mailbox, nullptr), this);
   }
 
  private:
@@ -222,7 +218,7 @@ class DirectOffer final : public Offer {
   [[nodiscard]] bool uses_mailbox() const override { return false; }
   [[nodiscard]] std::unique_ptr<CommandBase> Bind(Mailbox* /*mailbox*/) const override {
     return std::make_unique<DirectCommand<In, Out, Body>>(
-        body_, exception_policy_ == ExceptionPolicy::kComponent ? component() : nullptr);
+        body_, exception_policy_ == ExceptionPolicy::kComponent ? component() : nullptr, this);
   }
 
  private:

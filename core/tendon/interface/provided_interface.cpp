@@ -32,6 +32,15 @@ EventBase* ProvidedInterface::FindEvent(const std::string& name) const {
   return found == events_.end() ? nullptr : found->event;
 }
 
+EventBase* ProvidedInterface::ObserveCalls(const std::string& name) {
+  for (const auto& offer : commands_) {
+    const MemberDescription& command = offer->description();
+    if (command.name != name || !CanBeObserved(command.signature)) continue;
+    return &offer->ObserveCalls(inbox_);
+  }
+  return nullptr;
+}
+
 void ProvidedInterface::SetSourceFaulted(bool faulted) {
   for (const NamedEvent& one : events_) one.event->SetSourceFaulted(faulted);
 }
@@ -57,6 +66,14 @@ ProvidedDescription ProvidedInterface::description() const {
   for (const auto& offer : commands_) description.commands.push_back(offer->description());
   for (const NamedEvent& one : events_) description.events.push_back(one.description);
   return description;
+}
+
+ProvidedDescription ProvidedInterface::description_for_observers() const {
+  ProvidedDescription all = description();
+  for (const MemberDescription& command : all.commands) {
+    if (CanBeObserved(command.signature)) all.events.push_back(DescribeCalls(command));
+  }
+  return all;
 }
 
 }  // namespace tendon

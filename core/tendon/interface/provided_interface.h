@@ -195,6 +195,9 @@ class ProvidedInterface {
   /// Null if there is no member with this name.
   [[nodiscard]] const Offer* FindCommand(const std::string& name) const;
   [[nodiscard]] EventBase* FindEvent(const std::string& name) const;
+  /// Returns the event by which observers see the calls of a command. Null if there is no command
+  /// with this name, or its calls cannot be observed.
+  [[nodiscard]] EventBase* ObserveCalls(const std::string& name);
 
   /// Returns one Expiry for each command whose effect must be renewed.
   [[nodiscard]] std::vector<Expiry*> expiries() const;
@@ -203,6 +206,8 @@ class ProvidedInterface {
   void SetSourceFaulted(bool faulted);
 
   [[nodiscard]] ProvidedDescription description() const;
+  /// Like description(), but the events include the calls of the commands, for observers.
+  [[nodiscard]] ProvidedDescription description_for_observers() const;
   /// Names of the commands that keep only the latest call.
   [[nodiscard]] std::vector<std::string> latest_only() const;
 

@@ -138,6 +138,10 @@ class RequiredInterface {
   Offer& AddOffer(std::unique_ptr<Offer> handler,
                   SourceLocation location = SourceLocation::current());
   [[nodiscard]] BindingGate& binding() { return binding_; }
+  /// Lets handlers also receive the calls of commands that have their names; see DescribeCalls().
+  /// Such handlers must accept encoded values.
+  void ObserveCalls() { observes_calls_ = true; }
+  [[nodiscard]] bool observes_calls() const { return observes_calls_; }
 
   [[nodiscard]] Inbox* inbox() const { return inbox_; }
   [[nodiscard]] CallerThreads callers() const { return binding_.callers(); }
@@ -235,6 +239,7 @@ class RequiredInterface {
   Inbox* inbox_;
   const ComponentAccess* component_;
   Need need_;
+  bool observes_calls_ = false;
   MemberNames names_;
   std::size_t mailbox_capacity_ = kDefaultCapacity;
   std::chrono::milliseconds read_deadline_ = kDefaultReadDeadline;

@@ -31,9 +31,10 @@ inline constexpr auto kRowsEnded = static_cast<MessageType>(0x205);  // notice: 
 // From a viewer that wants only the newest row: it has received the last row, so the process may
 // send the next row.
 inline constexpr auto kRowTaken = static_cast<MessageType>(0x206);  // notice: a handle, no body
-// From a viewer: like kOpenInterface, but without functions. Afterwards, the process sends
-// kTimedEvents, kEventsLost and kInterfaceClosed, and the viewer sends kCloseInterface, as in
-// proxy/connection_messages.h.
+// From a viewer: like kOpenInterface, but without functions. A handler may have the name of a
+// command; then it receives the calls of the command, see interface/observed_call.h. Afterwards,
+// the process sends kTimedEvents, kEventsLost and kInterfaceClosed, and the viewer sends
+// kCloseInterface, as in proxy/connection_messages.h.
 inline constexpr auto kListen =
     static_cast<MessageType>(0x207);  // request: OpenInterface -> OpenInterfaceReply
 

@@ -5,10 +5,12 @@
 #include <tendon/proxy/queued_command_proxy.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -26,22 +28,6 @@ Status CheckPayload(Outbox& outbox, std::uint32_t handle, std::size_t size) {
   outbox.RefusePayload(handle, size);
   return Status::kInvalid;
 }
-
-/// An argument that is already encoded.
-class EncodedArgument final : public ArgumentWriter {
- public:
-  explicit EncodedArgument(std::span<const std::byte> bytes) : bytes_(bytes) {}
-
-  [[nodiscard]] std::size_t size() const override { return bytes_.size(); }
-  [[nodiscard]] bool WriteTo(std::span<std::byte> place) const override {
-    std::ranges::copy(bytes_, place.begin());
-    return true;
-  }
-  [[nodiscard]] std::span<const std::byte> Encoded() const override { return bytes_; }
-
- private:
-  std::span<const std::byte> bytes_;
-};
 
 class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
  public:
@@ -110,7 +96,9 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
       if (call) command_.Hand(*call, command_.pool_[slot]);
       command_.FreeIfMany(slot);
     }
-    void DropSlot(std::size_t slot) noexcept override { command_.callers_->Drop(RecordOf(slot)); }
+    void DropSlot(std::byte* /*argument*/, std::size_t slot) noexcept override {
+      command_.callers_->Drop(RecordOf(slot));
+    }
 
    private:
     [[nodiscard]] std::size_t RecordOf(std::size_t slot) const noexcept {
@@ -231,7 +219,7 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     outbox_.Take(handle_, pool_[slot]);
     FreeIfMany(slot);
   }
-  void DropSlot(std::size_t slot) noexcept override {
+  void DropSlot(std::byte* /*argument*/, std::size_t slot) noexcept override {
     outbox_.waiting_bytes().Give(pool_[slot].size());
   }
 
@@ -296,7 +284,7 @@ class LatestCommandProxy final : public CommandBase, private Mailbox::Entry {
   void ExecuteSlot(std::byte* /*argument*/, std::size_t /*slot*/) override {
     if (const Bytes* argument = newest_.Take()) outbox_.Take(handle_, *argument);
   }
-  void DropSlot(std::size_t /*slot*/) noexcept override { newest_.Take(); }
+  void DropSlot(std::byte* /*argument*/, std::size_t /*slot*/) noexcept override { newest_.Take(); }
 
   Outbox& outbox_;
   const std::uint32_t handle_;
@@ -304,6 +292,108 @@ class LatestCommandProxy final : public CommandBase, private Mailbox::Entry {
   QueuedCommandProxy queued_;
   Bytes written_;  // used only by the posting thread
   LatestValue<Bytes> newest_;
+};
+
+/// Sends observed calls. The slot itself holds a call of usual size, because the thread that
+/// executed the call must not allocate. Larger calls have a buffer for each slot; these are kept
+/// while all of them together are small.
+class ObservedCallProxy final : public CommandBase, private Mailbox::Entry {
+ public:
+  static constexpr std::size_t kRoom = 240;
+
+  ObservedCallProxy(Outbox& outbox, std::uint32_t handle, SharedCounter<>& lost, Mailbox& mailbox)
+      : CommandBase(layout::kNone, layout::kNone),
+        outbox_(outbox),
+        handle_(handle),
+        lost_(lost),
+        mailbox_(mailbox),
+        large_(mailbox.storage()) {}
+
+  static constexpr Mailbox::SlotShape Shape() { return {sizeof(Slot), alignof(Slot)}; }
+
+  Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& out) override {
+    return ExecuteFrom(EncodedArgument(in), out);
+  }
+  Status ExecuteFrom(const ArgumentWriter& in, AnswerSink& /*out*/) override {
+    const Status posted =
+        ComponentAccess::CatchExceptions(nullptr, [&] { return Post(in); });  // the codec may throw
+    if (!posted) lost_.Add();
+    return posted;
+  }
+
+ private:
+  struct Slot {
+    std::size_t size = 0;
+    std::array<std::byte, kRoom> call;
+  };
+
+  Status Post(const ArgumentWriter& in) {
+    const std::size_t size = in.size();
+    if (const Status can = CheckPayload(outbox_, handle_, size); !can) return can;
+    if (!outbox_.waiting_bytes().Take(size)) return Status::kQueueFull;
+    std::byte* const room = mailbox_.ClaimAtOnce();  // a component never waits for an observer
+    const Status written = room == nullptr ? mailbox_.refusal() : Write(in, size, room);
+    if (written) {
+      mailbox_.Publish(room, *this);
+      return written;
+    }
+    if (room != nullptr) {
+      FreeIfMany(mailbox_.SlotOf(room));
+      mailbox_.GiveUp(room);
+    }
+    outbox_.waiting_bytes().Give(size);
+    return written;
+  }
+  Status Write(const ArgumentWriter& in, std::size_t size, std::byte* room) {
+    return ComponentAccess::CatchExceptions(nullptr, [&]() -> Status {  // may throw bad_alloc
+      auto* const slot = new (room) Slot;
+      slot->size = size;
+      if (size > kRoom) Resize(large_[mailbox_.SlotOf(room)], size);
+      return in.WriteTo(CallIn(*slot, mailbox_.SlotOf(room))) ? Status::kQueued : Status::kFailed;
+    });
+  }
+  std::span<std::byte> CallIn(Slot& slot, std::size_t index) {
+    if (slot.size > kRoom) return large_[index];
+    return std::span(slot.call).first(slot.size);
+  }
+  static Slot& SlotIn(std::byte* argument) {
+    return *std::launder(reinterpret_cast<Slot*>(argument));
+  }
+
+  /// A buffer that must grow gets exactly this size, and its old content is not copied.
+  void Resize(Bytes& buffer, std::size_t size) {
+    const std::size_t before = buffer.capacity();
+    if (before < size) {
+      buffer = Bytes(size);
+      grown_.Add(buffer.capacity() - before);
+    }
+    buffer.resize(size);
+  }
+  /// Frees the buffer of a slot if all buffers together are larger than 1 MiB. There may be
+  /// hundreds of observers.
+  void FreeIfMany(std::size_t slot) noexcept {
+    constexpr std::uint64_t kMostKept = std::uint64_t{1} << 20U;
+    if (grown_.value() - freed_.value() <= kMostKept) return;
+    freed_.Add(large_[slot].capacity());
+    Bytes().swap(large_[slot]);
+  }
+
+  void ExecuteSlot(std::byte* argument, std::size_t slot) override {
+    outbox_.Take(handle_, CallIn(SlotIn(argument), slot));
+    outbox_.waiting_bytes().Give(SlotIn(argument).size);
+    FreeIfMany(slot);
+  }
+  void DropSlot(std::byte* argument, std::size_t /*slot*/) noexcept override {
+    outbox_.waiting_bytes().Give(SlotIn(argument).size);
+  }
+
+  Outbox& outbox_;
+  const std::uint32_t handle_;
+  SharedCounter<>& lost_;  // of the offer
+  Mailbox& mailbox_;
+  SharedCounter<> grown_;     // bytes by which the buffers have grown
+  SharedCounter<> freed_;     // the part of these bytes that was freed again
+  std::vector<Bytes> large_;  // by slot
 };
 
 }  // namespace
@@ -320,11 +410,15 @@ QueuedOfferProxy::QueuedOfferProxy(MemberDescription description, Outbox& outbox
 }
 
 Mailbox::SlotShape QueuedOfferProxy::shape() const {
+  if (shows_calls_) return ObservedCallProxy::Shape();
   constexpr std::size_t kTokens = 2;  // the most tokens that a LatestCommand posts
   return {.reserve = keeps_latest_only() ? kTokens : 0};
 }
 
 std::unique_ptr<CommandBase> QueuedOfferProxy::Bind(Mailbox* mailbox) const {
+  if (shows_calls_) {
+    return std::make_unique<ObservedCallProxy>(outbox_, handle_, refused_, *mailbox);
+  }
   if (keeps_latest_only()) {
     return std::make_unique<LatestCommandProxy>(outbox_, description(), handle_, refused_,
                                                 *mailbox);

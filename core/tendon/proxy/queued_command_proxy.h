@@ -24,6 +24,10 @@ class QueuedOfferProxy final : public Offer {
  public:
   QueuedOfferProxy(MemberDescription description, Outbox& outbox, std::uint32_t handle);
 
+  /// Must be called before Bind() if the handler receives the calls of a command; see
+  /// RequiredInterface::ObserveCalls().
+  void SetShowsCalls() { shows_calls_ = true; }
+
   [[nodiscard]] Mailbox::SlotShape shape() const override;
   [[nodiscard]] std::unique_ptr<CommandBase> Bind(Mailbox* mailbox) const override;
 
@@ -34,6 +38,7 @@ class QueuedOfferProxy final : public Offer {
  private:
   Outbox& outbox_;
   std::uint32_t handle_;
+  bool shows_calls_ = false;
   mutable SharedCounter<> refused_;
 };
 

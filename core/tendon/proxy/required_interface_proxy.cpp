@@ -89,7 +89,10 @@ RequiredInterfaceProxy::RequiredInterfaceProxy(std::shared_ptr<NetworkThread> th
       loss_report_(channel_, handle_),
       interface_(open.description.name, &outbox_.inbox()),
       runs_component_(open.description.functions.size()) {
-  if (events == Events::kTimed) outbox_.SendTimesOf(interface_);
+  if (events == Events::kTimed) {
+    outbox_.SendTimesOf(interface_);
+    interface_.ObserveCalls();
+  }
   for (const MemberDescription& function : open.description.functions) {
     functions_.push_back(std::make_unique<FunctionProxy>(interface_, function));
     function_names_.push_back(function.name);
@@ -119,6 +122,13 @@ void RequiredInterfaceProxy::MakeLines(const ProvidedInterface& server, CallExec
   if (has_commands) commands_ = threads.commands.MakeLine(capacity_ + std::size_t{1});
   if (has_reads) reads_ = threads.reads.MakeLine(kMostReads, kMostReadBytes);
   if (has_commands || has_reads) interface_.SetCallers(CallerThreads::kManyThreads);
+}
+
+void RequiredInterfaceProxy::PrepareObservers(const ProvidedInterface& server) {
+  if (!interface_.observes_calls()) return;
+  for (QueuedOfferProxy* handler : handlers_) {
+    if (server.FindCommand(handler->description().name) != nullptr) handler->SetShowsCalls();
+  }
 }
 
 bool RequiredInterfaceProxy::BeginCredit(const Connection& connection, Server server) {

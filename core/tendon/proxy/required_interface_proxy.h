@@ -33,6 +33,7 @@ class RequiredInterfaceProxy final : public NetworkJob,
  public:
   /// How events are sent: as kEvents, or as kTimedEvents, which include the time when each event
   /// was raised.
+  /// With kTimed, handlers also receive the calls of commands.
   enum class Events { kPlain, kTimed };
 
   /// Throws ConfigurationError if the description is invalid.
@@ -44,6 +45,10 @@ class RequiredInterfaceProxy final : public NetworkJob,
   /// all other commands use the executor, too, so that commands keep their order. Must be called
   /// before the proxy is connected to `server`.
   void MakeLines(const ProvidedInterface& server, CallExecutors& threads);
+
+  /// Prepares the handlers that will receive the calls of commands of `server`. Must be called
+  /// before the proxy is connected to `server`.
+  void PrepareObservers(const ProvidedInterface& server);
 
   [[nodiscard]] RequiredInterface& interface() { return interface_; }
   /// The number that the other end has issued.
@@ -138,7 +143,7 @@ class RequiredInterfaceProxy final : public NetworkJob,
   RequiredInterface interface_;
   std::vector<std::unique_ptr<FunctionProxy>> functions_;
   std::vector<std::string> function_names_;
-  std::vector<const QueuedOfferProxy*> handlers_;  // indexed by event handler
+  std::vector<QueuedOfferProxy*> handlers_;  // indexed by event handler
   RateLimitedWarning complaints_{"network"};
   // For each function: true if a call runs code of the component in the caller's thread.
   std::vector<bool> runs_component_;

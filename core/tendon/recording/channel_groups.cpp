@@ -19,6 +19,7 @@ Content ContentOf(const mcap::Channel& channel) {
   const std::string kind = MetadataValue(channel, kKindKey);
   if (kind == kColumnKind) return Content::kRows;
   if (kind == kEventKind) return Content::kEvents;
+  if (kind == kCommandKind) return Content::kCommands;
   return kind == kOtherKind && channel.topic == kLogTopic ? Content::kLog : Content::kOthers;
 }
 
@@ -117,6 +118,9 @@ void ExportReport::Count(Content content) {
       break;
     case Content::kEvents:
       ++events;
+      break;
+    case Content::kCommands:
+      ++commands;
       break;
     case Content::kLog:
       ++log;

@@ -16,8 +16,9 @@ namespace tendon::recording {
 enum class Content {
   kRows,  ///< of a state table; a sequence that is missing was lost
   kEvents,
-  kLog,     ///< records
-  kOthers,  ///< of the recorder itself, or of another program
+  kCommands,  ///< calls
+  kLog,       ///< records
+  kOthers,    ///< of the recorder itself, or of another program
 };
 
 /// What an export has written.
@@ -25,8 +26,9 @@ struct ExportReport {
   std::uint64_t rows = 0;
   std::uint64_t lost = 0;  ///< rows that are missing between them
   std::uint64_t events = 0;
-  std::uint64_t log = 0;     ///< records
-  std::uint64_t others = 0;  ///< messages of other topics
+  std::uint64_t commands = 0;  ///< calls
+  std::uint64_t log = 0;       ///< records
+  std::uint64_t others = 0;    ///< messages of other topics
   /// Entries of which a part is missing or malformed. CSV has them with empty cells, so they count
   /// above, too; HDF5 leaves them out.
   std::uint64_t incomplete = 0;
@@ -36,7 +38,7 @@ struct ExportReport {
 };
 
 /// Channels that an export writes side by side: the columns of one table since one start of its
-/// source, or a single event or other topic.
+/// source, or a single event, command or other topic.
 struct ChannelGroup {
   std::string path;  ///< "robot/arm/state"
   Content content = Content::kOthers;
@@ -48,7 +50,7 @@ struct ChannelGroup {
 [[nodiscard]] std::vector<ChannelGroup> GroupsOf(const mcap::Reader& reader,
                                                  const mcap::Query& query);
 
-/// One column of a table, an event, or another topic.
+/// One column of a table, an event, a command, or another topic.
 struct ChannelMember {
   std::string name;  ///< empty if the topic has only this one
   Schema schema;

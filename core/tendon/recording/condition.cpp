@@ -94,13 +94,13 @@ Result<Condition> ParseCondition(std::string_view text) {
   const std::size_t place = text.find_first_of("<>=!");
   const std::string_view left = Trimmed(text.substr(0, place));
   if (left.empty()) {
-    return Mistake(text, 0, "the path of an event, or of a column and a comparison");
+    return Mistake(text, 0, "the path of an event or a command, or of a column and a comparison");
   }
   auto path = ParsePath(left);
   if (!path) return path.error();
   condition.path = *std::move(path);
   if (condition.path.member.empty()) {
-    return Mistake(text, text.find(left) + left.size(), "'.' and an event or a column");
+    return Mistake(text, text.find(left) + left.size(), "'.' and an event, a command or a column");
   }
   if (place == text.npos) return condition;
   std::string_view rest = text.substr(place);

@@ -14,7 +14,8 @@
 namespace tendon::recording {
 
 /// A condition that begins or ends a recording, as a person types it: an event, such as
-/// "robot/arm/Control.GoalReached", or a comparison of a column of a state table, such as
+/// "robot/arm/Control.GoalReached", an executed call of a command, such as
+/// "robot/arm/Control.MoveTo", or a comparison of a column of a state table, such as
 /// "robot/arm/state.Joints.position[2] > 1.2 rad". A Trigger watches it.
 struct Condition {
   enum class Relation { kLess, kLessOrEqual, kGreater, kGreaterOrEqual, kEqual, kNotEqual };
@@ -27,7 +28,7 @@ struct Condition {
 
   std::string text;  ///< as typed
   Path path;
-  std::optional<Comparison> comparison;  ///< empty: an event
+  std::optional<Comparison> comparison;  ///< empty: an event or a command
 };
 
 /// Reads a condition. kInvalid if it has a mistake; the error names the column of the text, counted

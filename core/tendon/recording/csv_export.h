@@ -15,7 +15,8 @@ struct CsvReport : ExportReport {
   std::vector<std::filesystem::path> files;
 };
 
-/// Writes the messages that match as CSV, one file for each state table, event and other topic:
+/// Writes the messages that match as CSV, one file for each state table, event, command and other
+/// topic:
 /// `robot.arm.state.csv`. Its columns are
 ///
 ///     time_ns,source_time_ns,sequence,lost,Joints.position[0],...

@@ -70,7 +70,8 @@ struct PlayedSpan {
 /// it hands out, not with the file. A file without an index was read once by its reader.
 ///
 /// Events, the log, losses and changes of the catalogue are always handed out; values of columns
-/// only if they were chosen, because they are nearly the whole file.
+/// only if they were chosen, because they are nearly the whole file. Calls of commands are left
+/// out, because a component may be called in every cycle.
 ///
 /// Thread safety: one thread at a time.
 class Playback {

@@ -6,6 +6,7 @@
 #include <tendon/recording/selection.h>
 
 #include <algorithm>
+#include <iterator>
 #include <system_error>
 
 namespace tendon::recording {
@@ -37,6 +38,20 @@ Result<void> CheckFree(const FileOptions& options) {
   return Error{ErrorCode::kFailed,
                "cannot write " + file.string() + ": " + folder.string() +
                    " is not a folder; create this folder, or choose another folder"};
+}
+
+/// The types of all arguments and results.
+std::vector<Fingerprint> TypesIn(const Catalogue& catalogue, const EventSubscription& one) {
+  std::vector<Fingerprint> types;
+  const ProvidedDescription* provided = catalogue.FindProvided(one.provided);
+  for (std::size_t i = 0; provided != nullptr && i < one.size(); ++i) {
+    const MemberDescription* member =
+        FindNamed(one.is_command(i) ? provided->commands : provided->events, one.name(i));
+    if (member == nullptr) continue;
+    if (TakesArgument(member->signature)) types.push_back(member->signature.in);
+    if (WaitsForServer(member->signature.kind)) types.push_back(member->signature.out);
+  }
+  return types;
 }
 
 }  // namespace
@@ -183,14 +198,19 @@ void Recorder::FollowOnce(bool may_wait) {
   if (!is_next) gone_.clear();
   revision_ = catalogue.revision();
   snapshots_ = snapshots;
-  const Selection wanted = Select(catalogue, options_.patterns);
+  Selection wanted = Select(catalogue, options_.patterns);
   FollowTables(wanted.tables, catalogue);
   silent_.clear();
-  has_all_events_ = FollowEvents(wanted.events, catalogue, may_wait);
+  std::vector<EventSubscription>& all = wanted.events;
+  std::ranges::move(wanted.commands, std::back_inserter(all));
+  has_all_events_ = FollowEvents(all, catalogue, may_wait);
   NoteGoneProcesses(catalogue);
+  std::set<InterfaceName> interfaces;
+  for (const EventSubscription& one : all) interfaces.insert(one.provided);
+  for (const auto& [key, listener] : listeners_) interfaces.insert(key.interface);
   const std::scoped_lock lock(mutex_);
   status_.tables = tables_.size();
-  status_.interfaces = has_all_events_ ? listeners_.size() : wanted.events.size();
+  status_.interfaces = interfaces.size();
 }
 
 void Recorder::NoteGoneProcesses(const Catalogue& catalogue) {
@@ -234,18 +254,13 @@ void Recorder::FollowTables(const std::vector<TableSubscription>& wanted,
 
 bool Recorder::FollowEvents(const std::vector<EventSubscription>& wanted,
                             const Catalogue& catalogue, bool may_wait) {
-  std::map<InterfaceName, Listener> now;
+  std::map<ListenerKey, Listener> now;
   bool has_all = true;
   for (const EventSubscription& one : wanted) {
-    std::vector<Fingerprint> types;
-    const ProvidedDescription* provided = catalogue.FindProvided(one.provided);
-    for (const std::string& name : one.events) {
-      const MemberDescription* event =
-          provided == nullptr ? nullptr : FindNamed(provided->events, name);
-      if (event != nullptr && TakesArgument(event->signature)) types.push_back(event->signature.in);
-    }
-    auto known = listeners_.extract(one.provided);
-    if (!known.empty() && known.mapped().events == one.events && known.mapped().types == types) {
+    const ListenerKey key{one.provided, !one.commands.empty()};
+    const std::vector<Fingerprint> types = TypesIn(catalogue, one);
+    auto known = listeners_.extract(key);
+    if (!known.empty() && known.mapped().subscription == one && known.mapped().types == types) {
       now.insert(std::move(known));
       continue;
     }
@@ -261,13 +276,13 @@ bool Recorder::FollowEvents(const std::vector<EventSubscription>& wanted,
         std::ranges::all_of(types, [&](const Fingerprint& type) { return found.contains(type); });
     const auto id = system_->Listen(one, queue_->SinkOf(one, std::move(found)));
     // An incomplete list is asked for again after the next change of the catalogue.
-    now[one.provided] = {one.events, is_complete ? types : std::vector<Fingerprint>(), id};
+    now[key] = {one, is_complete ? types : std::vector<Fingerprint>(), id};
   }
-  for (auto& [name, rest] : listeners_) {
-    if (IsEnded(catalogue, name.process)) {
+  for (auto& [key, rest] : listeners_) {
+    if (IsEnded(catalogue, key.interface.process)) {
       system_->StopListening(rest.id);
     } else {
-      now[name] = std::move(rest);
+      now[key] = std::move(rest);
     }
   }
   listeners_ = std::move(now);
@@ -297,7 +312,8 @@ std::map<Fingerprint, Schema> Recorder::TypesOf(const Catalogue& catalogue,
     }
     if (schema.error().code == ErrorCode::kTimeout) silent_.insert(events.provided.process);
     const std::scoped_lock lock(mutex_);
-    notices_.push_back("events of " + ToString(events.provided) +
+    notices_.push_back((events.commands.empty() ? "events of " : "commands of ") +
+                       ToString(events.provided) +
                        " cannot be recorded: " + schema.error().message);
   }
   return found;
@@ -351,8 +367,13 @@ Result<void> Recorder::WriteSome() {
 }
 
 Result<void> Recorder::Write(Entry entry) {
+  // The event or call that ends the recording is a part of it, although the trigger, which has a
+  // subscription of its own, may have noted a somewhat earlier time.
+  constexpr auto kSameEvent = 200ms;
+  const bool is_event = std::holds_alternative<Event>(entry);
+  const SteadyTime to = is_event && to_ != SteadyTime::max() ? to_ + kSameEvent : to_;
   const LostRows lost = LostBefore(entry);
-  const bool is_wanted = Trim(entry, from_, to_, WallMinusSteady());
+  const bool is_wanted = Trim(entry, from_, to, WallMinusSteady());
   if (LostBefore(entry) != lost || (!is_wanted && lost.all() > 0)) {
     const std::scoped_lock lock(mutex_);
     losses_before_.rows[ToString(std::get<Rows>(entry).source->name)] += lost;

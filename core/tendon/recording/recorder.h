@@ -47,7 +47,7 @@ struct RecorderStatus {
   Counts counts;
   Losses losses;
   std::size_t tables = 0;         ///< that are recorded
-  std::size_t interfaces = 0;     ///< whose events are recorded
+  std::size_t interfaces = 0;     ///< whose events or commands are recorded
   std::size_t waiting_bytes = 0;  ///< in the queue, because the disk is slower
   std::uint64_t disk_free = 0;    ///< bytes
   std::filesystem::path file;     ///< the present one
@@ -55,20 +55,20 @@ struct RecorderStatus {
   bool is_waiting = false;        ///< for the condition to start: there is no file yet
   bool is_finished = false;       ///< the condition to stop was true: call Recorder::Stop()
   std::size_t before_bytes = 0;   ///< while it waits: memory that holds what came before
-  /// Rows, and events and log records, that came before the start and did not fit into
+  /// Rows, and events, calls and log records, that came before the start and did not fit into
   /// RecorderOptions::before_bytes. `losses` contains them as losses of the recorder.
   std::uint64_t before_rows_missing = 0;
   std::uint64_t before_others_missing = 0;
 };
 
 /// Records a running system into MCAP files, until Stop() or an error: all rows of the chosen
-/// tables, the chosen events, the log, and all changes of the catalogue. Processes may come and go;
-/// what appears later and fits a pattern is recorded as well. A GCM that is gone does not end the
-/// recording, since rows and events come from the processes directly.
+/// tables, the chosen events and commands, the log, and all changes of the catalogue. Processes may
+/// come and go; what appears later and fits a pattern is recorded as well. A GCM that is gone does
+/// not end the recording, since rows and events come from the processes directly.
 ///
 /// With a condition to start, it receives everything from its own start on, but writes only what is
 /// not older than RecorderOptions::before when the condition becomes true. Both conditions are
-/// evaluated for every row, and for every event.
+/// evaluated for every row, event and call.
 ///
 /// A slow disk costs rows of the recording, which are counted, and never a cycle of a component. If
 /// the disk fails, all that is not in the file counts as lost. The file is synced every 0.8 s, so
@@ -115,9 +115,16 @@ class Recorder {
     TelemetryClient::Id id = 0;
   };
   struct Listener {
-    std::vector<std::string> events;
+    EventSubscription subscription;
     std::vector<Fingerprint> types;
     GcmClient::ListenerId id = 0;
+  };
+  /// The events of an interface, or its commands. Each has a subscription of its own, because an
+  /// older process refuses that to commands.
+  struct ListenerKey {
+    InterfaceName interface;
+    bool are_commands = false;
+    auto operator<=>(const ListenerKey&) const = default;
   };
 
   struct Triggers {
@@ -133,7 +140,8 @@ class Recorder {
   void NoteGoneProcesses(const Catalogue& catalogue);
   [[nodiscard]] bool IsEnded(const Catalogue& catalogue, const std::string& process) const;
   void FollowTables(const std::vector<TableSubscription>& wanted, const Catalogue& catalogue);
-  /// Returns false if events are left out, because their types must be asked for.
+  /// Follows events and commands. Returns false if some are left out, because their types must be
+  /// asked for.
   bool FollowEvents(const std::vector<EventSubscription>& wanted, const Catalogue& catalogue,
                     bool may_wait);
   std::map<Fingerprint, Schema> TypesOf(const Catalogue& catalogue, const EventSubscription& events,
@@ -163,7 +171,7 @@ class Recorder {
 
   // Of the thread that follows the catalogue, and of Stop() after it.
   std::map<InterfaceName, Table> tables_;
-  std::map<InterfaceName, Listener> listeners_;
+  std::map<ListenerKey, Listener> listeners_;
   std::map<Fingerprint, Schema> types_;
   std::uint64_t revision_ = 0;
   std::uint64_t snapshots_ = 0;   // see RecordingQueue::snapshots()

@@ -11,9 +11,11 @@
 
 /// How Tendon uses MCAP. The writer, the reader, the replay and the exports agree on what is here.
 ///
-/// - A column of a state table, or an event, is a channel. Its topic is its path with slashes:
-///   `robot/arm/state/Joints`. A row of a table is one message on each of the table's channels;
-///   they have the same log time and sequence. The sequence is the low 32 bits of the row's tick.
+/// - A column of a state table, an event or a command is a channel. Its topic is its path with
+///   slashes: `robot/arm/state/Joints`. A row of a table is one message on each of the table's
+///   channels; they have the same log time and sequence. The sequence is the low 32 bits of the
+///   row's tick. Each event, and each call of a command, is one message. The log time of a call is
+///   the begin of its execution, and its type is that of SchemaOfCalls().
 /// - The log time is the time of this machine's clock, ns since 1970. The publish time is the time
 ///   on the clock of the source plus kClockKey.
 /// - The data of a message is a CDR body behind kEncapsulationSize bytes, as in ROS 2. The schema
@@ -58,6 +60,7 @@ inline constexpr const char* kUnitKey = "tendon.unit";
 // Kinds of channels: values of kKindKey.
 inline constexpr const char* kColumnKind = "column";
 inline constexpr const char* kEventKind = "event";
+inline constexpr const char* kCommandKind = "command";
 inline constexpr const char* kOtherKind = "other";
 
 /// The bytes before the CDR body of a message. They say that it is little-endian.

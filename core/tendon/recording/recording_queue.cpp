@@ -1,3 +1,4 @@
+#include <tendon/interface/observed_call.h>
 #include <tendon/recording/recording_queue.h>
 
 #include <algorithm>
@@ -141,7 +142,7 @@ class RecordingQueue::TableSink final : public RowSink {
   std::shared_ptr<const Source> source_;
 };
 
-/// The events of one interface.
+/// The events, or the commands, of one interface.
 class RecordingQueue::InterfaceSink final : public EventSink {
  public:
   InterfaceSink(std::shared_ptr<RecordingQueue> queue, EventSubscription events,
@@ -151,12 +152,14 @@ class RecordingQueue::InterfaceSink final : public EventSink {
   void OnListening(const std::vector<MemberDescription>& events) override {
     auto now = std::make_shared<Source>();
     now->name = subscription_.provided;
+    now->are_commands = !subscription_.commands.empty();
     std::vector<bool> is_known;
     for (const MemberDescription& event : events) {
-      const auto type = types_.find(event.signature.in);
-      const bool has_value = event.signature.in != Schema().fingerprint();
-      is_known.push_back(type != types_.end() || !has_value);
-      now->members.push_back({event.name, type == types_.end() ? Schema() : type->second});
+      const auto [value, is_value_known] = TypeOf(event.signature.in);
+      const auto [result, is_result_known] = TypeOf(event.signature.out);
+      is_known.push_back(is_value_known && (is_result_known || !now->are_commands));
+      now->members.push_back(
+          {event.name, now->are_commands ? SchemaOfCalls(value, result) : value});
     }
     const std::scoped_lock lock(queue_->mutex_);
     source_ = std::move(now);
@@ -183,9 +186,13 @@ class RecordingQueue::InterfaceSink final : public EventSink {
   }
 
  private:
-  [[nodiscard]] std::string PathOf(std::size_t event) const {
-    return ToString(subscription_.provided) + "." + subscription_.events.at(event);
+  /// The type, and whether it is known.
+  [[nodiscard]] std::pair<Schema, bool> TypeOf(Fingerprint fingerprint) const {
+    const auto type = types_.find(fingerprint);
+    if (type != types_.end()) return {type->second, true};
+    return {Schema(), fingerprint == Schema().fingerprint()};
   }
+  [[nodiscard]] std::string PathOf(std::size_t event) const { return subscription_.path(event); }
 
   const std::shared_ptr<RecordingQueue> queue_;
   const EventSubscription subscription_;

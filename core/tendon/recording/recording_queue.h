@@ -23,17 +23,18 @@
 /// that the recorder itself has lost, because the disk was slower than the data, or failed.
 namespace tendon::recording {
 
-/// A column of a table, or an event.
+/// A column of a table, an event, or a command with the type of its calls.
 struct Member {
   std::string name;
   Schema schema;
 };
 
-/// A table, or the events of an interface, with the types that it has now. Another object after
-/// each recovery.
+/// A table, or the events or the commands of an interface, with the types that it has now. Another
+/// object after each recovery.
 struct Source {
   InterfaceName name;
   std::vector<Member> members;
+  bool are_commands = false;
 };
 
 /// Rows of a table, one after the other.
@@ -49,11 +50,11 @@ struct Rows {
   std::vector<std::byte> cells;           ///< CDR bodies, row by row
 };
 
-/// An event that was raised.
+/// An event that was raised, or a call of a command.
 struct Event {
   std::shared_ptr<const Source> source;
   std::size_t member = 0;
-  SteadyTime raised;
+  SteadyTime raised;             ///< of a call: when its execution had ended
   std::vector<std::byte> value;  ///< a CDR body; empty without an argument
 };
 
@@ -76,11 +77,11 @@ using Entry = std::variant<Rows, Event, LogEntry, CatalogueChanges>;
 /// The path of the table or event; empty for a log record and for changes of the catalogue.
 [[nodiscard]] std::string PathOf(const Entry& entry);
 
-/// All losses of a recording up to now, by the path of the table or event.
+/// All losses of a recording up to now, by the path of the table, event or command.
 struct Losses {
   std::map<std::string, LostRows> rows;
-  std::map<std::string, std::uint64_t> events;
-  std::uint64_t log = 0;  ///< records
+  std::map<std::string, std::uint64_t> events;  ///< and calls of commands
+  std::uint64_t log = 0;                        ///< records
 
   /// Sums over all paths.
   [[nodiscard]] LostRows all_rows() const;
@@ -110,7 +111,8 @@ class RecordingQueue final : public GcmListener,
 
   /// The sink for the rows of this table.
   std::shared_ptr<RowSink> SinkOf(const TableSubscription& table);
-  /// The sink for these events. Events whose type is not one of `types` are counted as lost.
+  /// The sink for these events, or for these commands: a subscription has only one of both. Events
+  /// and calls whose types are not among `types` are counted as lost.
   std::shared_ptr<EventSink> SinkOf(const EventSubscription& events,
                                     std::map<Fingerprint, Schema> types);
 

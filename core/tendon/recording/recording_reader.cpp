@@ -1,4 +1,5 @@
 #include <tendon/base/path.h>
+#include <tendon/interface/observed_call.h>
 #include <tendon/payload/codec.h>
 #include <tendon/process/process_description.h>
 #include <tendon/recording/recording_reader.h>
@@ -59,6 +60,9 @@ class RecordingReader::Lane {
   /// Makes the next item out of message(), if it can be read, and goes on to the next message.
   virtual std::optional<RecordedItem> Make() = 0;
   virtual void BeginAgain() {}
+  [[nodiscard]] virtual mcap::Timestamp TimeOf(const mcap::Message& message) const {
+    return message.log_time;
+  }
 
   /// Null at the end.
   [[nodiscard]] OwnMessage* message() { return message_ ? &*message_ : nullptr; }
@@ -71,7 +75,7 @@ class RecordingReader::Lane {
     const mcap::Bytes body = BodyOf(next->data);
     message_ = OwnMessage{next->channel_id,
                           next->sequence,
-                          next->log_time,
+                          TimeOf(*next),
                           next->publish_time,
                           {body.begin(), body.end()}};
   }
@@ -130,7 +134,7 @@ class RecordingReader::TableLane final : public Lane {
   std::optional<std::uint64_t> last_tick_;
 };
 
-class RecordingReader::EventLane final : public Lane {
+class RecordingReader::EventLane : public Lane {
  public:
   using Lane::Lane;
 
@@ -140,6 +144,18 @@ class RecordingReader::EventLane final : public Lane {
                       RecordedEvent{place().member, std::move(message()->body)}};
     Fetch();
     return item;
+  }
+};
+
+/// The calls of the commands of one interface. A call is known when its execution has ended.
+class RecordingReader::CommandLane final : public EventLane {
+ public:
+  using EventLane::EventLane;
+
+ private:
+  [[nodiscard]] mcap::Timestamp TimeOf(const mcap::Message& message) const override {
+    return message.log_time +
+           static_cast<mcap::Timestamp>(HeaderOfCall(BodyOf(message.data)).took.count());
   }
 };
 
@@ -171,15 +187,18 @@ Result<std::unique_ptr<RecordingReader>> RecordingReader::Open(mcap::Reader& rea
   if (items->sources_.size() > kMostSources) {
     return Error{ErrorCode::kInvalid, "the chosen part of " + reader.name() + " has " +
                                           std::to_string(items->sources_.size()) +
-                                          " state tables and interfaces with events, more than " +
+                                          " state tables and interfaces with events or "
+                                          "commands, more than " +
                                           std::to_string(kMostSources) +
                                           "; choose a smaller part with --paths"};
   }
   items->Count();
-  if (items->counts_.rows == 0 && items->counts_.events == 0) {
+  const RecordedCounts& counts = items->counts_;
+  if (counts.rows == 0 && counts.events == 0 && counts.commands == 0) {
     return Error{ErrorCode::kInvalid, "the chosen part of " + reader.name() +
-                                          " has no row of a Tendon table and no event; to list "
-                                          "what the recording contains: gcm info FILE"};
+                                          " has no row of a Tendon table, no event and no "
+                                          "command; to list what the recording contains: gcm "
+                                          "info FILE"};
   }
   for (const auto& lane : items->lanes_) lane->ForgetTicks();
   items->Rewind();
@@ -202,17 +221,21 @@ void RecordingReader::MakeLanes() {
     const std::string kind = MetadataValue(channel, kKindKey);
     const auto path = ParsePath(MetadataValue(channel, kPathKey));
     const auto schema = Schema::Parse(MetadataValue(channel, kSchemaKey));
-    const bool is_known = kind == kColumnKind || kind == kEventKind;
+    const bool is_known = kind == kColumnKind || kind == kEventKind || kind == kCommandKind;
     if (!is_known || !path || path->member.empty() || !schema) {
       left_out_.push_back(id);
       continue;
     }
     const auto [place, is_new] = known.try_emplace({path->interface_name(), kind}, sources_.size());
     if (is_new) {
-      sources_.push_back(
-          {.name = path->interface_name(), .members = {}, .is_table = kind == kColumnKind});
+      sources_.push_back({.name = path->interface_name(),
+                          .members = {},
+                          .is_table = kind == kColumnKind,
+                          .are_commands = kind == kCommandKind});
       if (kind == kColumnKind) {
         lanes_.push_back(std::make_unique<TableLane>(place->second, sources_));
+      } else if (kind == kCommandKind) {
+        lanes_.push_back(std::make_unique<CommandLane>(place->second));
       } else {
         lanes_.push_back(std::make_unique<EventLane>(place->second));
       }
@@ -268,7 +291,7 @@ void RecordingReader::Count() {
       if (source.count == 0) source.first_tick = row->tick;
       for (std::size_t i = 0; i < row->cells.size(); ++i) note(source.members[i], row->cells[i]);
     } else {
-      ++counts_.events;
+      ++(source.are_commands ? counts_.commands : counts_.events);
       const auto& event = std::get<RecordedEvent>(item->content);
       note(source.members[event.event], event.value);
     }

@@ -18,20 +18,22 @@
 
 namespace tendon::recording {
 
-/// A column of a recorded table, or a recorded event.
+/// A column of a recorded table, a recorded event, or a command with the type of its calls.
 struct RecordedMember {
   std::string name;
   Schema schema;
   std::size_t largest = 0;  ///< size of the largest value, bytes
 };
 
-/// The members of a state table, or the events of an interface, that a recording contains.
+/// The members of a state table, or the events or the commands of an interface, that a recording
+/// contains.
 struct RecordedSource {
   InterfaceName name;
   std::vector<RecordedMember> members;
   bool is_table = false;
+  bool are_commands = false;
   std::uint64_t first_tick = 0;    ///< of a table
-  std::uint64_t count = 0;         ///< rows or events
+  std::uint64_t count = 0;         ///< rows, events or calls
   mcap::Timestamp first_time = 0;  ///< log time; 0 if there is none
   mcap::Timestamp last_time = 0;
 };
@@ -42,6 +44,7 @@ struct RecordedRow {
   std::uint64_t tick = 0;
   std::vector<std::vector<std::byte>> cells;  ///< CDR bodies, by column; empty if there is no value
 };
+/// An event, or a call of a command.
 struct RecordedEvent {
   std::size_t event = 0;         ///< index of the member
   std::vector<std::byte> value;  ///< a CDR body
@@ -49,8 +52,8 @@ struct RecordedEvent {
 
 /// A row, an event or a log record, with its time.
 struct RecordedItem {
-  mcap::Timestamp time = 0;
-  std::size_t source = 0;  ///< index of RecordingReader::sources(); not for the log
+  mcap::Timestamp time = 0;  ///< the log time; of a call, the time when its execution had ended
+  std::size_t source = 0;    ///< index of RecordingReader::sources(); not for the log
   std::variant<RecordedRow, RecordedEvent, RosLog> content;
 };
 
@@ -58,7 +61,8 @@ struct RecordedItem {
 struct RecordedCounts {
   std::uint64_t rows = 0;
   std::uint64_t events = 0;
-  std::uint64_t log = 0;  ///< records
+  std::uint64_t commands = 0;  ///< calls
+  std::uint64_t log = 0;       ///< records
   /// Messages that are left out: their channels are not Tendon's, or their type differs from the
   /// one that the same path had before.
   std::uint64_t left_out = 0;
@@ -66,7 +70,7 @@ struct RecordedCounts {
   mcap::Timestamp last_time = 0;
 };
 
-/// Reads a recording as rows, events and log records, in the order of their log times: the
+/// Reads a recording as rows, events, calls and log records, in the order of their times: the
 /// counterpart of RecordingWriter, for the replay. The order of each table, and of the events of
 /// each interface, is that of the file.
 ///
@@ -83,7 +87,7 @@ class RecordingReader {
   static constexpr std::size_t kMostSources = 4096;
 
   /// Takes the messages that match; the order in `query` is not used. kInvalid if the part contains
-  /// no row and no event that can be read, or more than kMostSources tables and interfaces.
+  /// no row, event or call that can be read, or more than kMostSources tables and interfaces.
   static Result<std::unique_ptr<RecordingReader>> Open(mcap::Reader& reader, mcap::Query query);
   RecordingReader(const RecordingReader&) = delete;
   RecordingReader& operator=(const RecordingReader&) = delete;
@@ -104,6 +108,7 @@ class RecordingReader {
   class Lane;
   class TableLane;
   class EventLane;
+  class CommandLane;
   class LogLane;
 
   RecordingReader(mcap::Reader& reader, mcap::Query query);

@@ -1,4 +1,5 @@
 #include <tendon/gcm/text.h>
+#include <tendon/interface/observed_call.h>
 #include <tendon/payload/codec.h>
 #include <tendon/recording/recording_writer.h>
 
@@ -7,6 +8,8 @@
 
 namespace tendon::recording {
 namespace {
+
+using namespace std::chrono_literals;
 
 template <typename T>
 std::string MessageTextOf() {
@@ -103,13 +106,18 @@ void RecordingWriter::ForgetWritten() {
   while (!accepted_.empty() && is_written(accepted_.front())) accepted_.pop_front();
 }
 
+/// How many of `one` were in a chunk that could not be written.
+std::uint64_t RecordingWriter::UnwrittenOf(const Accepted& one) const {
+  if (!writer_->failure()) return 0;
+  const std::uint64_t written = writer_->written().messages;
+  const std::uint64_t safe = written > one.first ? (written - one.first) / one.width : 0;
+  return one.count - std::min(one.count, safe);
+}
+
 Losses RecordingWriter::UnwrittenChunk() const {
   Losses losses;
-  if (!writer_->failure()) return losses;
-  const std::uint64_t written = writer_->written().messages;
   for (const Accepted& one : accepted_) {
-    const std::uint64_t safe = written > one.first ? (written - one.first) / one.width : 0;
-    const std::uint64_t lost = one.count - std::min(one.count, safe);
+    const std::uint64_t lost = UnwrittenOf(one);
     if (lost == 0) continue;
     if (one.source == nullptr) {
       losses.log += lost;
@@ -156,6 +164,7 @@ Result<void> RecordingWriter::Close(const Losses& others) {
   const mcap::Metadata end{kEndMetadata,
                            {{"rows", std::to_string(in_file.rows)},
                             {"events", std::to_string(in_file.events)},
+                            {"commands", std::to_string(in_file.commands)},
                             {"log_records", std::to_string(in_file.log)},
                             {"rows_lost_table", std::to_string(all.table)},
                             {"rows_lost_network", std::to_string(all.network)},
@@ -169,11 +178,17 @@ Result<void> RecordingWriter::Close(const Losses& others) {
 }
 
 Counts RecordingWriter::counts() const {
-  const Losses unwritten = UnwrittenChunk();
   Counts counts = counts_;
-  counts.rows -= unwritten.all_rows().viewer;
-  counts.events -= unwritten.all_events();
-  counts.log -= unwritten.log;
+  for (const Accepted& one : accepted_) {
+    const std::uint64_t lost = UnwrittenOf(one);
+    if (one.source == nullptr) {
+      counts.log -= lost;
+    } else if (!one.event) {
+      counts.rows -= lost;
+    } else {
+      (one.source->are_commands ? counts.commands : counts.events) -= lost;
+    }
+  }
   counts.bytes = writer_->written().bytes;
   for (std::size_t i = 0; i + 1 < files_.size(); ++i) counts.bytes += files_[i].second;
   counts.files = number_;
@@ -201,7 +216,7 @@ Result<void> RecordingWriter::BeginNextFileIfDue() {
 bool RecordingWriter::HasManyOldChannels() const {
   if (channel_count_ <= kMostChannels / 2) return false;
   std::size_t used = 0;
-  for (const auto* const known : {&tables_, &events_}) {
+  for (const auto* const known : {&tables_, &events_, &commands_}) {
     for (const auto& [name, channels] : *known) used += channels.ids.size();
   }
   return used < channel_count_ / 2;
@@ -219,6 +234,7 @@ Result<void> RecordingWriter::BeginFile() {
   channel_count_ = 0;
   tables_.clear();
   events_.clear();
+  commands_.clear();
   log_ = losses_ = changes_ = {};
 
   const mcap::Timestamp now = WallOf(file_begin_);
@@ -367,18 +383,21 @@ Result<void> RecordingWriter::Put(const Rows& rows) {
 }
 
 Result<void> RecordingWriter::Put(const Event& event) {
-  const auto channels = ChannelsOf(
-      events_, event.source, {kEventKind, 0, wall_minus_steady_, std::chrono::nanoseconds::max()});
+  const bool is_call = event.source->are_commands;
+  const auto channels = ChannelsOf(is_call ? commands_ : events_, event.source,
+                                   {is_call ? kCommandKind : kEventKind, 0, wall_minus_steady_,
+                                    std::chrono::nanoseconds::max()});
   if (!channels) return channels.error();
   constexpr std::byte kNone[] = {std::byte{0}};  // ROS 2's empty message has one byte
   const mcap::Bytes body = event.value.empty() ? mcap::Bytes(kNone) : mcap::Bytes(event.value);
-  const mcap::Timestamp time = WallOf(event.raised);
+  const std::chrono::nanoseconds took = is_call ? HeaderOfCall(body).took : 0ns;
+  const mcap::Timestamp time = WallOf(event.raised - took);
   std::uint32_t& sequence = (*channels)->sequences.at(event.member);
   const std::uint64_t first = writer_->accepted().messages;
   auto put = PutBody((*channels)->ids.at(event.member), sequence, time, time, body);
   if (!put) return put;
   ++sequence;
-  ++counts_.events;
+  ++(is_call ? counts_.commands : counts_.events);
   accepted_.push_back(
       {.source = event.source, .event = event.member, .first = first, .width = 1, .count = 1});
   return put;

@@ -49,9 +49,10 @@ struct Heading {
 struct Counts {
   std::uint64_t rows = 0;
   std::uint64_t events = 0;
-  std::uint64_t log = 0;    ///< records
-  std::uint64_t bytes = 0;  ///< of the files that are kept
-  std::size_t files = 0;    ///< that were begun
+  std::uint64_t commands = 0;  ///< calls
+  std::uint64_t log = 0;       ///< records
+  std::uint64_t bytes = 0;     ///< of the files that are kept
+  std::size_t files = 0;       ///< that were begun
 };
 
 /// Writes entries into one MCAP file, or one after the other. Each file can be read without the
@@ -107,7 +108,7 @@ class RecordingWriter {
     std::shared_ptr<const Source> source;
     std::uint64_t epoch = 0;
     std::vector<mcap::ChannelId> ids;      // by member
-    std::vector<std::uint32_t> sequences;  // of the next event, by member
+    std::vector<std::uint32_t> sequences;  // of the next event or call, by member
     std::int64_t clock = 0;                // see kClockKey
     std::optional<Error> refusal;          // why the file cannot hold this source
   };
@@ -117,7 +118,7 @@ class RecordingWriter {
     std::uint32_t sequence = 0;
   };
 
-  /// Rows of a table, an event, or a log record, in a chunk that may not be written yet.
+  /// Rows of a table, an event or a call, or a log record, in a chunk that may not be written yet.
   struct Accepted {
     std::shared_ptr<const Source> source;  // null: the log
     std::optional<std::size_t> event;      // the member; empty: rows
@@ -130,6 +131,7 @@ class RecordingWriter {
 
   Result<void> TryWrite(const Entry& entry);
   void ForgetWritten();
+  [[nodiscard]] std::uint64_t UnwrittenOf(const Accepted& one) const;
   [[nodiscard]] Losses UnwrittenChunk() const;
   Result<void> Put(const Rows& rows);
   Result<void> Put(const Event& event);
@@ -168,6 +170,7 @@ class RecordingWriter {
   std::size_t channel_count_ = 0;                                          // of sources
   std::map<InterfaceName, Channels> tables_;
   std::map<InterfaceName, Channels> events_;
+  std::map<InterfaceName, Channels> commands_;
   OwnChannel log_;
   OwnChannel losses_;
   OwnChannel changes_;

@@ -142,7 +142,7 @@ Result<void> Replay::AddComponents(const std::string& recorded, Process& process
     if (source.is_table) {
       members->AddTable(i, source, PeriodOf(source));
     } else {
-      members->AddEvents(i, source);
+      source.are_commands ? members->AddCommands(i, source) : members->AddEvents(i, source);
     }
     members_[i] = members;
   }
@@ -220,7 +220,7 @@ void Replay::Put(const RecordedItem& item) {
     return;
   }
   members.Raise(item.source, std::get<RecordedEvent>(item.content));
-  ++status_.events;
+  ++(items_->sources()[item.source].are_commands ? status_.commands : status_.events);
 }
 
 void Replay::PutLog(const RosLog& record) {

@@ -30,6 +30,7 @@ struct ReplayOptions {
 struct ReplayStatus {
   std::uint64_t rows = 0;
   std::uint64_t events = 0;
+  std::uint64_t commands = 0;            ///< calls
   std::uint64_t log = 0;                 ///< records
   std::uint64_t passes = 0;              ///< that have ended
   std::uint64_t log_left_out = 0;        ///< records of processes that are not replayed
@@ -39,7 +40,7 @@ struct ReplayStatus {
 /// Plays a recording in a running system: each recorded process appears as a process with the
 /// recorded components. They have the state tables, events and commands of the real ones, so that
 /// other components connect and subscribe to them as usual. Commands are refused, see
-/// ReplayedComponent. The log is sent again, too.
+/// ReplayedComponent; observers of commands see the recorded calls. The log is sent again, too.
 ///
 /// A row has the recorded tick and value. The times between rows are those between the recorded log
 /// times, divided by the rate. A replay that is too slow takes longer, and leaves nothing out.

@@ -1,4 +1,5 @@
 #include <tendon/interface/column_offer.h>
+#include <tendon/interface/observed_call.h>
 #include <tendon/recording/replayed_component.h>
 
 #include <algorithm>
@@ -106,6 +107,36 @@ MemberDescription DescribeEvent(const std::string& name, const Schema& type) {
   return description;
 }
 
+/// As the calls of a command describe it.
+MemberDescription DescribeCommand(const std::string& name, const Schema& calls) {
+  const Schema argument = ArgumentOfCalls(calls);
+  const Schema result = ResultOfCalls(calls);
+  const CommandKind kind =
+      !result.is_none()
+          ? (argument.is_none() ? CommandKind::kVoidReturn : CommandKind::kWriteReturn)
+          : (argument.is_none() ? CommandKind::kVoid : CommandKind::kWrite);
+  MemberDescription description = DescribeMember<None, None>(name, kind);
+  description.signature.in = payload::Remember(argument);
+  description.in_type = argument.TypeName();
+  description.signature.out = payload::Remember(result);
+  description.out_type = result.TypeName();
+  return description;
+}
+
+/// True if these are calls of this command.
+bool IsOf(const MemberDescription& command, const NamedReplayedCommand& recorded) {
+  const MemberDescription calls = DescribeCommand(recorded.name, recorded.type);
+  return command.name == recorded.name && command.signature == calls.signature;
+}
+
+template <typename Map>
+auto MembersOf(const Map& by_source, const std::string& interface) {
+  const auto found = std::ranges::find_if(
+      by_source, [&](const auto& one) { return one.second.interface == interface; });
+  return found == by_source.end() ? decltype(std::span(found->second.members))()
+                                  : std::span(found->second.members);
+}
+
 }  // namespace
 
 void ReplayedEvent::Raise(std::span<const std::byte> value) {
@@ -132,10 +163,18 @@ void ReplayedMembers::AddTable(std::size_t source, const RecordedSource& table,
 }
 
 void ReplayedMembers::AddEvents(std::size_t source, const RecordedSource& events) {
-  Events& added = events_[source];
+  auto& added = events_[source];
   added.interface = events.name.interface;
   for (const RecordedMember& event : events.members) {
-    added.events.push_back({event.name, event.schema, std::make_unique<ReplayedEvent>()});
+    added.members.push_back({event.name, event.schema, std::make_unique<ReplayedEvent>()});
+  }
+}
+
+void ReplayedMembers::AddCommands(std::size_t source, const RecordedSource& commands) {
+  auto& added = commands_[source];
+  added.interface = commands.name.interface;
+  for (const RecordedMember& command : commands.members) {
+    added.members.push_back({command.name, command.schema, std::make_shared<CallEvent>()});
   }
 }
 
@@ -148,7 +187,11 @@ void ReplayedMembers::Write(std::size_t source, const RecordedRow& row, SteadyTi
 }
 
 void ReplayedMembers::Raise(std::size_t source, const RecordedEvent& event) {
-  events_.at(source).events.at(event.event).event->Raise(event.value);
+  if (const auto commands = commands_.find(source); commands != commands_.end()) {
+    commands->second.members.at(event.event).calls->Raise(EncodedArgument(event.value));
+  } else {
+    events_.at(source).members.at(event.event).event->Raise(event.value);
+  }
 }
 
 std::vector<const StateTable*> ReplayedMembers::tables() const {
@@ -160,14 +203,17 @@ std::vector<const StateTable*> ReplayedMembers::tables() const {
 std::vector<std::string> ReplayedMembers::interfaces() const {
   std::vector<std::string> all;
   for (const auto& [source, events] : events_) all.push_back(events.interface);
+  for (const auto& [source, commands] : commands_) all.push_back(commands.interface);
   return all;
 }
 
 std::span<const NamedReplayedEvent> ReplayedMembers::EventsOf(const std::string& interface) const {
-  const auto found = std::ranges::find_if(
-      events_, [&](const auto& one) { return one.second.interface == interface; });
-  if (found == events_.end()) return {};
-  return found->second.events;
+  return MembersOf(events_, interface);
+}
+
+std::span<const NamedReplayedCommand> ReplayedMembers::CommandsOf(
+    const std::string& interface) const {
+  return MembersOf(commands_, interface);
 }
 
 ReplayedComponent::ReplayedComponent(std::string name, std::shared_ptr<ReplayedMembers> members,
@@ -189,10 +235,23 @@ ReplayedComponent::ReplayedComponent(std::string name, std::shared_ptr<ReplayedM
 
 void ReplayedComponent::AddInterface(const ProvidedDescription& provided, const Options& options) {
   ProvidedInterface& interface = AddProvidedInterface(provided.name);
+  const auto calls = members_->CommandsOf(provided.name);
   for (const MemberDescription& command : provided.commands) {
-    auto read = ReadOf(command, *options.description, members_->tables());
-    if (!read) read = std::make_unique<RefusedOffer>(command, options.refusal, refused_);
-    interface.AddOffer(std::move(read));
+    auto offer = ReadOf(command, *options.description, members_->tables());
+    if (!offer) offer = std::make_unique<RefusedOffer>(command, options.refusal, refused_);
+    const auto shown = std::ranges::find_if(
+        calls, [&](const NamedReplayedCommand& one) { return IsOf(command, one); });
+    if (shown != calls.end()) offer->SetCalls(shown->calls);
+    interface.AddOffer(std::move(offer));
+  }
+  for (const NamedReplayedCommand& one : calls) {
+    const bool is_described =
+        std::ranges::count(provided.commands, one.name, &MemberDescription::name) > 0;
+    if (is_described) continue;
+    auto offer = std::make_unique<RefusedOffer>(DescribeCommand(one.name, one.type),
+                                                options.refusal, refused_);
+    offer->SetCalls(one.calls);
+    interface.AddOffer(std::move(offer));
   }
   const auto recorded = members_->EventsOf(provided.name);
   for (const MemberDescription& event : provided.events) {

@@ -40,8 +40,16 @@ struct NamedReplayedEvent {
   std::unique_ptr<ReplayedEvent> event;
 };
 
-/// The state tables and events of a recorded component. The replay fills it; a ReplayedComponent
-/// offers it, and may end earlier. `source` is the index in RecordingReader::sources().
+/// A command of an interface. Observers see its recorded calls.
+struct NamedReplayedCommand {
+  std::string name;
+  Schema type;  ///< of the calls
+  std::shared_ptr<CallEvent> calls;
+};
+
+/// The state tables, events and calls of a recorded component. The replay fills it; a
+/// ReplayedComponent offers it, and may end earlier. `source` is the index in
+/// RecordingReader::sources().
 ///
 /// Thread safety: after all is added, one thread writes rows and raises events.
 class ReplayedMembers {
@@ -50,35 +58,43 @@ class ReplayedMembers {
   /// ConfigurationError for names that are not allowed, and for rows that are too large.
   void AddTable(std::size_t source, const RecordedSource& table, std::chrono::nanoseconds period);
   void AddEvents(std::size_t source, const RecordedSource& events);
+  void AddCommands(std::size_t source, const RecordedSource& commands);
 
   /// `time` is that of the row.
   void Write(std::size_t source, const RecordedRow& row, SteadyTime time);
+  /// Raises an event, or shows a call.
   void Raise(std::size_t source, const RecordedEvent& event);
 
   [[nodiscard]] std::vector<const StateTable*> tables() const;
-  /// The names of the interfaces with recorded events.
+  /// The names of the interfaces with recorded events or commands.
   [[nodiscard]] std::vector<std::string> interfaces() const;
-  /// The recorded events of an interface; empty if there are none.
+  /// The recorded events or commands of an interface; empty if there are none.
   [[nodiscard]] std::span<const NamedReplayedEvent> EventsOf(const std::string& interface) const;
+  [[nodiscard]] std::span<const NamedReplayedCommand> CommandsOf(
+      const std::string& interface) const;
 
  private:
   struct Table {
     std::unique_ptr<StateTable> table;
     std::vector<std::vector<std::byte>> cells;  // the variables of its columns
   };
-  struct Events {
+  template <typename Member>
+  struct Members {
     std::string interface;
-    std::vector<NamedReplayedEvent> events;
+    std::vector<Member> members;
   };
+  template <typename Member>
+  using MembersBySource = std::map<std::size_t, Members<Member>>;
 
   std::map<std::size_t, std::unique_ptr<Table>> tables_;  // by source
-  std::map<std::size_t, Events> events_;                  // likewise
+  MembersBySource<NamedReplayedEvent> events_;            // likewise
+  MembersBySource<NamedReplayedCommand> commands_;        // likewise
 };
 
 /// Has the interfaces of a recorded component: its state tables, its events, and its commands,
-/// which are refused. A read command works if it returns a structure that exactly one column of the
-/// component has as its type, and that column was recorded: it returns the newest value of the
-/// column, as such commands usually do.
+/// which are refused. Observers of its commands see only the recorded calls. A read command works
+/// if it returns a structure that exactly one column of the component has as its type, and that
+/// column was recorded: it returns the newest value of the column, as such commands usually do.
 class ReplayedComponent final : public Component {
  public:
   struct Options {

@@ -2,6 +2,7 @@
 #include <tendon/base/path.h>
 #include <tendon/base/text.h>
 #include <tendon/gcm/system/running_system.h>
+#include <tendon/interface/observed_call.h>
 #include <tendon/recording/selection.h>
 
 #include <algorithm>
@@ -36,6 +37,13 @@ Selection Select(const Catalogue& catalogue, const std::vector<std::string>& pat
           if (IsWithinAny(patterns, path + event.name)) one.events.push_back(event.name);
         }
         if (!one.events.empty()) selection.events.push_back(std::move(one));
+        EventSubscription calls{.provided = {process, component, provided.name}, .events = {}};
+        for (const MemberDescription& command : provided.commands) {
+          const bool is_wanted =
+              CanBeObserved(command.signature) && IsWithinAny(patterns, path + command.name);
+          if (is_wanted) calls.commands.push_back(command.name);
+        }
+        if (!calls.commands.empty()) selection.commands.push_back(std::move(calls));
       }
     }
   }

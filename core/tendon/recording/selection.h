@@ -9,15 +9,21 @@
 
 namespace tendon::recording {
 
-/// The tables and events of a running system that are to be recorded.
+/// The tables, events and commands of a running system that are to be recorded.
 struct Selection {
   std::vector<TableSubscription> tables;
   std::vector<EventSubscription> events;
+  std::vector<EventSubscription> commands;
+
+  [[nodiscard]] bool is_empty() const {
+    return tables.empty() && events.empty() && commands.empty();
+  }
 };
 
-/// Returns the tables and events that `patterns` match, as they are in the catalogue now. A pattern
-/// is a path or a glob of a process, a component, an interface, a column or an event; everything in
-/// it is selected. Cost: each column and event is compared with each pattern.
+/// Returns the tables, events and commands that `patterns` match, as they are in the catalogue now.
+/// A pattern is a path or a glob of a process, a component, an interface, a column, an event or a
+/// command; everything in it is selected, except reads. Cost: each column, event and command is
+/// compared with each pattern.
 [[nodiscard]] Selection Select(const Catalogue& catalogue,
                                const std::vector<std::string>& patterns);
 

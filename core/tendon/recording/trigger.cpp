@@ -1,6 +1,7 @@
 #include <tendon/base/name.h>
 #include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
+#include <tendon/interface/observed_call.h>
 #include <tendon/recording/trigger.h>
 
 #include <chrono>
@@ -81,20 +82,24 @@ class Trigger::TableWatch final : public RowSink {
   std::optional<CellTest> test_;
 };
 
+/// Waits for events, or for the ends of calls of a command that were not refused. A call is no
+/// match when it begins: the rows since then need not be kept any more.
 class Trigger::EventWatch final : public EventSink {
  public:
-  explicit EventWatch(std::shared_ptr<Matches> matches) : matches_(std::move(matches)) {}
+  EventWatch(std::shared_ptr<Matches> matches, bool is_command)
+      : matches_(std::move(matches)), is_command_(is_command) {}
 
   void OnListening(const std::vector<MemberDescription>& /*events*/) override {}
-  void OnEvent(std::size_t /*event*/, std::span<const std::byte> /*value*/,
+  void OnEvent(std::size_t /*event*/, std::span<const std::byte> value,
                const EventTime& time) override {
-    matches_->Add({time.raised});
+    if (!is_command_ || WasExecuted(HeaderOfCall(value).outcome)) matches_->Add({time.raised});
   }
   void OnEventsLost(std::size_t /*event*/, std::uint64_t /*lost*/) override {}
   void OnStale(const Error& /*reason*/) override {}
 
  private:
   const std::shared_ptr<Matches> matches_;
+  const bool is_command_;
 };
 
 Result<std::unique_ptr<Trigger>> Trigger::Make(RecordedSystem& system, const Condition& condition,
@@ -159,14 +164,19 @@ Result<void> Trigger::WatchEvent(const Condition& condition, const Catalogue& ca
   }
   const auto provided = LookUpProvided(catalogue, path.interface_name());
   if (!provided) return NoSuch(condition, provided.error().message);
-  if (FindNamed((*provided)->events, path.member) == nullptr || !path.field.empty()) {
+  EventSubscription wanted{.provided = path.interface_name(), .events = {}};
+  const MemberDescription* command = FindNamed((*provided)->commands, path.member);
+  const bool is_command = command != nullptr && CanBeObserved(command->signature);
+  const bool is_event = FindNamed((*provided)->events, path.member) != nullptr;
+  if (!path.field.empty() || (!is_event && !is_command)) {
     std::vector<std::string> known;
     for (const auto& one : (*provided)->events) known.push_back(one.name);
-    return NoSuch(condition, ToString(path.interface_name()) + " has no event '" + path.member +
-                                 path.field + "'" + DidYouMean(path.member, known));
+    for (const auto& one : (*provided)->commands) known.push_back(one.name);
+    return NoSuch(condition, ToString(path.interface_name()) + " has no event or command '" +
+                                 path.member + path.field + "'" + DidYouMean(path.member, known));
   }
-  event_ = system_.Listen({.provided = path.interface_name(), .events = {path.member}},
-                          std::make_shared<EventWatch>(matches_));
+  (is_event ? wanted.events : wanted.commands) = {path.member};
+  event_ = system_.Listen(wanted, std::make_shared<EventWatch>(matches_, !is_event));
   return {};
 }
 

@@ -11,8 +11,9 @@
 namespace tendon::recording {
 
 /// Watches a condition in a running system: evaluates it for every row of its table, or waits for
-/// each of its events. It has a subscription of its own, so the paths of the recording need not
-/// include the condition. A recorder has one for its begin and one for its end.
+/// each of its events, or for each executed call of its command. It has a subscription of its own,
+/// so the paths of the recording need not include the condition. A recorder has one for its begin
+/// and one for its end.
 ///
 /// Thread safety: all functions, from any thread except handlers and sinks. Cost: a comparison for
 /// each row, in a thread of the middleware.
@@ -28,8 +29,8 @@ class Trigger {
   /// Ends the subscription.
   ~Trigger();
 
-  /// The time of the first row or event after `time` for which the condition was true, on this
-  /// process's steady clock; forgets all earlier ones. The newest 4096 matches are kept.
+  /// The time of the first row, event or call after `time` for which the condition was true, on
+  /// this process's steady clock; forgets all earlier ones. The newest 4096 matches are kept.
   [[nodiscard]] std::optional<SteadyTime> FirstAfter(SteadyTime time);
 
  private:

@@ -39,7 +39,7 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x202, "watch a state table", Role::kViewer, Audit::kRefusals},
     {0x203, "end a subscription", Role::kViewer, Audit::kRefusals},
     {0x206, "acknowledge a row", Role::kViewer, Audit::kRefusals},
-    {0x207, "listen to events", Role::kViewer, Audit::kRefusals},
+    {0x207, "listen to events and commands", Role::kViewer, Audit::kRefusals},
     {0x208, "read the counts of a connection", Role::kViewer, Audit::kRefusals},
     {0x209, "read the fill levels of mailboxes", Role::kViewer, Audit::kRefusals},
     {0x20a, "watch a state table via the broker", Role::kViewer, Audit::kRefusals},  // broadcast

@@ -66,7 +66,7 @@ class Loss(NamedTuple):
 
 
 class _Member(NamedTuple):
-    """A column or an event, and its channel."""
+    """A column, an event or a command, and its channel."""
 
     path: str
     channel: mcap.Channel
@@ -75,7 +75,7 @@ class _Member(NamedTuple):
 
 
 class _Run:
-    """The channels of a table or an event, from one start of its process to the next."""
+    """The channels of a table, an event or a command, from one start of its process to the next."""
 
     def __init__(self) -> None:
         self.members: dict[str, _Member] = {}
@@ -89,10 +89,11 @@ class Recording:
     """A recording that is open, the result of open(). Use it in one thread at a time.
 
     Paths are those of the console: a table is `robot/arm/state`, a column of it
-    `robot/arm/state.Joints`, an event `robot/arm/Control.LimitExceeded`; fields and indexes may
-    follow, as in `robot/arm/state.Joints.position[0]`. Topics of other programs, whose type is a ROS
-    2 message in CDR, are used like events: `/arm/pose.position.x`. Rows are in the order of the file,
-    also across restarts of a process. All columns of a table have the same rows: a row is left out if
+    `robot/arm/state.Joints`, an event `robot/arm/Control.LimitExceeded`, a command
+    `robot/arm/Control.MoveTo`; fields and indexes may follow, as in
+    `robot/arm/state.Joints.position[0]`. Topics of other programs, whose type is a ROS 2 message in
+    CDR, are used like events: `/arm/pose.position.x`. Rows are in the order of the file, also
+    across restarts of a process. All columns of a table have the same rows: a row is left out if
     any part of it was in a damaged chunk.
 
     open() reads the index of the file; the functions read the chunks that they need, and keep up to
@@ -101,8 +102,8 @@ class Recording:
 
     def __init__(self, path: str | Path) -> None:
         self._file = mcap.File(path, _warn)
-        self._runs: dict[str, list[_Run]] = {}  # by the path of a table or an event
-        self._members: dict[str, str] = {}  # the key in _runs, by column or event
+        self._runs: dict[str, list[_Run]] = {}  # by the path of a table, an event or a command
+        self._members: dict[str, str] = {}  # the key in _runs, by column, event or command
         self._own: dict[str, list[_Member]] = {}  # channels of the recorder itself, by topic
         self._foreign: set[str] = set()  # topics of other programs, which are members
         self._left_out: dict[str, str] = {}  # the reasons, by topic
@@ -163,8 +164,13 @@ class Recording:
 
     def events(self) -> list[str]:
         """The paths of all events that were raised: ["robot/arm/Control.LimitExceeded", ...]."""
-        return sorted(path for path in self._runs
-                      if path in self._members and path not in self._foreign)
+        return self._paths_of("event")
+
+    def commands(self) -> list[str]:
+        """The paths of all commands that were called: ["robot/arm/Control.MoveTo", ...]. Each call
+        is a structure with `outcome`, `client` and, if the command has one, `argument`.
+        """
+        return self._paths_of("command")
 
     def other_topics(self) -> list[str]:
         """The topics of other programs whose values can be read: ["/arm/pose", ...]."""
@@ -177,7 +183,7 @@ class Recording:
         return dict(self._left_out)
 
     def paths(self) -> list[str]:
-        """The paths of all fields of columns and events, except for structures."""
+        """The paths of all fields of columns, events and commands, except for structures."""
         return sorted(path + field for path in self._members
                       for field, _ in arrays.leaves_of(self._schema(path)))
 
@@ -294,7 +300,7 @@ class Recording:
             return
         member = _Member(path, channel, schema)
         kind = channel.metadata.get("tendon.kind", "")
-        if kind not in ("column", "event") or "." not in path:
+        if kind not in ("column", "event", "command") or "." not in path:
             self._own.setdefault(channel.topic, []).append(member)
             return
         key = path.rpartition(".")[0] if kind == "column" else path
@@ -303,6 +309,10 @@ class Recording:
         if not runs or not _belongs(member, runs[-1]):
             runs.append(_Run())
         runs[-1].members[path] = member
+
+    def _paths_of(self, kind: str) -> list[str]:
+        return sorted(path for path, runs in self._runs.items() if path in self._members
+                      and runs[0].members[path].channel.metadata.get("tendon.kind") == kind)
 
     def _add_foreign(self, channel: mcap.Channel) -> None:
         """Adds a channel of another program."""
@@ -320,7 +330,7 @@ class Recording:
             return
         topic = channel.topic
         if topic not in self._foreign and (topic in self._runs or topic in self._members):
-            self._leave_out(channel, "the topic has the name of a table or an event")
+            self._leave_out(channel, "the topic has the name of a table, an event or a command")
             return
         self._foreign.add(topic)
         self._members[topic] = topic
@@ -335,7 +345,7 @@ class Recording:
         self._left_out[channel.topic] = f"{messages} left out: {why}"
 
     def _split(self, path: str) -> tuple[str, str]:
-        """The path of a column or an event, and the field in it."""
+        """The path of a column, an event or a command, and the field in it."""
         for topic in self._foreign:  # which may have any letters
             field = path.removeprefix(topic)
             if path.startswith(topic) and (not field or field[0] in ".["):
@@ -361,7 +371,7 @@ class Recording:
                             f"{columns}")
         member = path[:path.find(".") + 1] + path[path.find(".") + 1:].split(".")[0].split("[")[0]
         hint = did_you_mean(member, self._members) or "; to list all: paths()"
-        return NotFound(f"{self._file.name} has no column or event '{path[:200]}'{hint}")
+        return NotFound(f"{self._file.name} has no column, event or command '{path[:200]}'{hint}")
 
     def _schema(self, member: str) -> Schema:
         schemas = [run.members[member].schema for run in self._runs[self._members[member]]

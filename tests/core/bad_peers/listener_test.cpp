@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <tendon/base/os/process.h>
+#include <tendon/interface/observed_call.h>
 #include <tendon/middleware/channel.h>
 #include <tendon/middleware/channel_handler.h>
 #include <tendon/middleware/hello.h>
@@ -8,6 +9,7 @@
 
 #include <chrono>
 #include <mutex>
+#include <thread>
 #include <vector>
 
 #include "support/network_test.h"
@@ -17,13 +19,33 @@ namespace {
 
 constexpr std::chrono::seconds kPatience(20);
 
-/// Raises an event with a point cloud when the test requests it.
+MemberDescription Seen() {
+  return DescribeMember<std::vector<double>, None>("Seen", CommandKind::kWrite);
+}
+/// The calls of the command.
+MemberDescription Focus() {
+  return DescribeCalls(DescribeMember<None, None>("Focus", CommandKind::kVoid));
+}
+
+/// Raises an event with a point cloud when the test requests it. Its command does nothing.
 class Camera final : public Component {
  public:
   explicit Camera(std::string name) : Component(std::move(name)) {
-    AddProvidedInterface("Camera").AddEvent(seen, "Seen");
+    auto& camera = AddProvidedInterface("Camera");
+    camera.AddEvent(seen, "Seen");
+    camera.AddCommandVoid(&Camera::Focus, this, "Focus");
   }
+  void Focus() {}
   WriteEvent<std::vector<double>> seen;
+};
+
+/// Calls the command of the camera when the test requests it.
+class Photographer final : public Component {
+ public:
+  explicit Photographer(std::string name) : Component(std::move(name)) {
+    AddRequiredInterface("Camera").AddFunction(focus, "Focus");
+  }
+  VoidFunction focus;
 };
 
 /// Processes nothing while the gate is locked.
@@ -53,15 +75,13 @@ class HostileListener : public NetworkTest {
     return opened ? *opened : nullptr;
   }
   static Result<message::OpenInterfaceReply> Listen(Channel& channel, std::uint32_t handle,
-                                                    std::uint32_t capacity) {
-    const message::OpenInterface open{
-        .required = {"viewer", "events", "Camera"},
-        .provided = {"robot", "camera", "Camera"},
-        .description = {.name = "Camera",
-                        .event_handlers = {DescribeMember<std::vector<double>, None>(
-                            "Seen", CommandKind::kWrite)}},
-        .handle = handle,
-        .capacity = capacity};
+                                                    std::uint32_t capacity,
+                                                    const MemberDescription& member = Seen()) {
+    const message::OpenInterface open{.required = {"viewer", "events", "Camera"},
+                                      .provided = {"robot", "camera", "Camera"},
+                                      .description = {.name = "Camera", .event_handlers = {member}},
+                                      .handle = handle,
+                                      .capacity = capacity};
     return channel.Call<message::OpenInterfaceReply>(message::kListen, 0, open, kPatience);
   }
 
@@ -101,13 +121,45 @@ TEST_P(HostileListener, ListeningUpToTheLimitLeavesRoomForOthers) {
   while (listened && listeners < 1000) listened = Listen(*greedy, ++listeners, 1);
 
   ASSERT_FALSE(listened.ok());
-  EXPECT_EQ(listened.error().message,
-            "process 'robot' has 64 listeners to its events from this client already, which is the "
-            "limit: end some of these listeners");
+  EXPECT_EQ(
+      listened.error().message,
+      "process 'robot' has 128 listeners to its events from this client already, which is the "
+      "limit: end some of these listeners");
   const auto modest = Open(std::make_shared<ChannelHandler>());
   EXPECT_TRUE(Listen(*modest, 1, 1).ok());
   greedy->Close();
   modest->Close();
+}
+
+TEST_P(HostileListener, AMailboxForCallsIsBounded) {
+  const auto channel = Open(std::make_shared<ChannelHandler>());
+
+  EXPECT_TRUE(Listen(*channel, 1, 16384, Focus()).ok());
+  const auto refused = Listen(*channel, 3, 65536, Focus());
+
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().message,
+            "viewer/events/Camera requests a mailbox for 65536 calls at robot/camera/Camera, but a "
+            "client in another process is allowed at most 65536 calls and 8 MiB: set a smaller "
+            "mailbox capacity");
+  channel->Close();
+}
+
+TEST_P(HostileListener, ListeningAndLeavingAgainAndAgainDisturbsNoCall) {
+  auto& photographer = robot->Add<Photographer>("photographer");
+  ASSERT_TRUE(robot->Connect({"photographer", "Camera"}, {"camera", "Camera"}).ok());
+  const auto channel = Open(std::make_shared<ChannelHandler>());
+  const std::jthread caller([&photographer](const std::stop_token& stop) {
+    while (!stop.stop_requested()) EXPECT_TRUE(photographer.focus());
+  });
+
+  for (std::uint32_t i = 1; i <= 100; ++i) {
+    const auto listened = Listen(*channel, 2 * i, 64, Focus());
+    ASSERT_TRUE(listened.ok()) << listened.error().message;
+    ASSERT_TRUE(channel->Notify(message::kCloseInterface, listened->handle, Bytes()));
+  }
+
+  channel->Close();
 }
 
 INSTANTIATE_TEST_SUITE_P(Over, HostileListener, testing::ValuesIn(NetworkKinds()), NameOfNetwork);

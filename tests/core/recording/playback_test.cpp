@@ -36,6 +36,11 @@ class Script {
                              {kPathKey, path},
                              {kSchemaKey, SchemaOf<std::uint64_t>().TextWithHelp()}});
   }
+  mcap::ChannelId AddCommand(const std::string& path) {
+    return AddChannel(path, {{kKindKey, kCommandKind},
+                             {kPathKey, path},
+                             {kSchemaKey, SchemaOf<std::uint64_t>().TextWithHelp()}});
+  }
   mcap::ChannelId AddOwn(const std::string& topic) {
     return AddChannel(topic, {{kKindKey, "other"}});
   }
@@ -128,6 +133,21 @@ Script TenRows() {
     if (i % 2 == 1) script.Sync();
   }
   return script;
+}
+
+TEST(Playback, LeavesOutTheCallsOfCommands) {
+  Script script;
+  const auto reached = script.AddEvent("robot/arm/Control.Reached");
+  const auto move_to = script.AddCommand("robot/arm/Control.MoveTo");
+  script.Add<std::uint64_t>(reached, kBegin, 1);
+  script.Add<std::uint64_t>(move_to, kBegin + 10 * kMs, 2);
+  script.Add<std::uint64_t>(reached, kBegin + 20 * kMs, 3);
+  const auto playback = script.Open();
+
+  EXPECT_EQ(playback->FindNext(Playback::Kind::kEvents, kBegin), kBegin + 20 * kMs);
+  EXPECT_THAT(playback->columns(), IsEmpty());
+  EXPECT_THAT(Play(*playback, kBegin + 30 * kMs),
+              ElementsAre("event Reached=1 at 0", "event Reached=3 at 20"));
 }
 
 TEST(Playback, PlaysWhatHappenedAfterThePositionUpToATime) {

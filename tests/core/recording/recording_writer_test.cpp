@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <support/folder.h>
 #include <tendon/gcm/text.h>
+#include <tendon/interface/observed_call.h>
 #include <tendon/payload/codec.h>
 #include <tendon/recording/mcap/reader.h>
 #include <tendon/recording/recording_writer.h>
@@ -359,25 +360,33 @@ TEST_F(RecordingWriterTest, AfterAFailureEverythingThatIsNotInTheFileIsCountedAs
   const auto events = std::make_shared<Source>();
   events->name = {"robot", "arm", "Control"};
   events->members = {{"Stopped", Schema()}};
+  const auto commands = std::make_shared<Source>();
+  commands->name = events->name;
+  commands->members = {{"Stop", SchemaOfCalls(Schema(), Schema())}};
+  commands->are_commands = true;
   ASSERT_TRUE(writer->Write(RowsOf(ArmTable(), 0, 3)));
   ASSERT_TRUE(writer->Sync());
   disk->capacity = disk->bytes.size() + 20'000;  // there is room for the summary
 
   ASSERT_TRUE(writer->Write(RowsOf(ArmTable(), 3, 4)));
   ASSERT_TRUE(writer->Write(Event{events, 0, SteadyClock().Now(), {}}));
+  ASSERT_TRUE(writer->Write(Event{commands, 0, SteadyClock().Now(), {}}));
   const std::string large(30'000, 'x');
   ASSERT_TRUE(writer->Write(LogEntry{{WallTime(), LogLevel::kInfo, "robot", "arm", large}}));
   EXPECT_EQ(writer->counts().rows, 7U);
+  EXPECT_EQ(writer->counts().commands, 1U);
   EXPECT_EQ(writer->losses().all(), 0U);
   ASSERT_FALSE(writer->Sync());
   ASSERT_FALSE(writer->Write(RowsOf(ArmTable(), 7, 2)));
 
   EXPECT_EQ(writer->counts().rows, 3U);
   EXPECT_EQ(writer->counts().events, 0U);
+  EXPECT_EQ(writer->counts().commands, 0U);
   EXPECT_EQ(writer->counts().log, 0U);
   const Losses losses = writer->losses();
   EXPECT_EQ(losses.rows.at("robot/arm/state").viewer, 6U);
   EXPECT_EQ(losses.events.at("robot/arm/Control.Stopped"), 1U);
+  EXPECT_EQ(losses.events.at("robot/arm/Control.Stop"), 1U);
   EXPECT_EQ(losses.log, 1U);
   EXPECT_FALSE(writer->Close({}));
   const auto reader = mcap::Open(disk->bytes);
@@ -388,7 +397,7 @@ TEST_F(RecordingWriterTest, AfterAFailureEverythingThatIsNotInTheFileIsCountedAs
   }
   EXPECT_EQ(told["rows"], "3");
   EXPECT_EQ(told["rows_lost_recorder"], "6");
-  EXPECT_EQ(told["events_lost"], "1");
+  EXPECT_EQ(told["events_lost"], "2") << "the event and the call";
   EXPECT_EQ(told["log_records_lost"], "1");
 }
 

@@ -143,9 +143,22 @@ class Instrument final : public PeriodicTask {
   VoidEvent stopped_;
 };
 
+/// Calls a command of the instrument.
+class Mover final : public Component {
+ public:
+  explicit Mover(std::string name) : Component(std::move(name)) {
+    AddRequiredInterface("Robot").AddFunction(move, "Move");
+  }
+
+  WriteFunction<double> move;
+};
+
 const InterfaceName kInstrument{"robot", "instrument", ""};
 
-std::map<Fingerprint, Schema> Types() { return {{FingerprintOf<Posture>(), SchemaOf<Posture>()}}; }
+std::map<Fingerprint, Schema> Types() {
+  return {{FingerprintOf<Posture>(), SchemaOf<Posture>()},
+          {FingerprintOf<double>(), SchemaOf<double>()}};
+}
 
 /// A GCM over loopback, and recordings of `robot/instrument`.
 class ReplayTest : public testing::Test {
@@ -170,16 +183,20 @@ class ReplayTest : public testing::Test {
   void Record(const std::string& name, std::uint64_t rows) {
     const auto robot = MakeProcess("robot");
     robot->Add<Instrument>("instrument");
+    auto& mover = robot->Add<Mover>("mover");
+    ASSERT_TRUE(robot->Connect({"mover", "Robot"}, {"instrument", "Control"}));
     ASSERT_TRUE(robot->StartAll());
     Tape tape(Node(), gcm_->address(), Path(name), kInstrument, Types());
     std::uint64_t synced = 0;
+    double distance = 0.0;
     ASSERT_TRUE(EventuallyTrue([&] {
+      (void)mover.move(distance += 0.5);
       const Counts counts = tape.Write();
       if (counts.rows >= synced + rows / 4) {  // begins a new chunk
         synced = counts.rows;
         tape.Sync();
       }
-      return counts.rows >= rows && counts.events > 10;
+      return counts.rows >= rows && counts.events > 10 && counts.commands > 10;
     }));
     tape.Close();
   }
@@ -228,7 +245,7 @@ class ReplayTest : public testing::Test {
   std::unique_ptr<GlobalManager> gcm_;
 };
 
-TEST_F(ReplayTest, ARecordingOfAReplayHasTheSameRowsAndEventsAsTheRecording) {
+TEST_F(ReplayTest, ARecordingOfAReplayHasTheSameRowsEventsAndCallsAsTheRecording) {
   Record("first.mcap", 400);
   {
     const auto replay = Open("first.mcap");
@@ -236,11 +253,13 @@ TEST_F(ReplayTest, ARecordingOfAReplayHasTheSameRowsAndEventsAsTheRecording) {
     Tape tape(Node(), gcm_->address(), Path("second.mcap"), kInstrument, Types());
     PlayAll(*replay, [&](const ReplayStatus& status) {
       const Counts counts = tape.Write();
-      return counts.rows == status.rows && counts.events == status.events;
+      return counts.rows == status.rows && counts.events == status.events &&
+             counts.commands == status.commands;
     });
     tape.Close();
     EXPECT_EQ(replay->status().rows, replay->contained().rows);
     EXPECT_EQ(replay->status().events, replay->contained().events);
+    EXPECT_EQ(replay->status().commands, replay->contained().commands);
     EXPECT_EQ(replay->contained().left_out, 0U);
   }
 
@@ -250,6 +269,7 @@ TEST_F(ReplayTest, ARecordingOfAReplayHasTheSameRowsAndEventsAsTheRecording) {
   ASSERT_TRUE(first.contains("robot/instrument/state-slow/Matrix"));
   ASSERT_TRUE(first.contains("robot/instrument/Control/Reached"));
   ASSERT_TRUE(first.contains("robot/instrument/Control/Stopped"));
+  ASSERT_TRUE(first.contains("robot/instrument/Control/Move"));
   ASSERT_EQ(first.size(), second.size());
   for (const auto& [topic, messages] : first) {
     const auto& again = second[topic];
@@ -638,7 +658,8 @@ TEST_F(RecordingReaderTest, APartWithoutRowsAndEventsIsRefused) {
   const auto none = RecordingReader::Open(**reader, {.from = kRecordedAt + 1});
 
   ASSERT_FALSE(none);
-  EXPECT_THAT(none.error().message, HasSubstr("has no row of a Tendon table and no event"));
+  EXPECT_THAT(none.error().message,
+              HasSubstr("has no row of a Tendon table, no event and no command"));
 }
 
 }  // namespace

@@ -10,7 +10,10 @@ namespace {
 TEST(SelectionTest, APatternSelectsAnObjectAndEverythingInIt) {
   ComponentDescription arm{.name = "arm"};
   arm.tables.push_back({.name = "state", .columns = {{.name = "Joints"}, {.name = "Load"}}});
-  arm.provided.push_back({.name = "Control", .events = {{.name = "Stopped"}, {.name = "Moved"}}});
+  arm.provided.push_back({.name = "Control",
+                          .commands = {{.name = "MoveTo", .signature = {CommandKind::kWrite}},
+                                       {.name = "GetJoints", .signature = {CommandKind::kRead}}},
+                          .events = {{.name = "Stopped"}, {.name = "Moved"}}});
   Catalogue catalogue;
   ASSERT_TRUE(catalogue.Apply({.revision = 1,
                                .kind = CatalogueChange::Kind::kProcess,
@@ -26,16 +29,19 @@ TEST(SelectionTest, APatternSelectsAnObjectAndEverythingInIt) {
     for (const auto& table : selection.tables)
       all.insert(table.columns.begin(), table.columns.end());
     for (const auto& one : selection.events) all.insert(one.events.begin(), one.events.end());
+    for (const auto& one : selection.commands) all.insert(one.commands.begin(), one.commands.end());
     return all;
   };
   using Names = std::set<std::string>;
 
   for (const char* const all : {"robot", "robot/arm", "**", "*/arm", "robot/*/*"}) {
-    EXPECT_EQ(selected_by(all), (Names{"Joints", "Load", "Moved", "Stopped"})) << all;
+    EXPECT_EQ(selected_by(all), (Names{"Joints", "Load", "MoveTo", "Moved", "Stopped"})) << all;
   }
   EXPECT_EQ(selected_by("robot/arm/state"), (Names{"Joints", "Load"}));
   EXPECT_EQ(selected_by("robot/arm/state.J*"), Names{"Joints"});
   EXPECT_EQ(selected_by("**.Moved"), Names{"Moved"});
+  EXPECT_EQ(selected_by("robot/arm/Control.MoveTo"), Names{"MoveTo"});
+  EXPECT_EQ(selected_by("robot/arm/Control.GetJoints"), Names{}) << "reads are not recorded";
   EXPECT_EQ(selected_by("desk"), Names{});
 }
 

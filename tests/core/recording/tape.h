@@ -68,8 +68,8 @@ class TellingEventSink final : public EventSink {
   Readiness& readiness_;
 };
 
-/// Records one component, from the moment when it is active and all its tables and events are
-/// subscribed, so that a test knows each row that must be in the file.
+/// Records one component, from the moment when it is active and all its tables, events and commands
+/// are subscribed, so that a test knows each row that must be in the file.
 class Tape {
  public:
   Tape(std::shared_ptr<Middleware> middleware, const std::string& gcm,
@@ -85,12 +85,12 @@ class Tape {
       const auto* component = catalogue.FindComponent(source.process, source.component);
       return component != nullptr && component->state == ComponentState::kActive;
     }));
-    const Selection all =
-        Select(client_.catalogue(), {source.process + "/" + source.component + "/**"});
+    Selection all = Select(client_.catalogue(), {source.process + "/" + source.component + "/**"});
     for (const TableSubscription& table : all.tables) {
       subscriptions_.push_back(client_.telemetry().Subscribe(
           table, std::make_shared<TellingRowSink>(queue_->SinkOf(table), readiness_)));
     }
+    all.events.insert(all.events.end(), all.commands.begin(), all.commands.end());
     for (const EventSubscription& events : all.events) {
       listeners_.push_back(client_.Listen(
           events, std::make_shared<TellingEventSink>(queue_->SinkOf(events, types), readiness_)));

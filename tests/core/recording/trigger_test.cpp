@@ -198,7 +198,8 @@ TEST_F(TriggerTest, AConditionOnSomethingThatDoesNotExistIsRefused) {
 
   EXPECT_THAT(refusal_of("robot/odometre/state.Number > 1"), HasSubstr("odometer"));
   EXPECT_THAT(refusal_of("robot/odometer/state.Numer > 1"), HasSubstr("did you mean 'Number'?"));
-  EXPECT_THAT(refusal_of("robot/odometer/Control.Passt"), HasSubstr("has no event 'Passt'"));
+  EXPECT_THAT(refusal_of("robot/odometer/Control.Passt"),
+              HasSubstr("has no event or command 'Passt'"));
   EXPECT_THAT(refusal_of("robot/odometer/state.Number"), HasSubstr("expected a comparison"));
   EXPECT_THAT(refusal_of("robot/odometer/Control.Passed > 3"), HasSubstr("no state table"));
   EXPECT_THAT(refusal_of("robot/odometer/state.Number > 3 m"), HasSubstr("has no unit"));

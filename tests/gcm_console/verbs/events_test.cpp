@@ -227,6 +227,39 @@ TEST_F(EventsTest, ReportsTheLossAndReturnOfTheGcm) {
   EXPECT_EQ(events->Wait(), program::kInterrupted);
 }
 
+TEST_F(EventsTest, PrintsTheCallsOfACommandWhosePathIsGiven) {
+  const auto calls = Listen({"hall/crier/Voice.Cry", "--count", "1"});
+  ASSERT_TRUE(EventuallyListens(*calls)) << calls->err();
+
+  Call("Cry", "3");
+
+  ASSERT_EQ(calls->Wait(), program::kOk) << calls->err();
+  EXPECT_THAT(calls->out(), testing::HasSubstr("\thall/crier/Voice.Cry\t3\texecuted, from call\n"));
+  EXPECT_THAT(calls->err(), HasSubstr("gcm: listening to 1 command of hall/crier/Voice\n"));
+}
+
+TEST_F(EventsTest, PrintsAllCommandsThatMatchIfWanted) {
+  const auto calls = Listen({"hall/**", "--commands", "--count", "2", "--json"});
+  ASSERT_TRUE(EventuallyTrue([&] {
+    return Says(calls->err(), "commands of hall/crier/Voice") &&
+           Says(calls->err(), "events of hall/crier/Voice");
+  })) << calls->err();
+
+  Call("Cry", "1");
+
+  ASSERT_EQ(calls->Wait(), program::kOk) << calls->err();
+  std::set<std::string> paths;
+  for (const std::string& line : LinesOf(calls->out())) {
+    const json one = json::parse(line);
+    paths.insert(one["path"].get<std::string>());
+    if (one["path"] != "hall/crier/Voice.Cry") continue;
+    EXPECT_EQ(one["value"]["outcome"], "executed");
+    EXPECT_EQ(one["value"]["argument"], 1);
+    EXPECT_EQ(one["value"]["client"], "call");
+  }
+  EXPECT_EQ(paths, (std::set<std::string>{"hall/crier/Voice.Cried", "hall/crier/Voice.Cry"}));
+}
+
 TEST_F(EventsTest, ForLimitsTheDuration) {
   const auto events = Listen({"hall/crier/Voice", "--for", "1ms"});
   EXPECT_EQ(events->Wait(), program::kOk) << events->err();
@@ -356,7 +389,6 @@ TEST_F(EventsTest, MistakesAreExplained) {
   refused({}, program::kUsage, "gcm events --help tells more");
   refused({"hall/crier/Voice", "--count", "0"}, program::kUsage, "--count");
   refused({"hall/crier/Voice.Fel"}, program::kNotFound, "did you mean 'Fell'?");
-  refused({"hall/crier/Voice.Cry"}, program::kUsage, "'hall/crier/Voice.Cry' is a command");
   refused({"hall/crier"}, program::kUsage, "or, for all interfaces in it, give 'hall/crier/**'");
   refused({"hall/crier/state"}, program::kNotFound, "'hall/crier/state' has no events");
   refused({"nowhere/**"}, program::kNotFound, "no event matches 'nowhere/**'");

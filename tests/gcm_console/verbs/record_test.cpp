@@ -144,14 +144,14 @@ TEST_F(RecordTest, EndsByItselfAfterItsTime) {
   const Outcome recorded = Gcm({"record", "robot/**", "-o", file, "--for", "1500ms", "--json"});
 
   EXPECT_EQ(recorded.exit_code, program::kOk) << recorded.err;
-  EXPECT_THAT(recorded.err, HasSubstr(" rows lost, 0 events lost\n"));
+  EXPECT_THAT(recorded.err, HasSubstr(" rows lost, 0 events and commands lost\n"));
   EXPECT_GT(Read(file)["robot/odometer/state/Count"].size(), 10U);
 }
 
 TEST_F(RecordTest, RecordsWhatComesLaterAndSaysThatItIsNotThereYet) {
   const auto record = Record({"hall"});
   ASSERT_TRUE(EventuallyTrue([&] {
-    return record->err().find("no table or event matches 'hall' now") != std::string::npos;
+    return record->err().find("no table, event or command matches 'hall' now") != std::string::npos;
   })) << record->err();
 
   const auto hall = StartOne("hall", "odometer", "Odometer", "odometer");

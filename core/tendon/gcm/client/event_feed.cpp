@@ -48,7 +48,7 @@ void EventFeed::Retry(const std::string& process) {
 void EventFeed::Subscribe(const SharedListener& listener) {
   std::unique_lock lock(mutex_);
   const std::uint32_t attempt = next_handle_;
-  next_handle_ += 1 + static_cast<std::uint32_t>(listener->wanted().events.size());
+  next_handle_ += 1 + static_cast<std::uint32_t>(listener->wanted().size());
   lock.unlock();
   if (!listener->Try(attempt)) return;
   links_->WithChannel(listener->wanted().provided.process,
@@ -90,7 +90,8 @@ void EventFeed::Ask(const SharedListener& listener, const std::shared_ptr<Channe
   tendon::Ask<message::OpenInterfaceReply>(
       *timer_, channel, message::kListen,
       message::OpenInterface{
-          .required = InterfaceName(name_, "events", wanted.provided.interface),
+          .required = InterfaceName(name_, wanted.commands.empty() ? "events" : "commands",
+                                    wanted.provided.interface),
           .provided = wanted.provided,
           .description = {.name = wanted.provided.interface, .event_handlers = *events},
           .handle = attempt,

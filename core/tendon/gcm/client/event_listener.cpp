@@ -17,7 +17,7 @@ bool EventListener::OnSubscribed(std::uint32_t attempt, Subscription subscriptio
   const std::scoped_lock lock(mutex_);
   if (!sink_ || attempt_ != attempt) return false;
   subscription_ = std::move(subscription);
-  lost_.assign(wanted_.events.size(), 0);
+  lost_.assign(wanted_.size(), 0);
   interruption_.reset();
   sink_->OnListening(events);
   return true;
@@ -46,7 +46,7 @@ void EventListener::End() {
 void EventListener::Raise(std::uint32_t attempt, std::size_t event,
                           std::span<const std::byte> value, SteadyTime there) {
   const std::scoped_lock lock(mutex_);
-  if (!subscription_.channel || attempt_ != attempt || event >= wanted_.events.size()) return;
+  if (!subscription_.channel || attempt_ != attempt || event >= wanted_.size()) return;
   sink_->OnEvent(event, value, subscription_.clock->ToLocal(there));
 }
 

@@ -1,19 +1,24 @@
 #pragma once
 
 #include <tendon/interface/command.h>
+#include <tendon/interface/execution/call_observer.h>
 
 #include <chrono>
 #include <memory>
+#include <string>
 #include <utility>
 
 namespace tendon {
 
 /// Runs `filter` on the argument in the caller's thread, and calls another command with the result.
+/// Observers of `offer`, if given, see the argument of the caller, and that the call was queued or
+/// refused.
 template <Payload In, Payload Filtered, typename Filter>
 class FilteredCommand final : public Command<In, None> {
  public:
-  FilteredCommand(Filter filter, std::unique_ptr<Command<Filtered, None>> target)
-      : filter_(std::move(filter)), target_(std::move(target)) {}
+  FilteredCommand(Filter filter, std::unique_ptr<Command<Filtered, None>> target,
+                  const CallSwitches* offer = nullptr)
+      : filter_(std::move(filter)), target_(std::move(target)), observer_(offer) {}
 
   Status Execute(const In& in, None& out) override {
     return Convert(in, [&](const Filtered& filtered) { return target_->Execute(filtered, out); });
@@ -29,6 +34,10 @@ class FilteredCommand final : public Command<In, None> {
   [[nodiscard]] bool HasEnded(std::size_t call) override { return target_->HasEnded(call); }
   Status End(std::size_t call, None& out) override { return target_->End(call, out); }
 
+  void SetClient(const std::shared_ptr<const std::string>& client) override {
+    observer_.SetClient(client);
+  }
+
  private:
   template <typename Call>
   Status Convert(const In& in, Call call) {
@@ -36,14 +45,31 @@ class FilteredCommand final : public Command<In, None> {
     try {
       filter_(in, *filtered);
     } catch (...) {
-      return Status::kFailed;
+      return observer_.ShowOther(CallOutcome::kFailed, Status::kFailed, in);
     }
-    return call(*filtered);
+    const Status status = call(*filtered);
+    return observer_.ShowOther(OutcomeOf(status), status, in);
+  }
+  static CallOutcome OutcomeOf(Status status) {
+    switch (status.code()) {
+      case Status::kDone:
+        return CallOutcome::kExecuted;
+      case Status::kQueued:
+      case Status::kOutcomeUnknown:
+        return CallOutcome::kQueued;
+      case Status::kTimeout:
+        return CallOutcome::kExpired;
+      case Status::kFailed:
+        return CallOutcome::kFailed;
+      default:
+        return CallOutcome::kRefused;
+    }
   }
 
   Filter filter_;
   std::unique_ptr<Command<Filtered, None>> target_;
   Scratch<Filtered> filtered_;
+  CallObserver observer_;
 };
 
 }  // namespace tendon

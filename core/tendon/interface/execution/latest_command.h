@@ -4,7 +4,9 @@
 #include <tendon/interface/execution/queued_command.h>
 
 #include <chrono>
-#include <cstdint>
+#include <cstddef>
+#include <memory>
+#include <string>
 
 namespace tendon {
 
@@ -15,11 +17,13 @@ namespace tendon {
 template <Payload In, typename Handler>
 class LatestCommand final : public Command<In, None>, private Mailbox::Entry {
  public:
-  LatestCommand(const Handler& handler, Mailbox& mailbox, Expiry* expiry)
+  /// Observers of `offer`, if given, see each call, except those that a newer call replaces.
+  LatestCommand(const Handler& handler, Mailbox& mailbox, Expiry* expiry,
+                const CallSwitches* offer = nullptr)
       : handler_(handler),
-        queued_(handler, &mailbox, nullptr, expiry),
+        queued_(handler, &mailbox, nullptr, expiry, offer),
         newest_(mailbox),
-        number_(mailbox.number()),
+        mailbox_(mailbox),
         expiry_(expiry) {}
 
   static constexpr Mailbox::SlotShape Shape() {
@@ -29,7 +33,9 @@ class LatestCommand final : public Command<In, None>, private Mailbox::Entry {
   }
 
   Status Execute(const In& in, None& /*out*/) override {
-    return newest_.Post(*this, [&in]() -> const In& { return in; });  // a copy may throw
+    const Status posted = newest_.Post(*this, [&in]() -> const In& { return in; });  // may throw
+    if (posted) return posted;
+    return queued_.observer().ShowOther(CallOutcome::kRefused, posted, in);
   }
 
   Status Wait(const In& in, None& out, std::chrono::nanoseconds timeout) override {
@@ -41,20 +47,31 @@ class LatestCommand final : public Command<In, None>, private Mailbox::Entry {
   [[nodiscard]] bool HasEnded(std::size_t call) override { return queued_.HasEnded(call); }
   Status End(std::size_t call, None& out) override { return queued_.End(call, out); }
 
+  void SetClient(const std::shared_ptr<const std::string>& client) override {
+    queued_.SetClient(client);
+  }
+
  private:
   void ExecuteSlot(std::byte* /*argument*/, std::size_t /*slot*/) override {
     None nothing;
     const In* const in = newest_.Take();
     if (in == nullptr) return;
-    if (expiry_ != nullptr) expiry_->Renew(number_);
-    handler_(*in, nothing);
+    if (expiry_ != nullptr) expiry_->Renew(mailbox_.number());
+    const CallObserver& observer = queued_.observer();
+    const bool is_observed = mailbox_.is_observed() && observer.is_on();
+    if (!is_observed) return handler_(*in, nothing);
+    observer.ShowExecution(*in, nothing, [&] { handler_(*in, nothing); });
   }
-  void DropSlot(std::size_t /*slot*/) noexcept override { newest_.Take(); }
+  void DropSlot(std::byte* /*argument*/, std::size_t /*slot*/) noexcept override {
+    const In* const in = newest_.Take();
+    if (in == nullptr) return;
+    (void)queued_.observer().ShowOther(CallOutcome::kDropped, Status::kNotActive, *in);
+  }
 
   Handler handler_;
   QueuedCommand<In, None, Handler> queued_;
   LatestValue<In> newest_;
-  std::uint64_t number_;
+  Mailbox& mailbox_;
   Expiry* expiry_;
 };
 

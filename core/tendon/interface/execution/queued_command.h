@@ -2,6 +2,7 @@
 
 #include <tendon/base/clock.h>
 #include <tendon/interface/command.h>
+#include <tendon/interface/execution/call_observer.h>
 #include <tendon/interface/execution/component_access.h>
 #include <tendon/interface/execution/expiry.h>
 #include <tendon/interface/mailbox.h>
@@ -32,10 +33,15 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
  public:
   static_assert(alignof(In) <= 64, "an argument of a queued command is aligned to at most 64");
 
-  /// Each executed call renews `expiry`, which may be null.
+  /// Each executed call renews `expiry`, which may be null. Observers of `offer`, which may be
+  /// null, see each call.
   QueuedCommand(Handler handler, Mailbox* mailbox, const ComponentAccess* component = nullptr,
-                Expiry* expiry = nullptr)
-      : handler_(std::move(handler)), mailbox_(mailbox), component_(component), expiry_(expiry) {
+                Expiry* expiry = nullptr, const CallSwitches* offer = nullptr)
+      : handler_(std::move(handler)),
+        mailbox_(mailbox),
+        component_(component),
+        expiry_(expiry),
+        observer_(offer) {
     if (mailbox_ == nullptr) return;
     if constexpr (!kLiesInSlot<In>) arguments_ = std::make_unique<In[]>(mailbox_->storage());
     if constexpr (kAnswers) answers_ = std::make_unique<Out[]>(mailbox_->completions().size());
@@ -50,7 +56,8 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
     if constexpr (kAnswers) return Status::kUnsupported;
     std::byte* argument = nullptr;
     const Status claimed = Claim(in, argument);
-    if (claimed) mailbox_->Publish(argument, *this);
+    if (!claimed) return observer_.ShowOther<Out>(CallOutcome::kRefused, claimed, in);
+    mailbox_->Publish(argument, *this);
     return claimed;
   }
 
@@ -61,7 +68,7 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
     if (mailbox_ == nullptr || kAnswers) return Command<In, Out>::ExecuteEncoded(in, out);
     std::byte* argument = nullptr;
     const Status claimed = ClaimDecoded(in, argument);
-    if (!claimed) return claimed;
+    if (!claimed) return ShowRefused(claimed, in);
     mailbox_->Publish(argument, *this);
     this->Put(Out{}, out);
     return claimed;
@@ -69,7 +76,9 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
 
   Status Wait(const In& in, Out& out, std::chrono::nanoseconds timeout) override {
     if (mailbox_ == nullptr) return ExecuteNow(in, out);
-    if (mailbox_->is_executed_here()) return Status::kWouldDeadlock;
+    if (mailbox_->is_executed_here()) {
+      return observer_.ShowOther<Out>(CallOutcome::kRefused, Status::kWouldDeadlock, in);
+    }
     std::size_t record = 0;
     const Status posted = Post(in, nullptr, record);
     return posted == Status::kQueued ? Await(record, out, DeadlineAfter(timeout)) : posted;
@@ -84,6 +93,11 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
   }
   Status End(std::size_t call, Out& out) override { return Await(call, out, SteadyTime{}); }
 
+  void SetClient(const std::shared_ptr<const std::string>& client) override {
+    observer_.SetClient(client);
+  }
+  [[nodiscard]] const CallObserver& observer() const { return observer_; }
+
  private:
   static constexpr bool kAnswers = !std::is_same_v<Out, None>;
 
@@ -95,7 +109,10 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
     void ExecuteSlot(std::byte* argument, std::size_t slot) override {
       const std::size_t record = command_.mailbox_->completions().RecordOf(slot);
       Completion<>& completion = command_.mailbox_->completions()[record];
-      if (!completion.Start()) return;
+      if (!completion.Start()) {
+        command_.ShowNotExecuted(CallOutcome::kExpired, Status::kTimeout, argument, slot);
+        return;
+      }
       try {
         command_.Run(argument, slot, record);
       } catch (...) {
@@ -104,10 +121,11 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
       }
       completion.Finish(Status::kDone);
     }
-    void DropSlot(std::size_t slot) noexcept override {
+    void DropSlot(std::byte* argument, std::size_t slot) noexcept override {
       CompletionPool& completions = command_.mailbox_->completions();
       Completion<>& completion = completions[completions.RecordOf(slot)];
       if (completion.Start()) completion.Finish(Status::kNotActive);
+      command_.DropSlot(argument, slot);
     }
 
    private:
@@ -115,9 +133,15 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
   };
 
   Status ExecuteNow(const In& in, Out& out) {
-    if (component_ != nullptr && !component_->accepting()) return Status::kNotActive;
+    if (component_ != nullptr && !component_->accepting()) {
+      return observer_.ShowOther<Out>(CallOutcome::kRefused, Status::kNotActive, in);
+    }
     return ComponentAccess::CatchExceptions(component_, [&]() -> Status {
-      handler_(in, out);
+      if (observer_.is_on()) {
+        observer_.ShowExecution(in, out, [&] { handler_(in, out); });
+      } else {
+        handler_(in, out);
+      }
       return Status::kDone;
     });
   }
@@ -169,13 +193,13 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
     const auto record = completions.Take();
     if (!record) {
       mailbox_->CountRefused();
-      return Status::kQueueFull;
+      return observer_.ShowOther<Out>(CallOutcome::kRefused, Status::kQueueFull, in);
     }
     if (ended != nullptr) completions[*record].SetListener(*ended);
     std::byte* argument = nullptr;
     if (const Status claimed = Claim(in, argument); !claimed) {
       completions[*record].Free();
-      return claimed;
+      return observer_.ShowOther<Out>(CallOutcome::kRefused, claimed, in);
     }
     completions.Assign(mailbox_->SlotOf(argument), *record);
     mailbox_->Publish(argument, blocking_entry_);
@@ -203,21 +227,49 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
   }
 
   void ExecuteSlot(std::byte* argument, std::size_t slot) override { Run(argument, slot, 0); }
+  void DropSlot(std::byte* argument, std::size_t slot) noexcept override {
+    ShowNotExecuted(CallOutcome::kDropped, Status::kNotActive, argument, slot);
+  }
 
   void Run(std::byte* argument, std::size_t slot, [[maybe_unused]] std::size_t record) {
     if (expiry_ != nullptr) expiry_->Renew(mailbox_->number());
-    const In* in = nullptr;
-    if constexpr (kLiesInSlot<In>) {
-      in = std::launder(reinterpret_cast<const In*>(argument));
-    } else {
-      in = &arguments_[slot];
-    }
+    const In& in = ArgumentIn(argument, slot);
     if constexpr (kAnswers) {
-      handler_(*in, answers_[record]);
+      Handle(in, answers_[record]);
     } else {
       None nothing;
-      handler_(*in, nothing);
+      Handle(in, nothing);
     }
+  }
+  /// The flag of the mailbox lies beside those that the executing thread has just read.
+  void Handle(const In& in, Out& out) {
+    const bool is_observed = mailbox_->is_observed() && observer_.is_on();
+    if (!is_observed) return handler_(in, out);
+    observer_.ShowExecution(in, out, [&] { handler_(in, out); });
+  }
+
+  [[nodiscard]] const In& ArgumentIn(std::byte* argument, std::size_t slot) const {
+    if constexpr (kLiesInSlot<In>) {
+      return *std::launder(reinterpret_cast<const In*>(argument));
+    } else {
+      return arguments_[slot];
+    }
+  }
+
+  void ShowNotExecuted(CallOutcome outcome, Status status, std::byte* argument,
+                       std::size_t slot) const noexcept {
+    (void)observer_.ShowOther<Out>(outcome, status, ArgumentIn(argument, slot));
+  }
+  /// Shows a refused call, unless its argument cannot be decoded.
+  Status ShowRefused(Status status, std::span<const std::byte> in) const {
+    if (status == Status(Status::kInvalid) || !observer_.is_on()) return status;
+    return ComponentAccess::CatchExceptions(nullptr, [&]() -> Status {
+      In argument{};
+      if constexpr (!std::is_same_v<In, None>) {
+        if (!Decode(in, argument)) return status;
+      }
+      return observer_.ShowOther<Out>(CallOutcome::kRefused, status, argument);
+    });
   }
 
   Handler handler_;
@@ -227,6 +279,7 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
   BlockingCallEntry blocking_entry_{*this};
   std::unique_ptr<In[]> arguments_;  // one per slot
   std::unique_ptr<Out[]> answers_;   // one per completion record
+  CallObserver observer_;
 };
 
 }  // namespace tendon

@@ -76,8 +76,10 @@ void ServedConnections::Open(const std::shared_ptr<Client>& client,
   if (!server) return responder->Refuse(server.error());
   auto made = Make(client, open, use, **server);
   if (!made && made.error().code == ErrorCode::kIncompatible) {
-    return RefuseMisfit(*context_.worker, client->channel, open, (*server)->description(),
-                        made.error(), responder);
+    return RefuseMisfit(
+        *context_.worker, client->channel, open,
+        use == Use::kEventsOnly ? (*server)->description_for_observers() : (*server)->description(),
+        made.error(), responder);
   }
   if (!made) return responder->Refuse(made.error());
   entries_.push_back(*std::move(made));
@@ -135,8 +137,9 @@ Result<ServedConnections::Entry> ServedConnections::Make(const std::shared_ptr<C
     auto proxy =
         std::make_shared<RequiredInterfaceProxy>(context_.network, client->channel, open, events);
     proxy->MakeLines(provided, *context_.calls);
+    proxy->PrepareObservers(provided);
     const auto bytes = Connection::MailboxBytes(proxy->interface(), provided);
-    if (const auto fits = CheckSize(open, bytes); !fits) return fits.error();
+    if (const auto fits = CheckSize(open, use, bytes); !fits) return fits.error();
     auto connection = Connection::Make(proxy->interface(), provided, ToString(open.required),
                                        ToString(open.provided));
     if (!connection) return connection.error();
@@ -157,16 +160,18 @@ Result<ServedConnections::Entry> ServedConnections::Make(const std::shared_ptr<C
 }
 
 /// Limits the memory that another process can request from this process.
-Result<void> ServedConnections::CheckSize(const message::OpenInterface& open, std::size_t bytes) {
+Result<void> ServedConnections::CheckSize(const message::OpenInterface& open, Use use,
+                                          std::size_t bytes) {
   constexpr std::size_t kMostCalls = 65536;
-  constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
-  if (open.capacity <= kMostCalls && bytes <= kMostBytes) return {};
-  return Error{ErrorCode::kInvalid, ToString(open.required) + " requests a mailbox for " +
-                                        std::to_string(open.capacity) + " calls at " +
-                                        ToString(open.provided) +
-                                        ", but a client in another process is allowed at most " +
-                                        std::to_string(kMostCalls) +
-                                        " calls and 64 MiB: set a smaller mailbox capacity"};
+  // There may be many listeners. Each may have the largest mailbox for events.
+  const std::size_t most_mib = use == Use::kEventsOnly ? 8 : 64;
+  if (open.capacity <= kMostCalls && bytes <= most_mib << 20U) return {};
+  return Error{ErrorCode::kInvalid,
+               ToString(open.required) + " requests a mailbox for " +
+                   std::to_string(open.capacity) + " calls at " + ToString(open.provided) +
+                   ", but a client in another process is allowed at most " +
+                   std::to_string(kMostCalls) + " calls and " + std::to_string(most_mib) +
+                   " MiB: set a smaller mailbox capacity"};
 }
 
 void ServedConnections::Close(const std::shared_ptr<Client>& client, std::uint32_t handle) {

@@ -35,12 +35,12 @@ class ServedConnections {
  public:
   explicit ServedConnections(ProcessContext& context) : context_(context) {}
 
-  /// kEventsOnly is for a client that only listens to events. This client may be a viewer. The
-  /// number of these connections is limited, for each client and in total. Closing one of them does
-  /// not wait until the client has received all events.
+  /// kEventsOnly is for a client that only listens to events and to calls of commands. This client
+  /// may be a viewer. The number of these connections is limited, for each client and in total.
+  /// Closing one of them does not wait until the client has received all events.
   enum class Use { kAll, kEventsOnly };
-  static constexpr std::ptrdiff_t kMostListenersOfOne = 64;
-  static constexpr std::ptrdiff_t kMostListeners = 256;
+  static constexpr std::ptrdiff_t kMostListenersOfOne = 128;
+  static constexpr std::ptrdiff_t kMostListeners = 512;
 
   /// Makes the connection. Replies before it sends other messages of the connection. Refusals:
   /// kNotFound with a suggestion, kIncompatible with the first difference, kInvalid for a mailbox
@@ -78,7 +78,7 @@ class ServedConnections {
 
   Result<ProvidedInterface*> LookUp(const InterfaceName& provided) const;
   [[nodiscard]] Result<void> CheckListeners(const Client& client, Use use) const;
-  static Result<void> CheckSize(const message::OpenInterface& open, std::size_t bytes);
+  static Result<void> CheckSize(const message::OpenInterface& open, Use use, std::size_t bytes);
   Result<Entry> Make(const std::shared_ptr<Client>& client, const message::OpenInterface& open,
                      Use use, ProvidedInterface& provided);
   static void Detach(Entry& entry);

@@ -65,6 +65,12 @@ TEST_F(FullMailbox, ABlockingCallWaitsForRoom) {
   mailbox.Publish(room, nothing);
 }
 
+TEST_F(FullMailbox, ClaimAtOnceWaitsInNoThread) {
+  EXPECT_TRUE(EndsBeforeItsDeadline([this] { EXPECT_EQ(mailbox.ClaimAtOnce(), nullptr); }));
+
+  EXPECT_GT(mailbox.refused(), 0U);
+}
+
 TEST_F(FullMailbox, ClosingItEndsABlockingCall) {
   EXPECT_TRUE(EndsBeforeItsDeadline([] {
     FullBox box;
