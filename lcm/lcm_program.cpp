@@ -121,7 +121,8 @@ Result<std::unique_ptr<tendon::Process>> MakeProcess(
                                                                     .gcm = options.gcm,
                                                                     .listen = options.listen,
                                                                     .advertise = options.advertise,
-                                                                    .loader = loader});
+                                                                    .loader = loader,
+                                                                    .history = options.history});
   } catch (const tendon::ConfigurationError& error) {
     const bool is_taken = error.code() == ErrorCode::kExists;
     const std::string hint =

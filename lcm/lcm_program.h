@@ -19,6 +19,7 @@ struct Options {
   std::string listen = "127.0.0.1:0";
   std::string advertise;
   std::chrono::milliseconds timeout{3000};  ///< time limit for finding and joining the GCM
+  tendon::HistoryOptions history;
   program::NetworkOptions network;
 };
 

@@ -6,6 +6,8 @@
 #include <tendon/process/version_messages.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
 #include <iostream>
 
 int main(int argc, char** argv) {
@@ -13,6 +15,7 @@ int main(int argc, char** argv) {
   tendon::os::HoldTerminationSignals();
   lcm::Options options;
   int timeout_ms = static_cast<int>(options.timeout.count());
+  double history_seconds = std::chrono::duration<double>(options.history.span).count();
 
   CLI::App app("Runs the components of one process and joins a GCM.", "lcm");
   app.add_option("--name", options.name, "name of this process")->required();
@@ -31,6 +34,16 @@ int main(int argc, char** argv) {
       ->type_name("TIME")
       ->transform(CLI::Validator(&program::TransformMilliseconds, ""))
       ->default_str("3s");
+  app.add_option("--history-memory", options.history.memory,
+                 "memory for the past of this process, which gcm save-last saves: 64MiB, 1GiB; 0 "
+                 "keeps nothing")
+      ->type_name("SIZE")
+      ->transform(CLI::AsSizeValue(false))
+      ->default_str("32MiB");
+  app.add_option("--history-time", history_seconds, "how much of the past is kept: 30s, 2min")
+      ->type_name("TIME")
+      ->transform(CLI::Validator(&program::TransformDuration, ""))
+      ->default_str("30s");
   program::AddNetworkOptions(app, options.network);
   try {
     app.parse(argc, argv);
@@ -44,6 +57,9 @@ int main(int argc, char** argv) {
     return program::kUsage;
   }
   options.timeout = std::chrono::milliseconds(timeout_ms);
+  constexpr std::chrono::duration<double> kLongestHistory = std::chrono::hours(24);
+  options.history.span = std::chrono::duration_cast<std::chrono::nanoseconds>(
+      std::min(std::chrono::duration<double>(history_seconds), kLongestHistory));
   options.gcm = program::GcmAddress(options.gcm);
   return lcm::Run(options);
 }

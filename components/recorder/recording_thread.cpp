@@ -155,7 +155,14 @@ void RecordingThread::SaveLastNow(double seconds) {
   const auto saved = tendon::recording::SaveLast(system, queue, std::move(options));
   if (!saved) return Tell(Outcome::Kind::kFailed, saved.error().message);
   for (const auto& table : saved->tables) {
-    if (table.failure) Tell(Outcome::Kind::kFailed, table.path + ": " + table.failure->message);
+    if (table.past.failure) {
+      Tell(Outcome::Kind::kFailed, table.path + ": " + table.past.failure->message);
+    }
+  }
+  for (const auto& events : saved->events) {
+    if (events.past.failure) {
+      Tell(Outcome::Kind::kFailed, events.path + ": " + events.past.failure->message);
+    }
   }
   Tell(Outcome::Kind::kSaved, saved->file.string());
 }

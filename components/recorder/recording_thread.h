@@ -40,7 +40,7 @@ class RecordingThread {
   void Start();
   /// Ends the recording, and completes its file; kFailed if there is none.
   void Stop();
-  /// Saves what the state tables hold of the last `seconds` into a file of its own.
+  /// Saves what the process has kept of the last `seconds` into a file of its own.
   void SaveLast(double seconds);
   /// Ends the recording, if there is one, after all earlier orders, and waits for that.
   void Finish();

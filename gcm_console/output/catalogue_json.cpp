@@ -133,6 +133,14 @@ ordered_json ToJson(const tendon::MailboxFill& fill) {
   return {{"waiting", fill.waiting}, {"capacity", fill.capacity}};
 }
 
+ordered_json ToJson(const tendon::message::ProcessHistoryState& history) {
+  using Seconds = std::chrono::duration<double>;
+  if (history.limit == 0) return {{"limit_bytes", 0}};
+  return {{"memory_bytes", history.memory},          {"limit_bytes", history.limit},
+          {"span_s", Seconds(history.span).count()}, {"reach_s", Seconds(history.reach).count()},
+          {"missed_rows", history.missed_rows},      {"missed_events", history.missed_events}};
+}
+
 ordered_json HealthOf(const tendon::message::SystemHealth& health,
                       const tendon::ProcessDescription& process) {
   using Seconds = std::chrono::duration<double>;

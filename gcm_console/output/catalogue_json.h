@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/gcm/gcm_messages.h>
+#include <tendon/process/history/history_messages.h>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -19,6 +20,10 @@ nlohmann::ordered_json ToJson(const tendon::MemberDescription& member);
 nlohmann::ordered_json ToJson(const tendon::ConnectionDescription& connection);
 nlohmann::ordered_json ToJson(const tendon::ConnectionCounts& counts);
 nlohmann::ordered_json ToJson(const tendon::MailboxFill& fill);
+
+/// Returns how much a process keeps of its past. If it keeps no history, only `limit_bytes` is
+/// there, which is 0.
+nlohmann::ordered_json ToJson(const tendon::message::ProcessHistoryState& history);
 
 /// Returns the health of a process as the GCM reports it, with its age. Unknown values are left
 /// out; the result is empty if all are unknown.

@@ -1,7 +1,9 @@
 #include <gcm_console/verbs/common_options.h>
 #include <program/command_line.h>
+#include <tendon/base/clock.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 namespace console {
 
@@ -22,6 +24,12 @@ void AddDuration(CLI::App& app, double& seconds, const std::string& help) {
 void AddNoReconnect(CLI::App& app, bool& ends_with_link) {
   app.add_flag("--no-reconnect", ends_with_link,
                "if the GCM or a process is lost, end instead of waiting for it");
+}
+
+std::chrono::nanoseconds TimeOf(double seconds) {
+  using Seconds = std::chrono::duration<double>;
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+      std::min(Seconds(seconds), Seconds(tendon::kLongestWait)));
 }
 
 }  // namespace console

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 
@@ -7,7 +8,7 @@ namespace CLI {  // NOLINT(readability-identifier-naming): the library's name
 class App;
 }
 
-/// Options that several verbs have. Each function adds one option.
+/// Options that several verbs have.
 namespace console {
 
 /// Adds --dry-run.
@@ -22,5 +23,8 @@ void AddDuration(CLI::App& app, double& seconds,
 
 /// Adds --no-reconnect.
 void AddNoReconnect(CLI::App& app, bool& ends_with_link);
+
+/// Returns a time that was given in s, limited to kLongestWait.
+std::chrono::nanoseconds TimeOf(double seconds);
 
 }  // namespace console

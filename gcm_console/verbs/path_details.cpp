@@ -111,7 +111,13 @@ ordered_json JsonOf(Context& context, const Catalogue& catalogue, const PathTarg
     return json;
   }
   const SystemHealth health = AskHealth(context);
-  if (target.process != nullptr) return {{"process", ProcessJson(*target.process, health)}};
+  if (target.process != nullptr) {
+    ordered_json json = {{"process", ProcessJson(*target.process, health)}};
+    if (const auto history = AskHistory(context, target.process->process.name)) {
+      json["process"]["history"] = ToJson(*history);
+    }
+    return json;
+  }
   ordered_json processes = ordered_json::array();
   for (const auto& [name, entry] : catalogue.processes())
     processes.push_back(ProcessJson(entry, health));

@@ -25,6 +25,13 @@ std::optional<tendon::MailboxFill> AskFill(Context& context, const PathTarget& t
   return fill && fill->capacity > 0 ? std::optional(*fill) : std::nullopt;
 }
 
+std::optional<tendon::message::ProcessHistoryState> AskHistory(Context& context,
+                                                               const std::string& process) {
+  const auto history = context.Ask<tendon::message::ProcessHistoryState>(
+      [&](tendon::GcmClient& client, auto handler) { client.GetProcessHistory(process, handler); });
+  return history ? std::optional(*history) : std::nullopt;
+}
+
 tendon::Result<tendon::Schema> AskSchema(Context& context, const std::string& process,
                                          const tendon::Fingerprint& type) {
   return context.Ask<tendon::Schema>([&](tendon::GcmClient& client, auto handler) {

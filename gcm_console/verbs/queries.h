@@ -28,6 +28,11 @@ namespace console {
 [[nodiscard]] std::optional<tendon::MailboxFill> AskFill(Context& context,
                                                          const PathTarget& target);
 
+/// Requests how much the process keeps of its past. Returns nullopt if its version keeps no
+/// history, or if it does not answer.
+[[nodiscard]] std::optional<tendon::message::ProcessHistoryState> AskHistory(
+    Context& context, const std::string& process);
+
 /// Requests the type with this fingerprint from a process that uses it.
 [[nodiscard]] tendon::Result<tendon::Schema> AskSchema(Context& context, const std::string& process,
                                                        const tendon::Fingerprint& type);

@@ -48,11 +48,6 @@ struct RecordOptions {
   bool ends_with_link = false;
 };
 
-std::chrono::nanoseconds TimeOf(double seconds) {
-  constexpr Elapsed kLongest = tendon::kLongestWait;
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::min(Elapsed(seconds), kLongest));
-}
-
 tendon::recording::RecorderOptions RecorderOptionsOf(const Context& context,
                                                      const RecordOptions& options) {
   tendon::recording::RecorderOptions all{
@@ -262,9 +257,7 @@ Result<ExitCode> Record(Context& context, const RecordOptions& options) {
   const auto queue = std::make_shared<tendon::recording::RecordingQueue>();
   const auto client = context.Client(queue);
   if (!client) return client.error();
-  const auto delay = std::chrono::duration_cast<std::chrono::milliseconds>(
-      std::min(Elapsed(options.delay), Elapsed(tendon::kLongestWait)));
-  const auto until = std::chrono::steady_clock::now() + delay;
+  const auto until = std::chrono::steady_clock::now() + TimeOf(options.delay);
   while (std::chrono::steady_clock::now() < until) {
     if (tendon::os::TerminationRequested(20ms)) return program::kInterrupted;
   }

@@ -1,5 +1,7 @@
+#include <gcm_console/output/catalogue_json.h>
 #include <gcm_console/output/recording_text.h>
 #include <gcm_console/output/text.h>
+#include <gcm_console/verbs/common_options.h>
 #include <gcm_console/verbs/recording_part.h>
 #include <gcm_console/verbs/verb.h>
 #include <program/command_line.h>
@@ -18,6 +20,8 @@ namespace console {
 namespace {
 
 using nlohmann::ordered_json;
+using tendon::recording::IsToldByProcess;
+using tendon::recording::SavedEvents;
 using tendon::recording::SavedTable;
 using tendon::recording::SaveLastReport;
 
@@ -35,54 +39,86 @@ double SecondsOf(std::chrono::nanoseconds time) {
 
 tendon::recording::SaveLastOptions SaveLastOptionsOf(const Context& context,
                                                      const SaveLastWords& words) {
-  tendon::recording::SaveLastOptions options{
-      .patterns = words.paths,
-      .files = {.file = words.file, .compression = words.compression},
-      .has_log = !words.has_no_log,
-      .timeout = context.settings().timeout};
-  options.last = std::chrono::duration_cast<std::chrono::nanoseconds>(
-      std::min(std::chrono::duration<double>(words.seconds),
-               std::chrono::duration<double>(tendon::kLongestWait)));
-  return options;
+  return {.patterns = words.paths,
+          .files = {.file = words.file, .compression = words.compression},
+          .last = TimeOf(words.seconds),
+          .has_log = !words.has_no_log,
+          .timeout = context.settings().timeout};
 }
 
+/// Prints one line: "robot/arm/state: 29.98 s of 30 s, 29980 rows".
 void PrintTable(Context& context, const SavedTable& table, double wanted) {
+  const auto& [rows, lost, reach, failure] = table.past;
   context.out() << Plain(table.path) << ": ";
-  if (table.failure) {
-    context.out() << "nothing: " << Plain(table.failure->message) << '\n';
+  if (failure && rows == 0) {
+    context.out() << "nothing: " << Plain(failure->message) << '\n';
     return;
   }
-  const double reach = std::min(SecondsOf(table.past.reach), wanted);
-  context.out() << Fixed(reach, 2) << " s of " << Fixed(wanted, 0) << " s, "
-                << tendon::Counted(table.past.rows, "row", "rows");
-  if (table.past.lost > 0) context.out() << ", " << table.past.lost << " lost";
+  context.out() << Fixed(std::min(SecondsOf(reach), wanted), 2) << " s of " << Fixed(wanted, 0)
+                << " s, " << tendon::Counted(rows, "row", "rows");
+  if (lost > 0) context.out() << ", " << lost << " lost";
+  if (failure) context.out() << ", then nothing more: " << Plain(failure->message);
+  context.out() << '\n';
+}
+
+void PrintEvents(Context& context, const SavedEvents& events) {
+  const auto& [count, lost, failure] = events.past;
+  context.out() << Plain(events.path) << ": " << tendon::Counted(count, "event", "events");
+  if (lost > 0) context.out() << ", " << lost << " lost";
+  if (failure) context.out() << ", then nothing more: " << Plain(failure->message);
   context.out() << '\n';
 }
 
 void PrintReport(Context& context, const SaveLastReport& report, double wanted) {
   for (const SavedTable& table : report.tables) PrintTable(context, table, wanted);
-  context.err() << "gcm: " << tendon::Counted(report.counts.rows, "row", "rows") << " and "
+  for (const SavedEvents& events : report.events) {
+    if (!IsToldByProcess(events, report)) PrintEvents(context, events);
+  }
+  context.err() << "gcm: " << tendon::Counted(report.counts.rows, "row", "rows") << ", "
+                << tendon::Counted(report.counts.events, "event", "events") << " and "
                 << tendon::Counted(report.counts.log, "log line", "log lines") << ", "
                 << SizeText(report.counts.bytes) << " in " << Plain(report.file.string()) << '\n';
-  if (report.event_interfaces > 0) {
-    context.err() << "gcm: the file has no events, because no program keeps past events\n";
+  for (const auto& process : report.processes) {
+    const std::string reach = ReachText(process, TimeOf(wanted));
+    if (reach.empty()) continue;
+    context.err() << "gcm: " << Plain(process.process) << " reached back " << Plain(reach) << '\n';
   }
 }
 
+/// Adds the losses and the failure of a reading.
+template <typename Past>
+ordered_json WithFlaws(ordered_json json, const Past& past) {
+  json["lost"] = past.lost;
+  if (past.failure) json["error"] = past.failure->message;
+  return json;
+}
+
 void PrintJsonReport(Context& context, const SaveLastReport& report, double wanted) {
+  ordered_json processes = ordered_json::array();
+  for (const auto& process : report.processes) {
+    ordered_json one = {{"process", process.process}};
+    if (process.history) one["history"] = ToJson(*process.history);
+    const std::string reach = ReachText(process, TimeOf(wanted));
+    if (!reach.empty()) one["reached_back"] = reach;
+    processes.push_back(std::move(one));
+  }
   ordered_json tables = ordered_json::array();
-  for (const SavedTable& table : report.tables) {
-    ordered_json one = {{"path", table.path},
-                        {"seconds", std::min(SecondsOf(table.past.reach), wanted)},
-                        {"rows", table.past.rows},
-                        {"lost", table.past.lost}};
-    if (table.failure) one["error"] = table.failure->message;
-    tables.push_back(std::move(one));
+  for (const auto& [path, past] : report.tables) {
+    tables.push_back(WithFlaws(
+        {{"path", path}, {"seconds", std::min(SecondsOf(past.reach), wanted)}, {"rows", past.rows}},
+        past));
+  }
+  ordered_json events = ordered_json::array();
+  for (const auto& [path, past] : report.events) {
+    events.push_back(WithFlaws({{"path", path}, {"events", past.events}}, past));
   }
   context.PrintJson({{"file", report.file.string()},
                      {"seconds", wanted},
+                     {"processes", std::move(processes)},
                      {"tables", std::move(tables)},
+                     {"events", std::move(events)},
                      {"rows", report.counts.rows},
+                     {"event_count", report.counts.events},
                      {"log_records", report.counts.log},
                      {"bytes", report.counts.bytes}});
 }
@@ -99,8 +135,12 @@ Result<ExitCode> SaveLastSeconds(Context& context, const SaveLastWords& words) {
   if (!report) return report.error();
   context.settings().json ? PrintJsonReport(context, *report, words.seconds)
                           : PrintReport(context, *report, words.seconds);
-  const bool is_whole = std::ranges::none_of(
-      report->tables, [](const SavedTable& table) { return table.failure.has_value(); });
+  const bool is_whole =
+      std::ranges::none_of(report->tables,
+                           [](const SavedTable& one) { return one.past.failure.has_value(); }) &&
+      std::ranges::none_of(report->events, [&](const SavedEvents& one) {
+        return one.past.failure && !IsToldByProcess(one, *report);
+      });
   return is_whole ? program::kOk : program::kPartial;
 }
 
@@ -126,10 +166,11 @@ Verb::Run PrepareSaveLast(CLI::App& app) {
 }  // namespace
 
 std::vector<Verb> PastVerbs() {
-  return {{"save-last",
-           "save the past rows and log records that the system still keeps into an MCAP file",
-           &PrepareSaveLast,
-           {"gcm save-last 30s 'robot/**' -o last.mcap"}}};
+  return {
+      {"save-last",
+       "save the last seconds of rows, events and log, which the processes keep, into an MCAP file",
+       &PrepareSaveLast,
+       {"gcm save-last 30s 'robot/**' -o last.mcap"}}};
 }
 
 }  // namespace console

@@ -63,6 +63,9 @@ void AddProcess(Context& context, const tendon::ProcessDescription& process, Tab
   table.Add({"cpu", tendon::CpuText(health)});
   table.Add({"memory", tendon::MemoryText(health)});
   table.Add({"clock", tendon::ClockText(health)});
+  if (const auto history = AskHistory(context, process.name)) {
+    table.Add({"history", tendon::HistoryText(*history)});
+  }
   for (const tendon::PluginDescription& plugin : process.plugins) AddPlugin(plugin, table);
 }
 

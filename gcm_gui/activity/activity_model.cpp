@@ -34,6 +34,8 @@ QString VerbText(const Action& action) {
       return QStringLiteral("apply");
     case Action::Verb::kRecord:
       return QStringLiteral("record");
+    case Action::Verb::kSaveLast:
+      return QStringLiteral("save-last");
   }
   return {};
 }
@@ -81,7 +83,8 @@ const Action& ActivityModel::action(int row) const {
 }
 
 QString ActivityModel::object(const Action& action) const {
-  if (action.verb == Action::Verb::kApply || action.verb == Action::Verb::kRecord) {
+  if (action.verb == Action::Verb::kApply || action.verb == Action::Verb::kRecord ||
+      action.verb == Action::Verb::kSaveLast) {
     return action.argument;
   }
   if (!action.process.empty()) {
@@ -158,7 +161,9 @@ QString ActivityModel::command(int row) const {
       return action.file.isEmpty() ? QString()
                                    : QStringLiteral("gcm apply ") + ShellWord(action.file);
     case Action::Verb::kRecord:
-      return QStringLiteral("gcm record %1 -o %2").arg(action.argument, ShellWord(action.file));
+    case Action::Verb::kSaveLast:
+      return QStringLiteral("gcm %1 %2 -o %3")
+          .arg(VerbText(action), action.argument, ShellWord(action.file));
     case Action::Verb::kForget:
       break;
   }

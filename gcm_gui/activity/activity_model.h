@@ -24,7 +24,8 @@ struct Action {
     kCall,
     kLogLevel,
     kApply,
-    kRecord
+    kRecord,
+    kSaveLast
   };
   enum class Outcome { kRunning, kDone, kRefused };
 
@@ -36,9 +37,10 @@ struct Action {
   std::string component;  ///< the path; for lifecycle, and for undo if known
   QString command;        ///< the path; for call
   /// For call: JSON. For a log level: the name of the level. For apply: the name of the target
-  /// system. For record: the paths as in a shell.
+  /// system. For record: the paths as in a shell; for a saved past, with the time before them.
   QString argument;
-  QString file;  ///< for apply: the system file, empty if not saved; for record: its file
+  /// For apply: the system file, empty if not saved; for record and a saved past: its file.
+  QString file;
 
   Outcome outcome = Outcome::kRunning;
   QString refusal;        ///< the reason of a refusal

@@ -40,6 +40,8 @@ void HealthFigures::show(const std::string& process, const std::string& componen
   component_ = component;
   ++shown_;
   interfaces_.clear();
+  history_.reset();
+  has_history_ = true;
   if (process_.empty()) return timer_.stop();
   timer_.start();
   ask();
@@ -49,12 +51,19 @@ QList<Property> HealthFigures::processFacts() const {
   const ProcessEntry* entry = store_.catalogue().FindProcess(process_);
   const auto* health = entry == nullptr ? nullptr : FindHealth(health_, entry->process);
   if (health == nullptr) return {};
-  return {{Words::tr("Processor"), ToQString(CpuText(health)),
-           Words::tr("Share of one core in the last second")},
-          {Words::tr("Memory"), ToQString(MemoryText(health)), Words::tr("Resident")},
-          {Words::tr("Clock"), ToQString(tendon::ClockText(health)),
-           Words::tr("Difference from the clock of the GCM, with its uncertainty; above 0 if the "
-                     "clock of the process is ahead")}};
+  QList<Property> facts{
+      {Words::tr("Processor"), ToQString(CpuText(health)),
+       Words::tr("Share of one core in the last second")},
+      {Words::tr("Memory"), ToQString(MemoryText(health)), Words::tr("Resident")},
+      {Words::tr("Clock"), ToQString(tendon::ClockText(health)),
+       Words::tr("Difference from the clock of the GCM, with its uncertainty; above 0 if the "
+                 "clock of the process is ahead")}};
+  if (history_) {
+    facts.append({Words::tr("History"), ToQString(HistoryText(*history_)),
+                  Words::tr("Rows, events and log of the last seconds, which can be saved at any "
+                            "time: Record, Save the last 30 s")});
+  }
+  return facts;
 }
 
 void HealthFigures::ask() {
@@ -65,8 +74,23 @@ void HealthFigures::ask() {
     self->health_ = *health;
     Q_EMIT self->changed();
   });
+  if (has_history_) askHistory();
   const auto component = entry->components.find(component_);
   if (component != entry->components.end()) askConnections(component->second);
+}
+
+/// A process that refuses the request is not asked again, because it reports each refusal.
+void HealthFigures::askHistory() {
+  reports_.askHistory(process_, [self = QPointer(this), shown = shown_](
+                                    const Result<message::ProcessHistoryState>& history) {
+    if (self == nullptr || self->shown_ != shown) return;
+    if (!history) {
+      self->has_history_ = history.error().code != ErrorCode::kDenied;
+      return;
+    }
+    self->history_ = *history;
+    Q_EMIT self->changed();
+  });
 }
 
 void HealthFigures::askConnections(const ComponentDescription& component) {

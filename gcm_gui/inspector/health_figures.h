@@ -8,6 +8,7 @@
 #include <QObject>
 #include <QString>
 #include <QTimer>
+#include <optional>
 #include <string>
 
 namespace tendon::gui {
@@ -32,7 +33,7 @@ class HealthFigures : public QObject {
   /// polled; if `process` is empty, nothing.
   void show(const std::string& process, const std::string& component);
 
-  /// Facts about the processor, the memory and the clock.
+  /// Facts about the processor, the memory, the clock and the history.
   [[nodiscard]] QList<Property> processFacts() const;
   /// The health of the component's interfaces, by path of the interface.
   [[nodiscard]] const QHash<QString, InterfaceHealth>& interfaces() const { return interfaces_; }
@@ -42,6 +43,7 @@ class HealthFigures : public QObject {
 
  private:
   void ask();
+  void askHistory();
   void askConnections(const ComponentDescription& component);
   void onCounts(const InterfaceName& required, const Result<ConnectionCounts>& counts);
   void onFill(const Result<MailboxFill>& fill);
@@ -53,6 +55,8 @@ class HealthFigures : public QObject {
   std::string component_;
   std::uint64_t shown_ = 0;  // number of the shown component; earlier answers are ignored
   message::SystemHealth health_;
+  std::optional<message::ProcessHistoryState> history_;
+  bool has_history_ = true;  // false if the version of the process keeps none
   QHash<QString, InterfaceHealth> interfaces_;
 };
 

@@ -3337,6 +3337,26 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>Aufzeichnung &amp;starten</translation>
     </message>
     <message>
+        <source>Save the &amp;last 30 s</source>
+        <translation>Die &amp;letzten 30 s speichern</translation>
+    </message>
+    <message>
+        <source>Nothing is saved</source>
+        <translation>Nichts ist gespeichert</translation>
+    </message>
+    <message>
+        <source>Saved the last %1 s: %2 rows, %3 events (%4)</source>
+        <translation>Die letzten %1 s gespeichert: %2 Zeilen, %3 Ereignisse (%4)</translation>
+    </message>
+    <message>
+        <source>Rows, events and log of the last seconds, which can be saved at any time: Record, Save the last 30 s</source>
+        <translation>Zeilen, Ereignisse und Protokoll der letzten Sekunden, die jederzeit gespeichert werden können: Aufzeichnung, Die letzten 30 s speichern</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
         <source>&amp;Folder for recordings…</source>
         <translation>&amp;Ordner für Aufzeichnungen…</translation>
     </message>

@@ -3337,6 +3337,26 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>&amp;Démarrer l’enregistrement</translation>
     </message>
     <message>
+        <source>Save the &amp;last 30 s</source>
+        <translation>Enregistrer les 30 &amp;dernières s</translation>
+    </message>
+    <message>
+        <source>Nothing is saved</source>
+        <translation>Rien n’est enregistré</translation>
+    </message>
+    <message>
+        <source>Saved the last %1 s: %2 rows, %3 events (%4)</source>
+        <translation>Les %1 dernières s sont enregistrées : %2 lignes, %3 événements (%4)</translation>
+    </message>
+    <message>
+        <source>Rows, events and log of the last seconds, which can be saved at any time: Record, Save the last 30 s</source>
+        <translation>Lignes, événements et journal des dernières secondes, que l’on peut enregistrer à tout moment : Enregistrement, Enregistrer les 30 dernières s</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historique</translation>
+    </message>
+    <message>
         <source>&amp;Folder for recordings…</source>
         <translation>Dossier des enre&amp;gistrements…</translation>
     </message>

@@ -11,10 +11,13 @@
 #include <QJsonObject>
 #include <QStandardPaths>
 #include <array>
+#include <chrono>
 #include <utility>
 
 namespace tendon::gui {
 namespace {
+
+constexpr std::chrono::seconds kSavedPast{30};
 
 /// In the order of RecordingScope.
 constexpr std::array kScopeNames = {"plotted", "selected", "everything"};
@@ -124,8 +127,13 @@ void RecordingController::toggle() {
   stop();
 }
 
-void RecordingController::start() {
+void RecordingController::start() { begin(std::chrono::seconds(0)); }
+
+void RecordingController::saveLast() { begin(kSavedPast); }
+
+void RecordingController::begin(std::chrono::seconds past) {
   if (state_ != State::kIdle) return;
+  past_ = past;
   patterns_ = chosenPatterns();
   if (patterns_.isEmpty()) {
     return setReport({.kind = RecordingReport::Kind::kNothingChosen,
@@ -146,7 +154,7 @@ void RecordingController::start() {
   const QString name = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd_HH-mm-ss"));
   file_ = folder_ + '/' + name + QStringLiteral(".mcap");
   state_ = State::kStarting;
-  RecordingRequest request{.patterns = {}, .folder = folder_, .name = name};
+  RecordingRequest request{.patterns = {}, .folder = folder_, .name = name, .past = past};
   for (const QString& pattern : patterns_) request.patterns.push_back(pattern.toStdString());
   runner_.start(request);
   Q_EMIT changed();
@@ -171,8 +179,10 @@ void RecordingController::setReport(RecordingReport report) {
 
 Action RecordingController::actionFor(const QString& file) const {
   Action action;
-  action.verb = Action::Verb::kRecord;
+  const bool is_past = past_.count() > 0;
+  action.verb = is_past ? Action::Verb::kSaveLast : Action::Verb::kRecord;
   action.argument = ShellWords(patterns_);
+  if (is_past) action.argument.prepend(QStringLiteral("%1s ").arg(past_.count()));
   action.file = file;
   return action;
 }
@@ -189,7 +199,8 @@ void RecordingController::onRefused(const QString& sentence) {
   if (sentence.isEmpty()) return Q_EMIT changed();
   activity_.finish(activity_.begin(actionFor(file_)), 0.0, sentence);
   setReport({.kind = RecordingReport::Kind::kFailed,
-             .title = Words::tr("Nothing is recorded"),
+             .title = past_.count() > 0 ? Words::tr("Nothing is saved")
+                                        : Words::tr("Nothing is recorded"),
              .detail = sentence,
              .file = {}});
 }
@@ -215,6 +226,7 @@ void RecordingController::onEnded(const RecordingProgress& progress, const QStri
                       .detail = failure,
                       .file = file_});
   }
+  if (past_.count() > 0) return reportPast();
   const auto& counts = progress.status.counts;
   const std::uint64_t lost = progress.status.losses.all();
   setReport({.kind = RecordingReport::Kind::kDone,
@@ -225,6 +237,20 @@ void RecordingController::onEnded(const RecordingProgress& progress, const QStri
              .detail = file_,
              .file = file_,
              .has_losses = lost > 0});
+}
+
+void RecordingController::reportPast() {
+  const auto& counts = progress_.status.counts;
+  const bool is_whole = progress_.shortfalls.isEmpty();
+  setReport({.kind = RecordingReport::Kind::kDone,
+             .title = Words::tr("Saved the last %1 s: %2 rows, %3 events (%4)")
+                          .arg(past_.count())
+                          .arg(counts.rows)
+                          .arg(counts.events)
+                          .arg(BytesText(counts.bytes)),
+             .detail = is_whole ? file_ : progress_.shortfalls.join(QStringLiteral("; ")),
+             .file = file_,
+             .has_losses = !is_whole});
 }
 
 }  // namespace tendon::gui

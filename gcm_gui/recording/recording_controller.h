@@ -7,6 +7,7 @@
 #include <QObject>
 #include <QString>
 #include <QStringList>
+#include <chrono>
 #include <functional>
 #include <optional>
 #include <string>
@@ -73,6 +74,9 @@ class RecordingController : public QObject {
   void toggle();
   void start();
   void stop();
+  /// Saves what the processes have kept of the last 30 s, as a recording that ends by itself. Does
+  /// nothing while there is a recording.
+  void saveLast();
 
  Q_SIGNALS:
   /// Anything above has changed.
@@ -84,7 +88,9 @@ class RecordingController : public QObject {
   [[nodiscard]] QStringList chosenPatterns() const;
   [[nodiscard]] QString chosenSubject() const;
   [[nodiscard]] Action actionFor(const QString& file) const;
+  void begin(std::chrono::seconds past);
   void setReport(RecordingReport report);
+  void reportPast();
   void onBegun(const QString& file);
   void onRefused(const QString& sentence);
   void onProgressed(const RecordingProgress& progress);
@@ -99,7 +105,8 @@ class RecordingController : public QObject {
   State state_ = State::kIdle;
   QString subject_;
   QStringList patterns_;
-  QString file_;  // before begun(): the wanted one
+  std::chrono::seconds past_{0};  // 0 for a recording
+  QString file_;                  // before begun(): the wanted one
   RecordingProgress progress_;
   QStringList interruptions_;
   ActivityModel::Id action_ = 0;

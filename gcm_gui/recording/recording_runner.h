@@ -4,6 +4,8 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,8 @@ struct RecordingRequest {
   std::vector<std::string> patterns;  ///< as for `gcm record`
   QString folder;                     ///< created if missing
   QString name;  ///< of the file, without suffix; gets a number if there is such a file
+  /// If above 0, nothing is recorded; the last seconds that the processes have kept are saved.
+  std::chrono::seconds past{0};
 };
 
 /// The state of a running recording.
@@ -21,6 +25,8 @@ struct RecordingProgress {
   recording::RecorderStatus status;
   double seconds = 0.0;  ///< since its begin
   double rate = 0.0;     ///< of the file over the last seconds, bytes per second
+  /// The reasons why a saved past is not complete: a sentence for each process or table.
+  QStringList shortfalls{};
 };
 
 /// Records the running system, one recording at a time. GUI thread; no function waits.

@@ -2,6 +2,7 @@
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/recording/recording_worker.h>
+#include <tendon/recording/save_last.h>
 
 #include <algorithm>
 #include <condition_variable>
@@ -106,6 +107,7 @@ class RecordingWorker::Run {
       return ToQString(watching.error().message);
     }
     if (waitForStop(0ms)) return {};
+    if (request_.past.count() > 0) return savePast(client, queue);
     auto recorder = makeRecorder(client, queue);
     if (!recorder) return ToQString(recorder.error().message);
     begin(ToQString((*recorder)->status().file.string()));
@@ -123,6 +125,37 @@ class RecordingWorker::Run {
 
   Result<std::unique_ptr<recording::Recorder>> makeRecorder(
       GcmClient& client, const std::shared_ptr<recording::RecordingQueue>& queue) {
+    recording::RecorderOptions options{.patterns = request_.patterns, .timeout = options_.timeout};
+    return withFreeName<std::unique_ptr<recording::Recorder>>(
+        [&](const std::filesystem::path& file) {
+          options.files.file = file;
+          return recording::Recorder::Start(client, queue, options);
+        });
+  }
+
+  QString savePast(GcmClient& client, const std::shared_ptr<recording::RecordingQueue>& queue) {
+    recording::GcmSystem system(client, options_.timeout);
+    const auto saved =
+        withFreeName<recording::SaveLastReport>([&](const std::filesystem::path& file) {
+          return recording::SaveLast(system, queue,
+                                     {.patterns = request_.patterns,
+                                      .files = {.file = file},
+                                      .last = request_.past,
+                                      .timeout = options_.timeout});
+        });
+    if (!saved) return ToQString(saved.error().message);
+    begin(ToQString(saved->file.string()));
+    last_.status.counts = saved->counts;
+    last_.status.losses = saved->losses;
+    for (const std::string& one : recording::ShortfallsOf(*saved, request_.past)) {
+      last_.shortfalls << ToQString(one);
+    }
+    return {};
+  }
+
+  /// Calls `make(file)` with the next name until there is no file of this name.
+  template <typename T, typename Make>
+  Result<T> withFreeName(Make make) {
     const std::filesystem::path folder = request_.folder.toStdString();
     std::error_code failed;
     std::filesystem::create_directories(folder, failed);
@@ -131,13 +164,11 @@ class RecordingWorker::Run {
                                            .arg(request_.folder, ToQString(failed.message()))
                                            .toStdString()};
     }
-    recording::RecorderOptions options{.patterns = request_.patterns, .timeout = options_.timeout};
     for (int number = 1;; ++number) {
       const std::string ending = number == 1 ? "" : "-" + std::to_string(number);
-      options.files.file = folder / (request_.name.toStdString() + ending + ".mcap");
-      auto recorder = recording::Recorder::Start(client, queue, options);
-      const bool is_taken = !recorder && recorder.error().code == ErrorCode::kExists;
-      if (!is_taken || number == kMostNames) return recorder;
+      Result<T> made = make(folder / (request_.name.toStdString() + ending + ".mcap"));
+      const bool is_taken = !made && made.error().code == ErrorCode::kExists;
+      if (!is_taken || number == kMostNames) return made;
     }
   }
 

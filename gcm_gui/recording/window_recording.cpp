@@ -40,11 +40,16 @@ WindowRecording::WindowRecording(RecordingRunner& runner, ActivityModel& activit
 void WindowRecording::addCommands(Commands& commands) {
   toggle_ = &commands.add(Commands::Menu::kRecord, Words::tr("&Start recording"),
                           QKeySequence(Qt::CTRL | Qt::Key_R), [this] { controller_.toggle(); });
+  save_last_ = &commands.add(Commands::Menu::kRecord, Words::tr("Save the &last 30 s"),
+                             QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_R),
+                             [this] { controller_.saveLast(); });
   commands.menu(Commands::Menu::kRecord).addSeparator();
   addScopes(commands);
   commands.menu(Commands::Menu::kRecord).addSeparator();
   QAction& folder = commands.add(Commands::Menu::kRecord, Words::tr("&Folder for recordings…"), {},
                                  [this] { askForFolder(); });
+  menu_->addAction(save_last_);
+  menu_->addSeparator();
   menu_->addActions(scopes_);
   menu_->addSeparator();
   menu_->addAction(&folder);
@@ -77,6 +82,7 @@ void WindowRecording::refresh() {
   const bool is_idle = controller_.state() == RecordingController::State::kIdle;
   toggle_->setText(is_idle ? Words::tr("&Start recording") : Words::tr("&Stop recording"));
   scopes_[static_cast<qsizetype>(controller_.scope())]->setChecked(true);
+  save_last_->setEnabled(is_idle);
   for (QAction* scope : scopes_) scope->setEnabled(is_idle);
 }
 

@@ -49,6 +49,7 @@ class WindowRecording : public QObject {
   RecordButton* button_;
   RecordingStrip* strip_;
   QAction* toggle_ = nullptr;
+  QAction* save_last_ = nullptr;
   QList<QAction*> scopes_;  // in the order of RecordingScope
 };
 

@@ -106,6 +106,11 @@ void ReplayReports::askFill(const std::string& /*process*/, const std::string& /
   refuse(std::move(handler));
 }
 
+void ReplayReports::askHistory(const std::string& /*process*/,
+                               Handler<message::ProcessHistoryState> handler) {
+  refuse(std::move(handler));
+}
+
 void ReplayReports::askChildren(Handler<message::Children> handler) { refuse(std::move(handler)); }
 
 void ReplayReports::askClasses(const std::string& /*process*/, Handler<message::Classes> handler) {

@@ -76,6 +76,8 @@ class ReplayReports final : public SystemReports {
   void askCounts(const InterfaceName& required, Handler<ConnectionCounts> handler) override;
   void askFill(const std::string& process, const std::string& component,
                Handler<MailboxFill> handler) override;
+  void askHistory(const std::string& process,
+                  Handler<message::ProcessHistoryState> handler) override;
   void askChildren(Handler<message::Children> handler) override;
   void askClasses(const std::string& process, Handler<message::Classes> handler) override;
 

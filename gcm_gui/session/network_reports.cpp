@@ -168,6 +168,13 @@ void NetworkReports::askFill(const std::string& process, const std::string& comp
   });
 }
 
+void NetworkReports::askHistory(const std::string& process,
+                                Handler<message::ProcessHistoryState> handler) {
+  client_.GetProcessHistory(process, [poster = poster_, handler](const auto& history) {
+    poster->post([handler, history] { handler(history); });
+  });
+}
+
 void NetworkReports::askChildren(Handler<message::Children> handler) {
   client_.GetChildren([poster = poster_, handler](const auto& children) {
     poster->post([handler, children] { handler(children); });

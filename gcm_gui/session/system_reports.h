@@ -49,6 +49,9 @@ class SystemReports : public QObject {
   /// Requests the fill levels of the mailboxes of a component.
   virtual void askFill(const std::string& process, const std::string& component,
                        Handler<MailboxFill> handler) = 0;
+  /// Requests how much a process keeps of its past.
+  virtual void askHistory(const std::string& process,
+                          Handler<message::ProcessHistoryState> handler) = 0;
   /// Requests the list of processes that the GCM has started. The errors are those of
   /// GcmClient::GetChildren().
   virtual void askChildren(Handler<message::Children> handler) = 0;

@@ -41,7 +41,8 @@ void NoticeLine::showNotice(const QString& text) {
 }
 
 void NoticeLine::onActionFinished(const Action& finished) {
-  if (finished.verb == Action::Verb::kRecord) return;  // the recording has its own line
+  if (finished.verb == Action::Verb::kRecord || finished.verb == Action::Verb::kSaveLast)
+    return;  // the recording has its own line
   if (finished.outcome == Action::Outcome::kRefused) return showNotice(finished.refusal);
   const QString time = DurationText(finished.seconds);
   switch (finished.verb) {
@@ -68,6 +69,7 @@ void NoticeLine::onActionFinished(const Action& finished) {
           Words::tr("%1 logs %2 and above").arg(ToQString(finished.process), finished.argument));
     case Action::Verb::kApply:
     case Action::Verb::kRecord:
+    case Action::Verb::kSaveLast:
       return;  // the plan has its own page
   }
 }

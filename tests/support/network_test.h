@@ -5,6 +5,7 @@
 #include <tendon/process/process.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <string>
 
@@ -29,8 +30,10 @@ class NetworkTest : public testing::TestWithParam<NetworkKind> {
   void KillGcm() { gcm_.reset(); }
   tendon::GlobalManager& gcm() { return *gcm_; }
 
+  /// With a history that is soon full, so that tests can judge how the memory grows.
   [[nodiscard]] tendon::ProcessOptions Options() const {
-    return {.middleware = join_(), .gcm = gcm_address_};
+    return {
+        .middleware = join_(), .gcm = gcm_address_, .history = {.memory = std::size_t{2} << 20U}};
   }
   /// Starts a process and waits until it has joined.
   [[nodiscard]] std::unique_ptr<tendon::Process> Start(const std::string& name) const {

@@ -438,6 +438,22 @@ void GcmClient::GetFill(const std::string& process, const std::string& component
       });
 }
 
+void GcmClient::GetProcessHistory(
+    const std::string& process, std::function<void(Result<message::ProcessHistoryState>)> handler) {
+  implementation_->timer().Post(
+      [this, process, done = implementation_->GuardedOfProcess(std::move(handler))] {
+        implementation_->requests().GetProcessHistory(process, done);
+      });
+}
+
+void GcmClient::ReadLog(const std::string& process, const message::ReadLog& wanted,
+                        std::function<void(Result<message::ReadLogReply>)> handler) {
+  implementation_->timer().Post(
+      [this, process, wanted, done = implementation_->GuardedOfProcess(std::move(handler))] {
+        implementation_->requests().ReadLog(process, wanted, done);
+      });
+}
+
 void GcmClient::Forget(const std::string& process, DoneHandler handler) {
   implementation_->link().Request<None>(message::kForget, message::Forget{process},
                                         [done = implementation_->Guarded(std::move(handler))](
@@ -468,6 +484,12 @@ void GcmClient::Call(const std::string& path, const std::string& argument, TextH
         if (!command) return done(command.error());
         implementation_->requests().Call(*parsed, *command, argument, done);
       });
+}
+
+void GcmClient::ReadPastEvents(const EventSubscription& events, std::chrono::nanoseconds last,
+                               std::shared_ptr<EventSink> sink,
+                               std::function<void(const PastEvents&)> done) {
+  implementation_->events().ReadPast(events, last, std::move(sink), std::move(done));
 }
 
 GcmClient::ListenerId GcmClient::Listen(const EventSubscription& events,

@@ -4,6 +4,7 @@
 #include <tendon/gcm/event_sink.h>
 #include <tendon/gcm/gcm_messages.h>
 #include <tendon/middleware/middleware.h>
+#include <tendon/process/history/history_messages.h>
 #include <tendon/process/telemetry_client.h>
 #include <tendon/process/version_messages.h>
 #include <tendon/security/role.h>
@@ -160,6 +161,14 @@ class GcmClient {
   /// Gets the fill levels of a component's mailboxes.
   void GetFill(const std::string& process, const std::string& component,
                std::function<void(Result<MailboxFill>)> handler);
+  /// Gets how much a process keeps of its past. Fails with kDenied if the process has a version
+  /// that keeps no history.
+  void GetProcessHistory(const std::string& process,
+                         std::function<void(Result<message::ProcessHistoryState>)> handler);
+  /// Reads a page of the log that a process has kept itself. Fails with kDenied if the process has
+  /// a version that keeps no history, and with kFailed if its history is off.
+  void ReadLog(const std::string& process, const message::ReadLog& wanted,
+               std::function<void(Result<message::ReadLogReply>)> handler);
   /// Removes from the catalogue a process that is lost or has left.
   void Forget(const std::string& process, DoneHandler handler);
 
@@ -174,6 +183,14 @@ class GcmClient {
   /// Calls a command of a process by its path: a read, qualified read, void or write command.
   /// `argument` and the answer are JSON, or empty if the command has none.
   void Call(const std::string& path, const std::string& argument, TextHandler handler);
+
+  /// Reads the events that a process has kept and that are not older than `last`, oldest first. The
+  /// sink gets OnListening(), then OnEvent(). Then `done` is called once, in a thread of the
+  /// middleware or of the client. If the client ends first, `done` is not called. A process with a
+  /// version that keeps no history refuses the request with kDenied. No process keeps past calls of
+  /// commands.
+  void ReadPastEvents(const EventSubscription& events, std::chrono::nanoseconds last,
+                      std::shared_ptr<EventSink> sink, std::function<void(const PastEvents&)> done);
 
   using ListenerId = std::uint64_t;
   /// Subscribes to events of a process. The sink receives each event when it is raised, until

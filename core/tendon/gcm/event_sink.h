@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,6 +36,15 @@ struct EventSubscription {
     return ToString(provided) + "." + name(index);
   }
   bool operator==(const EventSubscription&) const = default;
+};
+
+/// The result of ReadPastEvents().
+struct PastEvents {
+  std::uint64_t events = 0;  ///< events that were read
+  /// Events between the read events that were not kept. Events of the interface that were not
+  /// wanted are also counted.
+  std::uint64_t lost = 0;
+  std::optional<Error> failure;  ///< the reason why not all events could be read
 };
 
 /// The time when an event was raised.

@@ -30,6 +30,10 @@ std::string OneDigit(double value) {
   return {text.data(), end};
 }
 
+std::string ReachSeconds(std::chrono::nanoseconds time) {
+  return OneDigit(std::chrono::duration<double>(time).count()) + " s";
+}
+
 using OrderedJson = nlohmann::ordered_json;
 
 OrderedJson ObjectOf(const std::string& configuration) {
@@ -94,6 +98,30 @@ std::string MemoryText(const message::ProcessHealth* health) {
   constexpr double kMiB = 1024.0 * 1024.0;
   if (health == nullptr || health->memory == 0) return kUnknown;
   return OneDigit(static_cast<double>(health->memory) / kMiB) + " MiB";
+}
+
+std::string HistoryText(const message::ProcessHistoryState& history) {
+  constexpr double kMiB = 1024.0 * 1024.0;
+  if (history.limit == 0) return "off";
+  const auto missed = [](std::uint64_t count, const char* one, const char* many) {
+    return count == 0 ? std::string() : ", " + Counted(count, one, many) + " missed";
+  };
+  return OneDigit(static_cast<double>(history.memory) / kMiB) + " of " +
+         OneDigit(static_cast<double>(history.limit) / kMiB) + " MiB, the last " +
+         ReachSeconds(history.reach) + missed(history.missed_rows, "row", "rows") +
+         missed(history.missed_events, "event", "events");
+}
+
+std::string HistoryReachText(const message::ProcessHistoryState& history,
+                             std::chrono::nanoseconds wanted) {
+  if (history.limit == 0) {
+    return "only what its state tables held: its history is off (--history-memory)";
+  }
+  if (history.reach >= wanted) return {};
+  const std::string reach = ReachSeconds(history.reach) + ": ";
+  if (history.reach >= history.age) return reach + "it has run no longer";
+  if (history.reach >= history.span) return reach + "it keeps no more than that";
+  return reach + "its history is full (" + HistoryText(history) + "; see --history-memory)";
 }
 
 std::string MillisecondsText(std::chrono::nanoseconds time) {

@@ -4,6 +4,7 @@
 #include <tendon/gcm/gcm_messages.h>
 #include <tendon/manager/component_description.h>
 #include <tendon/middleware/frame.h>
+#include <tendon/process/history/history_messages.h>
 #include <tendon/process/version_messages.h>
 
 #include <chrono>
@@ -86,6 +87,14 @@ struct OutdatedPlugin {
 /// Returns the process that executed the step and would undo it. If the step started a process,
 /// returns this process.
 [[nodiscard]] const std::string& ProcessOf(const message::HistoryEntry& step);
+
+/// Returns how much a process keeps of its past: "12.3 of 32.0 MiB, the last 30.0 s", or "off".
+/// Also says how many rows and events it has missed, if any.
+[[nodiscard]] std::string HistoryText(const message::ProcessHistoryState& history);
+/// Returns how far back the past of a process reaches and why not further, for example "12.3 s: it
+/// has run no longer". Returns an empty string if it reaches back as far as `wanted`.
+[[nodiscard]] std::string HistoryReachText(const message::ProcessHistoryState& history,
+                                           std::chrono::nanoseconds wanted);
 
 /// Returns a version as text: "version 0.4.0, protocol 10".
 [[nodiscard]] std::string VersionText(const message::ProgramVersion& version);

@@ -183,9 +183,11 @@ Result<void> LocalManager::TryTakeOut(const std::shared_ptr<Component>& componen
 void LocalManager::Attach(Component& component) {
   component.SetStateObserver([this] { NotifyChanged(); });
   if (const auto* task = dynamic_cast<const Task*>(&component)) watchdog_.Watch(*task);
+  OnAttached(component);
 }
 
 void LocalManager::Detach(Component& component) {
+  OnDetached(component);
   OnRemoving(component);
   DisconnectAll(component.name());
   component.SetStateObserver(nullptr);

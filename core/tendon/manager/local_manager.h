@@ -202,6 +202,11 @@ class LocalManager {
   /// Called under the lock before a component is removed. A derived class can then remove
   /// everything that depends on the component.
   virtual void OnRemoving(const Component& /*component*/) {}
+  /// OnAttached() is called after a component was added to this manager, and OnDetached() before it
+  /// is removed. At these calls, the lock is held and the component does not run. They must not
+  /// throw.
+  virtual void OnAttached(Component& /*component*/) {}
+  virtual void OnDetached(const Component& /*component*/) {}
   /// Returns true if calls of `client` are still queued at servers that can execute them.
   [[nodiscard]] virtual bool HasCallsUnderWay(const Component& client) const;
   // The steps of ~LocalManager(), for destructors of derived classes.

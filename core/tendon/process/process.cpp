@@ -3,6 +3,7 @@
 #include <tendon/process/connections/peer_session.h>
 #include <tendon/process/connections/remote_connections.h>
 #include <tendon/process/context.h>
+#include <tendon/process/history/process_history.h>
 #include <tendon/process/lifecycle/lifecycle_executor.h>
 #include <tendon/process/local_access.h>
 #include <tendon/process/membership/advertised_address.h>
@@ -51,10 +52,12 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
                  .network = network_,
                  .calls = std::make_shared<CallExecutors>(),
                  .proxies = ComponentProxies(network_)},
+        history_(name, options.history),
         services_{.context = context_,
+                  .history = history_,
                   .connections = ServedConnections(context_),
                   .calls = MemberCalls(context_),
-                  .telemetry = TelemetryServer(context_)},
+                  .telemetry = TelemetryServer(context_, history_)},
         connections_(context_),
         lifecycle_({.manager = process, .process = name, .loader = options.loader}) {}
 
@@ -108,7 +111,10 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
   [[nodiscard]] const Membership* membership() const { return membership_.get(); }
   [[nodiscard]] RemoteConnections& connections() { return connections_; }
 
+  [[nodiscard]] ProcessHistory& history() { return history_; }
+
   void ForwardLog(LogLevel level, std::string_view source, std::string_view text) {
+    history_.AddLog(level, source, text);
     if (membership_) membership_->ForwardLog(level, source, text);
   }
 
@@ -119,6 +125,7 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
   void OnChanged() {
     if (membership_) membership_->ReportSoon();
     network_->Notify();
+    history_.Wake();
   }
 
   Result<ConnectionId> Connect(const message::Wire& wire) {
@@ -301,6 +308,7 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
   Process& process_;
   const std::shared_ptr<NetworkThread> network_;
   ProcessContext context_;
+  ProcessHistory history_;
   Services services_;
   RemoteConnections connections_;
   LifecycleExecutor lifecycle_;
@@ -420,6 +428,10 @@ std::vector<ConnectionDescription> Process::connections() const {
 std::vector<ComponentProxy> Process::proxies() const { return parts_->context().proxies.all(); }
 
 std::shared_ptr<LocalAccess> Process::OpenLocalAccess() { return parts_->OpenLocalAccess(); }
+
+void Process::OnAttached(Component& component) { parts_->history().Add(component); }
+
+void Process::OnDetached(const Component& component) { parts_->history().Remove(component.name()); }
 
 void Process::OnRemoving(const Component& component) { parts_->RemoveComponent(component.name()); }
 

@@ -5,6 +5,7 @@
 #include <tendon/middleware/middleware.h>
 
 #include <chrono>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -17,6 +18,12 @@ class LocalAccess;
 struct ComponentProxy;
 
 inline constexpr std::uint16_t kDefaultGcmPort = 10705;
+
+/// What a process keeps of its past: rows of its state tables, events and log records.
+struct HistoryOptions {
+  std::size_t memory = std::size_t{32} << 20U;  ///< bytes at most; 0 keeps nothing
+  std::chrono::nanoseconds span = std::chrono::seconds(30);
+};
 
 /// The network settings of a process. Tcp() and Ice() fill in the middleware.
 struct ProcessOptions {
@@ -31,6 +38,7 @@ struct ProcessOptions {
   /// Loads plug-ins for orders from the GCM. Other code must not use it while the Process object
   /// exists. If null, orders to load plug-ins are refused.
   std::shared_ptr<ComponentLoader> loader{};
+  HistoryOptions history{};
 };
 
 /// A component manager that is connected to other processes. It joins a GCM under its name. Its
@@ -42,13 +50,16 @@ struct ProcessOptions {
 /// absent, and is made again when that process returns. A crash of the GCM does not affect
 /// connections.
 ///
+/// A process keeps the last 30 s of its rows, events and log records, in at most 32 MiB, so that
+/// they can be saved afterwards; see HistoryOptions.
+///
 /// Log records are also sent to the GCM, within the limits of LogLimiter for each source. The GCM
 /// can set the log level.
 ///
 /// Through the GCM, its components can be started, suspended and stopped. With a loader in the
 /// options, components of plug-ins can also be created and removed.
 ///
-/// Thread safety: like LocalManager. A process has five threads of its own, one more for each
+/// Thread safety: like LocalManager. A process has six threads of its own, one more for each
 /// running order, and the threads of the middleware.
 class Process final : public LocalManager {
  public:
@@ -111,6 +122,8 @@ class Process final : public LocalManager {
   class Parts;
 
   Result<ConnectionId> ConnectAnew(const InterfaceName& required, const InterfaceName& provided);
+  void OnAttached(Component& component) override;
+  void OnDetached(const Component& component) override;
   void OnRemoving(const Component& component) override;
   [[nodiscard]] bool HasCallsUnderWay(const Component& client) const override;
   [[nodiscard]] InterfaceName Full(InterfaceName name) const;

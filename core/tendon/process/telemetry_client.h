@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -88,8 +89,9 @@ struct TableSubscription {
 /// The result of ReadPast().
 struct PastRows {
   std::uint64_t rows = 0;             ///< rows that were read
-  std::uint64_t lost = 0;             ///< rows that were overwritten during the reading
+  std::uint64_t lost = 0;             ///< rows between the read rows that were not kept
   std::chrono::nanoseconds reach{0};  ///< the age of the oldest row that was read; 0 without rows
+  std::optional<Error> failure;       ///< the reason why not all rows could be read
 };
 
 /// Subscribes to state tables of any process. Rows arrive in batches of 20 to 50 ms. A subscription
@@ -106,17 +108,18 @@ class TelemetryClient {
   /// Ends a subscription. After this function has returned, the sink is not called any more. Must
   /// not be called from a sink.
   virtual void Unsubscribe(Id id) = 0;
-  /// Reads the rows of `table` that its process still has and that are not older than `last`,
-  /// oldest first. The sink gets OnSubscribed(), then OnRows(). Then `done` is called once, in a
-  /// thread of the middleware or of the client. If the client ends first, `done` is not called.
-  /// Errors are those of Subscribe(). A process with an older version of Tendon refuses the
-  /// request.
+  /// Reads the rows of `table` that its process still has, in its history and in the table, and
+  /// that are not older than `last`, oldest first. The sink gets OnSubscribed(), then OnRows().
+  /// Then `done` is called once, in a thread of the middleware or of the client. If the client ends
+  /// first, `done` is not called. If the reading fails, the sink has already got the rows before
+  /// the failure. Errors are those of Subscribe(). A process with an older version of Tendon
+  /// refuses the request.
   virtual void ReadPast(const TableSubscription& table, std::chrono::nanoseconds last,
-                        std::shared_ptr<RowSink> sink, std::function<void(Result<PastRows>)> done) {
+                        std::shared_ptr<RowSink> sink, std::function<void(const PastRows&)> done) {
     static_cast<void>(table);
     static_cast<void>(last);
     static_cast<void>(sink);
-    done(Error{ErrorCode::kFailed, "this client cannot read past rows"});
+    done({.failure = Error{ErrorCode::kFailed, "this client cannot read past rows"}});
   }
   /// Tries the subscriptions of a process again at once. Call it when the process has returned or
   /// has another address.

@@ -275,9 +275,10 @@ Result<void> CreateFiles(const Targets& targets, const std::filesystem::path& fo
     if (created) continue;
     Error error = created.error();
     if (error.message.ends_with(std::generic_category().message(EMFILE))) {
-      error.message += ". The export keeps " + std::to_string(targets.files().size()) +
-                       " files open, one for each table, event, command and topic: choose a smaller part "
-                       "with --paths, or raise the limit with ulimit -n";
+      error.message +=
+          ". The export keeps " + std::to_string(targets.files().size()) +
+          " files open, one for each table, event, command and topic: choose a smaller part "
+          "with --paths, or raise the limit with ulimit -n";
     }
     return error;
   }

@@ -121,6 +121,23 @@ GcmClient::ListenerId LocalSystem::Listen(const EventSubscription& events,
 
 void LocalSystem::StopListening(GcmClient::ListenerId id) { events_->End(id); }
 
+void LocalSystem::ReadPastEvents(const EventSubscription& events, std::chrono::nanoseconds last,
+                                 std::shared_ptr<EventSink> sink,
+                                 std::function<void(const PastEvents&)> done) {
+  events_->ReadPast(events, last, std::move(sink), std::move(done));
+}
+
+Result<message::ReadLogReply> LocalSystem::ReadLog(const std::string& process,
+                                                   const message::ReadLog& wanted) {
+  return Wait<message::ReadLogReply>(
+      timeout_, [&](auto handler) { requests_->ReadLog(process, wanted, handler); });
+}
+
+Result<message::ProcessHistoryState> LocalSystem::GetProcessHistory(const std::string& process) {
+  return Wait<message::ProcessHistoryState>(
+      timeout_, [&](auto handler) { requests_->GetProcessHistory(process, handler); });
+}
+
 Result<Schema> LocalSystem::FindSchema(const std::string& process, Fingerprint type) {
   return Wait<Schema>(timeout_,
                       [&](auto handler) { requests_->GetSchema(process, type, handler); });

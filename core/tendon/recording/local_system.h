@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -41,9 +42,15 @@ class LocalSystem final : public RecordedSystem {
   GcmClient::ListenerId Listen(const EventSubscription& events,
                                std::shared_ptr<EventSink> sink) override;
   void StopListening(GcmClient::ListenerId id) override;
+  void ReadPastEvents(const EventSubscription& events, std::chrono::nanoseconds last,
+                      std::shared_ptr<EventSink> sink,
+                      std::function<void(const PastEvents&)> done) override;
+  Result<message::ReadLogReply> ReadLog(const std::string& process,
+                                        const message::ReadLog& wanted) override;
+  Result<message::ProcessHistoryState> GetProcessHistory(const std::string& process) override;
   Result<Schema> FindSchema(const std::string& process, Fingerprint type) override;
   void Resync() override;
-  /// Only new records: the process keeps no earlier ones.
+  /// The listener gets only new records. ReadLog() returns the earlier records.
   void WatchLog() override;
 
  private:

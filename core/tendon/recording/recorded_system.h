@@ -4,9 +4,11 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace tendon::recording {
 
@@ -32,7 +34,14 @@ class RecordedSystem {
                                        std::shared_ptr<EventSink> sink) = 0;
   /// After the return, the sink is not called any more.
   virtual void StopListening(GcmClient::ListenerId id) = 0;
-  /// Waits for the answer of the process.
+  /// See GcmClient::ReadPastEvents().
+  virtual void ReadPastEvents(const EventSubscription& events, std::chrono::nanoseconds last,
+                              std::shared_ptr<EventSink> sink,
+                              std::function<void(const PastEvents&)> done) = 0;
+  // The following three functions wait for the answer of the process.
+  virtual Result<message::ReadLogReply> ReadLog(const std::string& process,
+                                                const message::ReadLog& wanted) = 0;
+  virtual Result<message::ProcessHistoryState> GetProcessHistory(const std::string& process) = 0;
   virtual Result<Schema> FindSchema(const std::string& process, Fingerprint type) = 0;
   /// The listener gets the whole catalogue again.
   virtual void Resync() = 0;
@@ -59,6 +68,20 @@ class GcmSystem final : public RecordedSystem {
     return client_.Listen(events, std::move(sink));
   }
   void StopListening(GcmClient::ListenerId id) override { client_.StopListening(id); }
+  void ReadPastEvents(const EventSubscription& events, std::chrono::nanoseconds last,
+                      std::shared_ptr<EventSink> sink,
+                      std::function<void(const PastEvents&)> done) override {
+    client_.ReadPastEvents(events, last, std::move(sink), std::move(done));
+  }
+  Result<message::ReadLogReply> ReadLog(const std::string& process,
+                                        const message::ReadLog& wanted) override {
+    return Wait<message::ReadLogReply>(
+        timeout_, [&](auto handler) { client_.ReadLog(process, wanted, handler); });
+  }
+  Result<message::ProcessHistoryState> GetProcessHistory(const std::string& process) override {
+    return Wait<message::ProcessHistoryState>(
+        timeout_, [&](auto handler) { client_.GetProcessHistory(process, handler); });
+  }
   Result<Schema> FindSchema(const std::string& process, Fingerprint type) override {
     return Wait<Schema>(timeout_, [&](auto handler) { client_.GetSchema(process, type, handler); });
   }

@@ -1,7 +1,15 @@
+#include <tendon/base/text.h>
+#include <tendon/gcm/lookup.h>
+#include <tendon/gcm/text.h>
 #include <tendon/recording/save_last.h>
 #include <tendon/recording/selection.h>
 
+#include <algorithm>
+#include <deque>
 #include <future>
+#include <iterator>
+#include <map>
+#include <set>
 #include <utility>
 
 namespace tendon::recording {
@@ -9,65 +17,217 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Writes what has arrived in the queue until a condition is true.
-class QueueWriter {
+/// Saves the past of a system into one file.
+class PastWriter {
  public:
-  QueueWriter(RecordingQueue& queue, RecordingWriter& writer) : queue_(queue), writer_(writer) {}
+  PastWriter(RecordedSystem& system, std::shared_ptr<RecordingQueue> queue, RecordingWriter& writer,
+             const SaveLastOptions& options)
+      : system_(system), queue_(std::move(queue)), writer_(writer), options_(options) {}
 
-  /// Returns false if `done` was not true within `patience`.
-  template <typename Predicate>
-  Result<bool> WriteUntil(Predicate done, std::chrono::milliseconds patience) {
-    const SteadyTime deadline = SteadyClock().Now() + patience;
-    while (true) {
-      const bool is_done = done();
-      const bool is_late = !is_done && SteadyClock().Now() >= deadline;
-      if (auto written = WriteSome(is_done || is_late ? 0ms : 10ms); !written) {
-        return written.error();
+  Result<message::ProcessHistoryState> GetHistory(const std::string& process) {
+    auto history = system_.GetProcessHistory(process);
+    if (!history && history.error().code == ErrorCode::kTimeout) Skip(process, history.error());
+    return history;
+  }
+
+  Result<SavedTable> SaveTable(const TableSubscription& table) {
+    auto past = Read<PastRows>(table.process, [&](auto done) {
+      system_.telemetry().ReadPast(table, options_.last, queue_->SinkOf(table), done);
+    });
+    if (!past) return past.error();
+    return SavedTable{ToString(InterfaceName{table.process, table.component, table.table}),
+                      *std::move(past)};
+  }
+
+  Result<SavedEvents> SaveEvents(const EventSubscription& events, const Catalogue& catalogue) {
+    auto past = Read<PastEvents>(events.provided.process, [&](auto done) {
+      system_.ReadPastEvents(events, options_.last,
+                             queue_->SinkOf(events, TypesOf(events, catalogue)), done);
+    });
+    if (!past) return past.error();
+    return SavedEvents{ToString(events.provided), *std::move(past)};
+  }
+
+  /// Reads the log that the process has kept itself. If the process does not answer, the file gets
+  /// only those of its log records that the GCM has.
+  void ReadLog(const std::string& process) {
+    if (skipped_.contains(process)) return;
+    constexpr int kMostPages = 1024;  // 128 MiB, if the process is not malicious
+    message::ReadLog wanted{.last = options_.last};
+    std::uint64_t end = 0;
+    for (int pages = 0; pages < kMostPages; ++pages) {
+      auto page = system_.ReadLog(process, wanted);
+      if (!page) return;
+      if (wanted.first == 0) {
+        end = page->end;
+        log_since_[process] = page->since;
       }
-      if ((is_done || is_late) && queue_.waiting_bytes() == 0) return is_done;
+      for (message::LogRecord& record : page->records) {
+        record.process = process;
+        log_.push_back(std::move(record));
+      }
+      if (page->next <= wanted.first || page->next >= end) return;
+      wanted.first = page->next;
     }
   }
 
+  /// Writes the log records of all processes, including those that only the GCM has, by time.
+  Result<void> SaveLog() {
+    auto has_all = WriteUntil([this] { return queue_->has_past_log(); });
+    if (!has_all) return has_all.error();
+    std::erase_if(log_of_gcm_, [this](const message::LogRecord& record) {
+      const auto since = log_since_.find(record.process);
+      return since != log_since_.end() && record.time >= since->second;
+    });
+    return WriteLog();
+  }
+
+  /// Hands everything that has arrived to the writer, which counts what the file does not get.
+  void WriteRest() {
+    while (queue_->waiting_bytes() > 0) (void)WriteSome(0ms);
+    (void)WriteLog();
+  }
+
  private:
-  /// Goes on after a failure and if the file cannot hold an entry: the writer counts the losses.
-  Result<void> WriteSome(std::chrono::nanoseconds patience) {
+  /// Nothing more is read from this process, because each reading would wait in vain.
+  void Skip(const std::string& process, const Error& reason) { skipped_.emplace(process, reason); }
+
+  /// Calls `begin(done)`, and waits for the end of this reading. If nothing arrives for
+  /// SaveLastOptions::timeout, the result contains this failure, and the process is skipped from
+  /// now on.
+  template <typename Past, typename Begin>
+  Result<Past> Read(const std::string& process, Begin begin) {
+    if (!skipped_.contains(process)) {
+      const auto promise = std::make_shared<std::promise<Past>>();
+      std::future<Past> arrival = promise->get_future();
+      begin([promise](const Past& past) { promise->set_value(past); });
+      const auto is_there =
+          WriteUntil([&] { return arrival.wait_for(0s) == std::future_status::ready; });
+      if (!is_there) return is_there.error();
+      if (*is_there) return arrival.get();
+      Skip(process, {ErrorCode::kTimeout, "process '" + process + "' sent nothing for " +
+                                              std::to_string(options_.timeout.count()) + " ms"});
+    }
+    Past none;
+    none.failure = skipped_.at(process);
+    return none;
+  }
+
+  /// Writes what has arrived until a condition is true. Returns false if nothing more arrives for
+  /// SaveLastOptions::timeout.
+  template <typename Predicate>
+  Result<bool> WriteUntil(Predicate done) {
+    SteadyTime deadline = SteadyClock().Now() + options_.timeout;
+    while (true) {
+      const bool is_done = done();
+      const bool is_late = !is_done && SteadyClock().Now() >= deadline;
+      const auto written = WriteSome(is_done || is_late ? 0ms : 10ms);
+      if (!written) return written.error();
+      if (*written > 0) deadline = SteadyClock().Now() + options_.timeout;
+      if ((is_done || is_late) && queue_->waiting_bytes() == 0) return is_done;
+    }
+  }
+
+  /// Returns the number of entries that have arrived. Goes on after a failure. Log records are not
+  /// written yet, because SaveLog() needs all of them.
+  Result<std::size_t> WriteSome(std::chrono::nanoseconds patience) {
+    const std::deque<Entry> entries = queue_->Take(patience);
     Result<void> result;
-    for (const Entry& entry : queue_.Take(patience)) {
-      auto written = writer_.Write(entry);
-      if (!written && written.error().code != ErrorCode::kInvalid) result = written;
+    for (const Entry& entry : entries) {
+      if (const auto* record = std::get_if<LogEntry>(&entry)) {
+        log_of_gcm_.push_back(record->record);
+      } else if (auto written = Write(entry); !written) {
+        result = written;
+      }
+    }
+    if (!result) return result.error();
+    return entries.size();
+  }
+
+  /// Writes the log records that have arrived, by time. Goes on after a failure.
+  Result<void> WriteLog() {
+    std::vector<message::LogRecord> records = std::exchange(log_, {});
+    std::ranges::move(std::exchange(log_of_gcm_, {}), std::back_inserter(records));
+    std::ranges::stable_sort(records, {}, &message::LogRecord::time);
+    Result<void> result;
+    for (message::LogRecord& record : records) {
+      if (auto written = Write(LogEntry{std::move(record)}); !written) result = written;
     }
     return result;
   }
 
-  RecordingQueue& queue_;
+  /// If the file cannot hold the entry, this is no failure. The writer counts it as lost.
+  Result<void> Write(const Entry& entry) {
+    auto written = writer_.Write(entry);
+    if (!written && written.error().code == ErrorCode::kInvalid) return {};
+    return written;
+  }
+
+  /// Returns the types of the events. If the process does not answer for a type, it is missing, and
+  /// its events are lost.
+  std::map<Fingerprint, Schema> TypesOf(const EventSubscription& events,
+                                        const Catalogue& catalogue) {
+    std::map<Fingerprint, Schema> types;
+    const ProvidedDescription* provided = catalogue.FindProvided(events.provided);
+    if (provided == nullptr) return types;
+    for (const MemberDescription& event : provided->events) {
+      const Fingerprint type = event.signature.in;
+      if (!TakesArgument(event.signature) || types.contains(type)) continue;
+      if (const auto schema = system_.FindSchema(events.provided.process, type)) {
+        types.emplace(type, *schema);
+      }
+    }
+    return types;
+  }
+
+  RecordedSystem& system_;
+  const std::shared_ptr<RecordingQueue> queue_;
   RecordingWriter& writer_;
+  const SaveLastOptions& options_;
+  std::vector<message::LogRecord> log_;            // records that the processes have kept
+  std::vector<message::LogRecord> log_of_gcm_;     // records that the GCM has sent
+  std::map<std::string, std::int64_t> log_since_;  // ReadLogReply::since, by process
+  std::map<std::string, Error> skipped_;           // processes that do not answer
 };
 
-Result<SavedTable> SaveTable(RecordedSystem& system, const std::shared_ptr<RecordingQueue>& queue,
-                             QueueWriter& writer, const TableSubscription& table,
-                             const SaveLastOptions& options) {
-  SavedTable saved{.path = ToString(InterfaceName{table.process, table.component, table.table}),
-                   .past = {},
-                   .failure = {}};
-  const auto answer = std::make_shared<std::promise<Result<PastRows>>>();
-  auto arrival = answer->get_future();
-  system.telemetry().ReadPast(table, options.last, queue->SinkOf(table),
-                              [answer](Result<PastRows> past) { answer->set_value(past); });
-  const auto is_there = writer.WriteUntil(
-      [&] { return arrival.wait_for(0s) == std::future_status::ready; }, options.timeout);
-  if (!is_there) return is_there.error();
-  if (!*is_there) {
-    saved.failure = Error{ErrorCode::kTimeout, "process '" + table.process + "' sent no rows in " +
-                                                   std::to_string(options.timeout.count()) + " ms"};
-    return saved;
+}  // namespace
+
+std::string ReachText(const SavedProcess& process, std::chrono::nanoseconds wanted) {
+  if (process.history) return HistoryReachText(*process.history, wanted);
+  if (process.failure.code == ErrorCode::kDenied) {
+    return "only what its state tables held: its version keeps no history yet";
   }
-  const Result<PastRows> past = arrival.get();
-  if (past) saved.past = *past;
-  if (!past) saved.failure = past.error();
-  return saved;
+  return "not known: " + process.failure.message;
 }
 
-}  // namespace
+bool IsToldByProcess(const SavedEvents& events, const SaveLastReport& report) {
+  return events.past.failure && std::ranges::any_of(report.processes, [&](const auto& process) {
+           const bool has_none = process.history ? process.history->limit == 0
+                                                 : process.failure.code == ErrorCode::kDenied;
+           return has_none && events.path.starts_with(process.process + "/");
+         });
+}
+
+std::vector<std::string> ShortfallsOf(const SaveLastReport& report,
+                                      std::chrono::nanoseconds wanted) {
+  std::vector<std::string> all;
+  for (const SavedProcess& process : report.processes) {
+    const std::string reach = ReachText(process, wanted);
+    if (!reach.empty()) all.push_back(process.process + ": " + reach);
+  }
+  for (const auto& [path, past] : report.tables) {
+    if (past.lost > 0) all.push_back(path + ": " + Counted(past.lost, "row", "rows") + " lost");
+    if (past.failure) all.push_back(path + ": " + past.failure->message);
+  }
+  for (const SavedEvents& events : report.events) {
+    const auto& [path, past] = events;
+    if (past.lost > 0) all.push_back(path + ": " + Counted(past.lost, "event", "events") + " lost");
+    if (past.failure && !IsToldByProcess(events, report)) {
+      all.push_back(path + ": " + past.failure->message);
+    }
+  }
+  return all;
+}
 
 Result<SaveLastReport> SaveLast(RecordedSystem& system,
                                 const std::shared_ptr<RecordingQueue>& queue,
@@ -75,33 +235,46 @@ Result<SaveLastReport> SaveLast(RecordedSystem& system,
   if (auto unknown = system.WhyUnknown()) return *std::move(unknown);
   const Catalogue catalogue = system.catalogue();
   const Selection selection = Select(catalogue, options.patterns);
-  if (selection.tables.empty()) {
-    return Error{ErrorCode::kNotFound, "no state table matches these paths"};
+  if (selection.tables.empty() && selection.events.empty()) {
+    return Error{ErrorCode::kNotFound, "no state table and no event matches these paths"};
   }
   options.files.past = options.last;
   auto writer = RecordingWriter::Create(options.files, HeadingFor(catalogue, options.patterns));
   if (!writer) return writer.error();
   if (options.has_log) system.WatchLog();
-  SaveLastReport report{.tables = {},
-                        .event_interfaces = selection.events.size(),
-                        .counts = {},
-                        .losses = {},
-                        .file = (*writer)->file()};
-  QueueWriter queue_writer(*queue, **writer);
+  SaveLastReport report{.file = (*writer)->file()};
+  std::set<std::string> processes;
+  for (const TableSubscription& table : selection.tables) processes.insert(table.process);
+  for (const EventSubscription& events : selection.events)
+    processes.insert(events.provided.process);
+  PastWriter past_writer(system, queue, **writer, options);
+  for (const std::string& process : processes) {
+    const auto history = past_writer.GetHistory(process);
+    SavedProcess& saved = report.processes.emplace_back();
+    saved.process = process;
+    if (history) saved.history = *history;
+    if (!history) saved.failure = history.error();
+  }
   const auto close_after = [&](const Error& failure) {
-    while (queue->waiting_bytes() > 0) (void)queue_writer.WriteUntil([] { return true; }, 0ms);
+    past_writer.WriteRest();
     queue->Close();
     auto closed = (*writer)->Close(queue->losses());
     return closed ? failure : closed.error();  // that also says whether the file has an index
   };
   for (const TableSubscription& table : selection.tables) {
-    auto saved = SaveTable(system, queue, queue_writer, table, options);
+    auto saved = past_writer.SaveTable(table);
     if (!saved) return close_after(saved.error());
     report.tables.push_back(*std::move(saved));
   }
-  const auto has_log = queue_writer.WriteUntil(
-      [&] { return !options.has_log || queue->has_past_log(); }, options.timeout);
-  if (!has_log) return close_after(has_log.error());
+  for (const EventSubscription& events : selection.events) {
+    auto saved = past_writer.SaveEvents(events, catalogue);
+    if (!saved) return close_after(saved.error());
+    report.events.push_back(*std::move(saved));
+  }
+  if (options.has_log) {
+    for (const std::string& process : processes) past_writer.ReadLog(process);
+    if (auto saved = past_writer.SaveLog(); !saved) return close_after(saved.error());
+  }
   report.losses = queue->losses();
   queue->Close();
   if (auto closed = (*writer)->Close(report.losses); !closed) return closed.error();

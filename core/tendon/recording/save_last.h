@@ -21,36 +21,60 @@ struct SaveLastOptions {
   FileOptions files;                 ///< one file: without a split
   std::chrono::nanoseconds last{0};  ///< how far back
   bool has_log = true;
-  /// The longest time for the rows of one table, and for the log.
+  /// A reading ends if no row, event or log record arrives for this time.
   std::chrono::milliseconds timeout{2000};
 };
 
-/// How much of one table was saved.
+/// The part of one table that was saved.
 struct SavedTable {
   std::string path;
   PastRows past;
-  std::optional<Error> failure;  ///< why not all of its rows could be read
 };
+/// The events of one interface that were saved.
+struct SavedEvents {
+  std::string path;
+  PastEvents past;
+};
+
+/// The history of a process when the saving began.
+struct SavedProcess {
+  std::string process;
+  std::optional<message::ProcessHistoryState> history{};
+  Error failure{};  ///< the reason if `history` is empty
+};
+/// Returns how far back the process could be saved and why not further, for example "12.3 s: it has
+/// run no longer". Returns an empty string if all of `wanted` could be saved.
+[[nodiscard]] std::string ReachText(const SavedProcess& process, std::chrono::nanoseconds wanted);
 
 /// What SaveLast() has saved.
 struct SaveLastReport {
-  std::vector<SavedTable> tables;
-  std::uint64_t event_interfaces = 0;  ///< that fit a pattern; their past events exist nowhere
-  Counts counts;
-  Losses losses;
+  std::vector<SavedTable> tables{};
+  std::vector<SavedEvents> events{};
+  std::vector<SavedProcess> processes{};
+  Counts counts{};
+  Losses losses{};
   std::filesystem::path file;
 };
 
-/// Writes what the running system still remembers of the last seconds into a new file: the rows
-/// that the processes hold in their state tables, the log records that the GCM has kept, and the
-/// catalogue of now. A table holds about a second, unless its component keeps more. Events are kept
-/// nowhere.
+/// Returns true if the events could not be saved because their process keeps no history, which
+/// ReachText() says.
+[[nodiscard]] bool IsToldByProcess(const SavedEvents& events, const SaveLastReport& report);
+/// Returns a sentence for each process that reaches back less than `wanted`, and for each table and
+/// interface that could not be saved completely.
+[[nodiscard]] std::vector<std::string> ShortfallsOf(const SaveLastReport& report,
+                                                    std::chrono::nanoseconds wanted);
+
+/// Writes what the running system still remembers of the last seconds into a new file: the rows,
+/// events and log records that the processes have kept (process/history), the log records that only
+/// the GCM has, and the present catalogue. A process that keeps no history still has the rows in
+/// its state tables, about the last second.
 ///
-/// `queue` is the listener of `system`. Waits until all is written: up to the timeout for each
-/// table and for the log. kNotFound if no table fits a pattern; kFailed if the process of a
-/// LocalSystem is busy, so that its tables are not known; kExists if there is a file of this name.
-/// If a table cannot be read, its entry in the report says why, and the others are saved. Must not
-/// be called in a handler.
+/// `queue` is the listener of `system`. Waits until all is written; each reading ends early if
+/// nothing arrives for the timeout. Then nothing more is read from this process. kNotFound if no
+/// table and no event fits a pattern; kFailed if the process of a LocalSystem is busy, so that its
+/// tables are not known; kExists if there is a file of this name. If a table or the events of an
+/// interface cannot be read, or only in part, their entry in the report says why, and the others
+/// are saved. Must not be called in a handler.
 Result<SaveLastReport> SaveLast(RecordedSystem& system,
                                 const std::shared_ptr<RecordingQueue>& queue,
                                 SaveLastOptions options);

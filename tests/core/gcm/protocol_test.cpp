@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <tendon/gcm/gcm_messages.h>
 #include <tendon/middleware/handshake.h>
+#include <tendon/process/history/history_messages.h>
 #include <tendon/process/version_messages.h>
 #include <tendon/process/viewer_messages.h>
 #include <tendon/proxy/connection_messages.h>
@@ -44,6 +45,10 @@ TEST(Protocol, ChangedMessagesRequireANewVersion) {
   // does not know a message refuses it by its number.
   EXPECT_EQ(ToString(FingerprintOfAll<message::ReadRows, message::ReadRowsReply>()),
             "5910a05dc5cf3af6bca7efc89db06a95");
+  EXPECT_EQ(
+      ToString(FingerprintOfAll<message::ReadEvents, message::ReadEventsReply, message::ReadLog,
+                                message::ReadLogReply, message::ProcessHistoryState>()),
+      "5ce0ed6f63aef94068efc4b984bdaa78");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <tendon/gcm/gcm_messages.h>
 #include <tendon/process/broadcast_messages.h>
 #include <tendon/process/guarded_handler.h>
+#include <tendon/process/history/history_messages.h>
 #include <tendon/process/membership_messages.h>
 #include <tendon/process/version_messages.h>
 #include <tendon/process/viewer_messages.h>
@@ -17,12 +18,14 @@ namespace {
 using Types = std::set<MessageType>;
 
 /// The messages that a viewer may send.
-const Types kLooks = {
-    message::kPing,      message::kGetSchemas, message::kSubscribe, message::kUnsubscribe,
-    message::kRowTaken,  message::kRenew,      message::kWatch,     message::kHistory,
-    message::kWatchLog,  message::kGetClasses, message::kListen,    message::kCloseInterface,
-    message::kHealth,    message::kGetCounts,  message::kGetFill,   message::kJoinTopic,
-    message::kGetBroker, message::kGetProgram, message::kReadRows,  message::kGetChildren};
+const Types kLooks = {message::kPing,        message::kGetSchemas,       message::kSubscribe,
+                      message::kUnsubscribe, message::kRowTaken,         message::kRenew,
+                      message::kWatch,       message::kHistory,          message::kWatchLog,
+                      message::kGetClasses,  message::kListen,           message::kCloseInterface,
+                      message::kHealth,      message::kGetCounts,        message::kGetFill,
+                      message::kJoinTopic,   message::kGetBroker,        message::kGetProgram,
+                      message::kReadRows,    message::kGetChildren,      message::kReadEvents,
+                      message::kReadLog,     message::kGetProcessHistory};
 
 /// The further messages that an operator may send.
 const Types kActs = {

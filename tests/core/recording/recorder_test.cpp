@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -326,6 +327,18 @@ class SilentSystem final : public RecordedSystem {
     return system_.Listen(events, std::move(sink));
   }
   void StopListening(GcmClient::ListenerId id) override { system_.StopListening(id); }
+  void ReadPastEvents(const EventSubscription& events, std::chrono::nanoseconds last,
+                      std::shared_ptr<EventSink> sink,
+                      std::function<void(const PastEvents&)> done) override {
+    system_.ReadPastEvents(events, last, std::move(sink), std::move(done));
+  }
+  Result<message::ReadLogReply> ReadLog(const std::string& process,
+                                        const message::ReadLog& wanted) override {
+    return system_.ReadLog(process, wanted);
+  }
+  Result<message::ProcessHistoryState> GetProcessHistory(const std::string& process) override {
+    return system_.GetProcessHistory(process);
+  }
   Result<Schema> FindSchema(const std::string& process, Fingerprint /*type*/) override {
     ++questions;
     if (std::this_thread::get_id() == starter) ++questions_of_starter;

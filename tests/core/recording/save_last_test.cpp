@@ -1,8 +1,17 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tendon/recording/save_last.h>
 
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "recorder_fixture.h"
 
@@ -10,29 +19,95 @@ namespace tendon::recording {
 namespace {
 
 using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
+using testing::HasSubstr;
 
-class SaveLastTest : public RecorderTest {};
+/// Has a table of 256 rows, which is written at 1 kHz, and raises an event at 100 Hz.
+class FastTask final : public PeriodicTask {
+ public:
+  explicit FastTask(std::string name) : PeriodicTask(std::move(name), 1ms) {
+    state_table().Add(number_, "Number");
+    state_table().SetLength(256);
+    AddProvidedInterface("Control").AddEvent(passed_, "Passed");
+  }
+  ~FastTask() override { Join(); }
+  void Run() override {
+    ++number_;
+    if (number_ % 10 == 0) passed_(number_);
+  }
+
+ private:
+  std::uint64_t number_ = 0;
+  WriteEvent<std::uint64_t> passed_;
+};
+
+/// Has a table that is written at 5 Hz.
+class SlowTask final : public PeriodicTask {
+ public:
+  explicit SlowTask(std::string name) : PeriodicTask(std::move(name), 200ms) {
+    state_table().Add(number_, "Number");
+  }
+  ~SlowTask() override { Join(); }
+  void Run() override { ++number_; }
+
+ private:
+  std::uint64_t number_ = 0;
+};
+
+/// A process with an odometer, or with a fast and a slow task, and a client for `gcm save-last`.
+class SaveLastTest : public RecorderTest {
+ protected:
+  void StartTasks(HistoryOptions history = {}) {
+    robot_ = std::make_unique<Process>(
+        "robot", ProcessOptions{.middleware = Node(), .gcm = address_, .history = history});
+    robot_->Add<FastTask>("fast");
+    robot_->Add<SlowTask>("slow");
+    ASSERT_TRUE(robot_->StartAll());
+    ASSERT_TRUE(robot_->WaitUntilJoined(10s));
+    ConnectTo("slow");
+  }
+  void StartOdometer() {
+    robot_ = StartProcess("robot");
+    ASSERT_TRUE(EventuallyTrue([&] { return NumberOf(*robot_) > 300; }));
+    ASSERT_TRUE(robot_->Suspend("odometer"));
+    ConnectTo("odometer");
+  }
+  [[nodiscard]] std::uint64_t RowsOf(const std::string& component) const {
+    return robot_->Find(component)->tables().front()->next_tick();
+  }
+  [[nodiscard]] Result<message::ProcessHistoryState> HistoryOfRobot() const {
+    return Wait<message::ProcessHistoryState>(
+        10s, [&](auto handler) { client_->GetProcessHistory("robot", handler); });
+  }
+  Result<SaveLastReport> Save(std::chrono::nanoseconds last = 30s) {
+    GcmSystem system(*client_, 10s);
+    return SaveLast(
+        system, queue_,
+        {.patterns = {"robot"}, .files = {.file = file_}, .last = last, .timeout = 10s});
+  }
+
+  std::unique_ptr<Process> robot_;
+
+ private:
+  /// Waits until the catalogue has the component.
+  void ConnectTo(const std::string& component) {
+    queue_ = std::make_shared<RecordingQueue>();
+    client_ = std::make_unique<GcmClient>(
+        Node(), GcmClient::Options{.name = "gcm save-last", .address = address_}, queue_);
+    ASSERT_TRUE(client_->WaitUntilWatching());
+    ASSERT_TRUE(EventuallyTrue(
+        [&] { return client_->catalogue().FindComponent("robot", component) != nullptr; }));
+  }
+};
 
 TEST_F(SaveLastTest, WritesTheRowsThatATableHolds) {
-  const auto robot = StartProcess("robot");
-  ASSERT_TRUE(EventuallyTrue([&] { return NumberOf(*robot) > 300; }));
-  ASSERT_TRUE(robot->Suspend("odometer"));
-  const std::uint64_t newest = NumberOf(*robot);
-  queue_ = std::make_shared<RecordingQueue>();
-  client_ = std::make_unique<GcmClient>(
-      Node(), GcmClient::Options{.name = "gcm save-last", .address = address_}, queue_);
-  ASSERT_TRUE(client_->WaitUntilWatching());
-  ASSERT_TRUE(EventuallyTrue(
-      [&] { return client_->catalogue().FindComponent("robot", "odometer") != nullptr; }));
-  GcmSystem system(*client_, 10s);
+  StartOdometer();
+  const std::uint64_t newest = NumberOf(*robot_);
 
-  const auto saved =
-      SaveLast(system, queue_,
-               {.patterns = {"robot"}, .files = {.file = file_}, .last = 1h, .timeout = 10s});
+  const auto saved = Save(1h);
 
   ASSERT_TRUE(saved) << saved.error().message;
   ASSERT_EQ(saved->tables.size(), 1U);
-  EXPECT_FALSE(saved->tables[0].failure);
+  EXPECT_FALSE(saved->tables[0].past.failure);
   EXPECT_EQ(saved->tables[0].path, "robot/odometer/state");
   EXPECT_GT(saved->tables[0].past.reach, 250ms);
   const auto reader = Open();
@@ -44,24 +119,287 @@ TEST_F(SaveLastTest, WritesTheRowsThatATableHolds) {
 }
 
 TEST_F(SaveLastTest, LeavesOutRowsThatAreOlder) {
-  const auto robot = StartProcess("robot");
-  ASSERT_TRUE(EventuallyTrue([&] { return NumberOf(*robot) > 300; }));
-  ASSERT_TRUE(robot->Suspend("odometer"));
-  queue_ = std::make_shared<RecordingQueue>();
-  client_ = std::make_unique<GcmClient>(
-      Node(), GcmClient::Options{.name = "gcm save-last", .address = address_}, queue_);
-  ASSERT_TRUE(client_->WaitUntilWatching());
-  ASSERT_TRUE(EventuallyTrue(
-      [&] { return client_->catalogue().FindComponent("robot", "odometer") != nullptr; }));
-  GcmSystem system(*client_, 10s);
+  StartOdometer();
 
-  const auto saved =
-      SaveLast(system, queue_,
-               {.patterns = {"robot"}, .files = {.file = file_}, .last = 1ns, .timeout = 10s});
+  const auto saved = Save(1ns);
 
   ASSERT_TRUE(saved) << saved.error().message;
   EXPECT_EQ(saved->tables.at(0).past.rows, 0U);
   EXPECT_EQ(saved->tables.at(0).past.reach, 0ns);
+}
+
+TEST_F(SaveLastTest, TheFileHasRowsEventsAndLogThatNoTableHolds) {
+  StartTasks();
+  Log(LogLevel::kInfo, "fast", "something happens");
+  ASSERT_TRUE(EventuallyTrue([&] { return RowsOf("fast") > 1500 && RowsOf("slow") > 4; }));
+  ASSERT_TRUE(robot_->SuspendAll());
+  const std::uint64_t newest = RowsOf("fast");
+
+  const auto saved = Save();
+
+  ASSERT_TRUE(saved) << saved.error().message;
+  std::map<std::string, PastRows> tables;
+  for (const auto& [path, past] : saved->tables) tables[path] = past;
+  const auto reader = Open();
+  auto topics = ByTopic(*reader);
+  const auto& fast = topics["robot/fast/state/Number"];
+  EXPECT_LE(fast.size() + tables["robot/fast/state"].lost, newest);
+  ASSERT_EQ(saved->processes.size(), 1U);
+  // On a busy machine, the history misses some rows. They are counted soon.
+  EXPECT_TRUE(EventuallyTrue([&] {
+    const auto history = HistoryOfRobot();
+    return history && fast.size() + history->missed_rows >= newest;
+  }));
+  for (std::size_t i = 1; i < fast.size(); ++i) ASSERT_GT(fast[i].sequence, fast[i - 1].sequence);
+  EXPECT_EQ(topics["robot/slow/state/Number"].size(), RowsOf("slow"));
+  ASSERT_EQ(saved->events.size(), 1U);
+  EXPECT_FALSE(saved->events[0].past.failure);
+  EXPECT_EQ(saved->events[0].past.events + saved->events[0].past.lost, newest / 10);
+  EXPECT_EQ(topics["robot/fast/Control/Passed"].size(), saved->events[0].past.events);
+  EXPECT_GT(saved->counts.log, 0U);
+  std::size_t happened = 0;
+  for (const auto& message : topics["rosout"]) {
+    const auto record = ValueOf<RosLog>(message);
+    if (record.name == "robot/fast" && record.msg == "something happens") ++happened;
+  }
+  EXPECT_EQ(happened, 1U) << "the GCM has it as well";
+  EXPECT_THAT(ReachText(saved->processes[0], 30s), HasSubstr("it has run no longer"));
+}
+
+TEST_F(SaveLastTest, SaysThatTheHistoryIsOff) {
+  StartTasks({.memory = 0});
+  ASSERT_TRUE(EventuallyTrue([&] { return RowsOf("fast") > 300; }));
+
+  const auto saved = Save();
+
+  ASSERT_TRUE(saved) << saved.error().message;
+  EXPECT_GT(saved->tables.at(0).past.rows, 200U) << "what the table holds";
+  ASSERT_TRUE(saved->events.at(0).past.failure);
+  EXPECT_THAT(saved->events.at(0).past.failure->message, HasSubstr("keeps no history"));
+  EXPECT_THAT(ReachText(saved->processes.at(0), 30s), HasSubstr("its history is off"));
+}
+
+TEST_F(SaveLastTest, SaysThatTheHistoryIsFull) {
+  StartTasks({.memory = std::size_t{64} << 10U, .span = 30s});
+  ASSERT_TRUE(EventuallyTrue([&] {
+    const auto state = HistoryOfRobot();
+    return state && state->reach < state->age;
+  }));
+
+  const auto saved = Save();
+
+  ASSERT_TRUE(saved) << saved.error().message;
+  EXPECT_THAT(ReachText(saved->processes.at(0), 30s), HasSubstr("its history is full"));
+  EXPECT_LE(saved->processes.at(0).history->memory, std::size_t{64} << 10U);
+}
+
+TEST_F(SaveLastTest, NamesAProcessThatHasEndedAndSavesTheOthers) {
+  StartTasks();
+  ASSERT_TRUE(EventuallyTrue([&] { return RowsOf("fast") > 300; }));
+  robot_.reset();
+
+  const auto saved = Save();
+
+  ASSERT_TRUE(saved) << saved.error().message;
+  for (const auto& [path, past] : saved->tables) EXPECT_TRUE(past.failure) << path;
+  EXPECT_THAT(ReachText(saved->processes.at(0), 30s), HasSubstr("not known"));
+}
+
+/// Sends one row of each table, except those of the process "bad", which answers with kInvalid, or
+/// not at all.
+class PastTelemetry final : public TelemetryClient {
+ public:
+  Id Subscribe(const TableSubscription& /*table*/, std::shared_ptr<RowSink> /*sink*/) override {
+    return 0;
+  }
+  void Unsubscribe(Id /*id*/) override {}
+  void ReadPast(const TableSubscription& table, std::chrono::nanoseconds /*last*/,
+                std::shared_ptr<RowSink> sink, std::function<void(const PastRows&)> done) override {
+    if (table.process == "bad") {
+      ++questions;
+      if (is_silent) return;
+      return done({.failure = Error{ErrorCode::kInvalid, "process 'bad' sent invalid past rows"}});
+    }
+    sink->OnSubscribed({SchemaOf<std::uint64_t>()});
+    std::vector<std::byte> cell;
+    Encode(std::uint64_t{7}, cell);
+    const std::vector<std::uint64_t> ticks = {0};
+    const std::vector<std::int64_t> times = {SteadyClock().Now().time_since_epoch().count()};
+    RowBatch batch;
+    batch.epoch = 1;
+    batch.count = 1;
+    batch.ticks = ticks;
+    batch.times = times;
+    batch.cell = [&](std::size_t /*row*/, std::size_t /*column*/) { return std::span(cell); };
+    sink->OnRows(batch);
+    done({.rows = 1, .reach = 1ms});
+  }
+
+  bool is_silent = false;
+  int questions = 0;  // to "bad"
+};
+
+/// The processes "bad" and "good" with a table and an event each. "bad" answers each request with
+/// kInvalid, except that its log never ends if `has_endless_log` is true.
+class OneBadProcess final : public RecordedSystem {
+ public:
+  OneBadProcess() {
+    ComponentDescription arm{.name = "arm"};
+    arm.tables.push_back({.name = "state", .columns = {{.name = "Number"}}});
+    arm.provided.push_back({.name = "Control", .events = {{.name = "Stopped"}}});
+    std::uint64_t revision = 0;
+    for (const char* name : {"bad", "good"}) {
+      EXPECT_TRUE(catalogue_.Apply({.revision = ++revision,
+                                    .kind = CatalogueChange::Kind::kProcess,
+                                    .process = name,
+                                    .processes = {{.name = name, .instance = revision}}}));
+      EXPECT_TRUE(catalogue_.Apply({.revision = ++revision,
+                                    .kind = CatalogueChange::Kind::kComponent,
+                                    .process = name,
+                                    .components = {arm}}));
+    }
+  }
+
+  std::uint64_t revision() override { return catalogue_.revision(); }
+  [[nodiscard]] Catalogue catalogue() const override { return catalogue_; }
+  TelemetryClient& telemetry() override { return past_telemetry; }
+  GcmClient::ListenerId Listen(const EventSubscription& /*events*/,
+                               std::shared_ptr<EventSink> /*sink*/) override {
+    return 0;
+  }
+  void StopListening(GcmClient::ListenerId /*id*/) override {}
+  void ReadPastEvents(const EventSubscription& events, std::chrono::nanoseconds /*last*/,
+                      std::shared_ptr<EventSink> sink,
+                      std::function<void(const PastEvents&)> done) override {
+    if (events.provided.process == "bad") {
+      ++questions;
+      return done({.failure = Invalid()});
+    }
+    sink->OnListening({{.name = "Stopped", .signature = {.in = Schema().fingerprint()}}});
+    sink->OnEvent(0, {}, {.raised = SteadyClock().Now()});
+    done({.events = 1});
+  }
+  Result<message::ReadLogReply> ReadLog(const std::string& process,
+                                        const message::ReadLog& wanted) override {
+    if (process == "bad") ++questions;
+    if (process == "bad" && !has_endless_log) return Invalid();
+    message::ReadLogReply reply{.next = 1, .end = 1};
+    if (process == "bad") reply.end = UINT64_MAX;
+    if (process == "bad") reply.next = wanted.first + 1;
+    reply.records.push_back({.text = "a record"});
+    return reply;
+  }
+  Result<message::ProcessHistoryState> GetProcessHistory(const std::string& process) override {
+    if (process == "bad") return Invalid();
+    return message::ProcessHistoryState{.limit = 1, .span = 30s, .age = 30s, .reach = 30s};
+  }
+  Result<Schema> FindSchema(const std::string& /*process*/, Fingerprint /*type*/) override {
+    return Invalid();
+  }
+  void Resync() override {}
+  void WatchLog() override {}
+
+  bool has_endless_log = false;
+  PastTelemetry past_telemetry;
+  int questions = 0;  // about past events and the log of "bad"
+
+ private:
+  static Error Invalid() { return {ErrorCode::kInvalid, "the answer is invalid"}; }
+
+  Catalogue catalogue_;
+};
+
+class SaveLastOfOneBadProcess : public testing::Test {
+ protected:
+  Result<SaveLastReport> Save() {
+    return SaveLast(system_, std::make_shared<RecordingQueue>(),
+                    {.patterns = {"**"}, .files = {.file = file_}, .last = 30s, .timeout = 100ms});
+  }
+
+  const test::Folder folder_;
+  const std::filesystem::path file_ = folder_.path() / "last.mcap";
+  OneBadProcess system_;
+};
+
+TEST_F(SaveLastOfOneBadProcess, TheOthersAreSavedIfOneAnswersInvalid) {
+  const auto saved = Save();
+
+  ASSERT_TRUE(saved) << saved.error().message;
+  ASSERT_EQ(saved->tables.size(), 2U);
+  EXPECT_EQ(saved->tables[0].path, "bad/arm/state");
+  ASSERT_TRUE(saved->tables[0].past.failure);
+  EXPECT_EQ(saved->tables[0].past.failure->code, ErrorCode::kInvalid);
+  EXPECT_FALSE(saved->tables[1].past.failure);
+  ASSERT_EQ(saved->events.size(), 2U);
+  EXPECT_TRUE(saved->events[0].past.failure);
+  EXPECT_FALSE(saved->events[1].past.failure);
+  EXPECT_EQ(saved->counts.rows, 1U);
+  EXPECT_EQ(saved->counts.events, 1U);
+  EXPECT_EQ(saved->counts.log, 1U);
+  EXPECT_THAT(ReachText(saved->processes.at(0), 30s), HasSubstr("the answer is invalid"));
+  EXPECT_EQ(ReachText(saved->processes.at(1), 30s), "");
+}
+
+TEST_F(SaveLastOfOneBadProcess, AProcessThatDoesNotAnswerIsAskedOnce) {
+  system_.past_telemetry.is_silent = true;
+
+  const auto saved = Save();
+
+  ASSERT_TRUE(saved) << saved.error().message;
+  EXPECT_EQ(system_.past_telemetry.questions, 1);
+  EXPECT_EQ(system_.questions, 0);
+  ASSERT_TRUE(saved->events.at(0).past.failure);
+  EXPECT_EQ(saved->events[0].past.failure->code, ErrorCode::kTimeout);
+  EXPECT_EQ(saved->counts.rows, 1U);
+  EXPECT_EQ(saved->counts.events, 1U);
+}
+
+TEST_F(SaveLastOfOneBadProcess, ALogWithoutEndIsCut) {
+  system_.has_endless_log = true;
+
+  const auto saved = Save();
+
+  ASSERT_TRUE(saved) << saved.error().message;
+  EXPECT_GT(saved->counts.log, 1U);
+  EXPECT_EQ(saved->counts.rows, 1U);
+}
+
+TEST(ShortfallsOf, NamesWhatIsMissing) {
+  const message::ProcessHistoryState off{};
+  SaveLastReport report;
+  report.processes.push_back({.process = "robot", .history = off});
+  report.tables.push_back({"robot/arm/state", {.rows = 10, .lost = 2}});
+  report.events.push_back(
+      {"robot/arm/Control", {.failure = Error{ErrorCode::kFailed, "it keeps no history"}}});
+  report.events.push_back(
+      {"desk/pad/Control", {.failure = Error{ErrorCode::kTimeout, "it sent nothing"}}});
+
+  EXPECT_EQ(ShortfallsOf(report, 30s),
+            (std::vector<std::string>{
+                "robot: only what its state tables held: its history is off (--history-memory)",
+                "robot/arm/state: 2 rows lost", "desk/pad/Control: it sent nothing"}));
+}
+
+TEST(ReachText, NamesTheReason) {
+  const auto text = [](message::ProcessHistoryState state) {
+    state.limit = std::size_t{32} << 20U;
+    state.memory = std::size_t{16} << 20U;
+    state.span = 30s;
+    return ReachText({.process = "robot", .history = state}, 30s);
+  };
+  EXPECT_EQ(text({.age = 1h, .reach = 30s}), "");
+  EXPECT_EQ(text({.age = 12s, .reach = 12s}), "12.0 s: it has run no longer");
+  EXPECT_EQ(text({.age = 1h, .reach = 10s}),
+            "10.0 s: its history is full (16.0 of 32.0 MiB, the last 10.0 s; see "
+            "--history-memory)");
+  EXPECT_EQ(ReachText({.process = "robot",
+                       .history =
+                           message::ProcessHistoryState{
+                               .limit = 1, .span = 30s, .age = 1h, .reach = 30s}},
+                      60s),
+            "30.0 s: it keeps no more than that");
+  EXPECT_EQ(ReachText({.process = "robot", .failure = {ErrorCode::kDenied, "message 538"}}, 30s),
+            "only what its state tables held: its version keeps no history yet");
 }
 
 }  // namespace

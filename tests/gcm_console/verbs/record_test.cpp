@@ -282,7 +282,7 @@ TEST_F(RecordTest, AConditionThatIsWrongIsRefused) {
   EXPECT_FALSE(std::filesystem::exists(file));
 }
 
-TEST_F(RecordTest, SaveLastWritesWhatTheTablesHoldAndSaysHowFarItReaches) {
+TEST_F(RecordTest, SaveLastWritesWhatTheProcessesHaveKeptAndSaysHowFarItReaches) {
   ASSERT_EQ(Gcm({"call", "robot/odometer/Control.SetCount", "0"}).exit_code, program::kOk);
   ASSERT_TRUE(EventuallyTrue([&] {
     const auto count = std::stoull(Gcm({"get", "robot/odometer/state.Count"}).out);
@@ -303,6 +303,31 @@ TEST_F(RecordTest, SaveLastWritesWhatTheTablesHoldAndSaysHowFarItReaches) {
   }
   EXPECT_EQ(Gcm({"save-last", "1s", "desk", "-o", Path("none.mcap")}).exit_code,
             program::kNotFound);
+}
+
+TEST_F(RecordTest, SaveLastSaysWhyAProcessReachesBackLess) {
+  ASSERT_TRUE(EventuallyTrue([&] {
+    return std::stoull(Gcm({"get", "robot/odometer/state.Count"}).out) > 20;
+  }));
+
+  const Outcome young = Gcm({"save-last", "1h", "robot", "-o", file});
+
+  ASSERT_EQ(young.exit_code, program::kOk) << young.err;
+  EXPECT_THAT(young.err, HasSubstr("gcm: robot reached back "));
+  EXPECT_THAT(young.err, HasSubstr("it has run no longer"));
+  EXPECT_THAT(Gcm({"show", "robot"}).out, HasSubstr("of 32.0 MiB, the last "));
+  const json shown = json::parse(Gcm({"show", "robot", "--json"}).out);
+  EXPECT_EQ(shown["process"]["history"]["limit_bytes"], 32 << 20);
+}
+
+TEST_F(RecordTest, SaveLastOfAKilledProcessSaysSo) {
+  robot->Signal(SIGKILL);
+  ASSERT_TRUE(EventuallySays({"ls"}, "robot\tlost"));
+
+  const Outcome saved = Gcm({"save-last", "30s", "robot", "-o", file});
+
+  EXPECT_EQ(saved.exit_code, program::kPartial) << saved.err;
+  EXPECT_THAT(saved.out, HasSubstr("robot/odometer/state: nothing: "));
 }
 
 TEST_F(RecordTest, RefusalsNameTheCause) {

@@ -64,6 +64,37 @@ TEST_F(RecordingControllerTest, EverythingIsRecordedOnRequest) {
   EXPECT_EQ(runner_.requests.at(0).patterns, Patterns{"**"});
 }
 
+TEST_F(RecordingControllerTest, TheLastSecondsAreSavedAndReported) {
+  controller_.setScope(RecordingScope::kEverything);
+
+  controller_.saveLast();
+
+  ASSERT_EQ(runner_.requests.size(), 1U);
+  EXPECT_EQ(runner_.requests[0].patterns, Patterns{"**"});
+  EXPECT_EQ(runner_.requests[0].past, std::chrono::seconds(30));
+  Q_EMIT runner_.begun(QStringLiteral("/data/last.mcap"));
+  EXPECT_EQ(activity_.command(0), "gcm save-last 30s '**' -o '/data/last.mcap'");
+  Q_EMIT runner_.ended(Progress(29'980), QString());
+  ASSERT_TRUE(controller_.report());
+  EXPECT_EQ(controller_.report()->title, "Saved the last 30 s: 29980 rows, 0 events (2.5 MB)");
+  EXPECT_EQ(controller_.report()->detail, "/data/last.mcap");
+  EXPECT_FALSE(controller_.report()->has_losses);
+}
+
+TEST_F(RecordingControllerTest, AReportOfTheLastSecondsSaysWhatIsMissing) {
+  controller_.setScope(RecordingScope::kEverything);
+  controller_.saveLast();
+  Q_EMIT runner_.begun(QStringLiteral("/data/last.mcap"));
+  RecordingProgress progress = Progress(100);
+  progress.shortfalls = {"robot: 12.0 s: it has run no longer"};
+
+  Q_EMIT runner_.ended(progress, QString());
+
+  EXPECT_EQ(controller_.report()->detail, "robot: 12.0 s: it has run no longer");
+  EXPECT_TRUE(controller_.report()->has_losses);
+  EXPECT_EQ(controller_.report()->file, "/data/last.mcap");
+}
+
 TEST_F(RecordingControllerTest, WithoutAnyChoiceNothingStartsAndAReportSaysWhatToDo) {
   controller_.start();
 

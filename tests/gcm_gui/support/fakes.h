@@ -154,10 +154,18 @@ class ScriptedReports final : public SystemReports {
 
   void watchLog() override { watches_log = true; }
   void listen(const QObject* owner, const QStringList& patterns) override;
-  void askHealth(Handler<message::SystemHealth> handler) override { handler(health); }
+  void askHealth(Handler<message::SystemHealth> handler) override {
+    ++health_questions;
+    handler(health);
+  }
   void askCounts(const InterfaceName& required, Handler<ConnectionCounts> handler) override;
   void askFill(const std::string& process, const std::string& component,
                Handler<MailboxFill> handler) override;
+  void askHistory(const std::string& /*process*/,
+                  Handler<message::ProcessHistoryState> handler) override {
+    ++history_questions;
+    handler(history);
+  }
   void askChildren(Handler<message::Children> handler) override;
   void askClasses(const std::string& process, Handler<message::Classes> handler) override;
 
@@ -166,12 +174,15 @@ class ScriptedReports final : public SystemReports {
   void sendLog(LogLevel level, const std::string& source, const std::string& text);
 
   bool watches_log = false;
+  int health_questions = 0;
+  int history_questions = 0;
   Result<message::SystemHealth> health = message::SystemHealth();
   Result<ConnectionCounts> counts = Error{ErrorCode::kNotFound, "nothing is known"};
   QStringList counted;         ///< the connections whose counts were requested
   bool answers_counts = true;  ///< true: answers at once; false: the test answers
   std::vector<Handler<ConnectionCounts>> count_handlers;  ///< handlers that the test must call
   Result<MailboxFill> fill = MailboxFill();
+  Result<message::ProcessHistoryState> history = message::ProcessHistoryState();
   /// The answer; if empty, the request is never answered.
   std::optional<Result<message::Children>> children = message::Children();
   QStringList asked_for_classes;  ///< the processes that were asked for their classes

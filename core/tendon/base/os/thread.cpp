@@ -43,6 +43,13 @@ Permission SetRealTimePriority(int priority, bool is_fifo) {
       pthread_setschedparam(pthread_self(), is_fifo ? SCHED_FIFO : SCHED_RR, &parameters));
 }
 
+void LowerPriority() noexcept {
+  const sched_param none{};
+  (void)pthread_setschedparam(pthread_self(), SCHED_OTHER, &none);  // the creator may be real-time
+  constexpr int kNice = 10;
+  (void)setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);
+}
+
 Permission RunOnProcessors(std::span<const std::int32_t> processors) {
   cpu_set_t set;
   CPU_ZERO(&set);

@@ -30,6 +30,10 @@ struct Permission {
 /// 99).
 Permission SetRealTimePriority(int priority, bool is_fifo);
 
+/// Lowers the priority of the calling thread below that of usual threads. For threads that can
+/// wait.
+void LowerPriority() noexcept;
+
 /// Binds the calling thread to these processors, numbered from 0.
 Permission RunOnProcessors(std::span<const std::int32_t> processors);
 

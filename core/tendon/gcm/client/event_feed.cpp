@@ -34,6 +34,36 @@ void EventFeed::End(Id id) {
   node.mapped()->End();
 }
 
+void EventFeed::ReadPast(EventSubscription wanted, std::chrono::nanoseconds last,
+                         std::shared_ptr<EventSink> sink, PastEventsReading::Done done) {
+  const auto reading = std::make_shared<PastEventsReading>(std::move(wanted), last, std::move(sink),
+                                                           std::move(done));
+  auto events = look_up_(reading->wanted());
+  if (!events) return reading->Fail(events.error());
+  reading->SetEvents(*std::move(events));
+  links_->WithChannel(reading->wanted().provided.process,
+                      [self = shared_from_this(), reading](const auto& channel) {
+                        if (!channel) return reading->Fail(channel.error());
+                        self->ClockOf(*channel)->WhenKnown(
+                            [self, reading, channel = *channel](const Result<SharedClock>& clock) {
+                              if (!clock) return reading->Fail(clock.error());
+                              self->AskForPast(reading, channel, *clock);
+                            });
+                      });
+}
+
+void EventFeed::AskForPast(const SharedReading& reading, const std::shared_ptr<Channel>& channel,
+                           const SharedClock& clock) {
+  tendon::Ask<message::ReadEventsReply>(*timer_, channel, message::kReadEvents,
+                                        reading->NextRequest(), timeout_,
+                                        [self = shared_from_this(), reading, channel,
+                                         clock](const Result<message::ReadEventsReply>& page) {
+                                          if (!page) return reading->Fail(page.error());
+                                          if (reading->Take(*page, *clock))
+                                            self->AskForPast(reading, channel, clock);
+                                        });
+}
+
 void EventFeed::Retry(const std::string& process) {
   const std::scoped_lock lock(mutex_);
   for (const auto& [id, listener] : listeners_) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tendon/gcm/client/event_listener.h>
+#include <tendon/gcm/client/past_events_reading.h>
 #include <tendon/gcm/client/process_links.h>
 
 #include <chrono>
@@ -35,6 +36,11 @@ class EventFeed final : public ChannelHandler, public std::enable_shared_from_th
   Id Listen(EventSubscription wanted, std::shared_ptr<EventSink> sink);
   /// Ends a subscription. After this function has returned, the sink is not called any more.
   void End(Id id);
+  /// Reads the events that the process has kept and that are not older than `last`, oldest first.
+  /// The sink gets OnListening(), then OnEvent(). Then `done` is called once, in a thread of the
+  /// middleware or of the timer. If the feed ends first, `done` is not called.
+  void ReadPast(EventSubscription wanted, std::chrono::nanoseconds last,
+                std::shared_ptr<EventSink> sink, PastEventsReading::Done done);
   /// Requests the interrupted subscriptions to a process again at once. Must be called when the
   /// process has returned or has a new address.
   void Retry(const std::string& process);
@@ -52,6 +58,9 @@ class EventFeed final : public ChannelHandler, public std::enable_shared_from_th
   void Subscribe(const SharedListener& listener);
   using SharedClock = std::shared_ptr<SourceClock>;
   SharedClock ClockOf(const std::shared_ptr<Channel>& channel);
+  using SharedReading = std::shared_ptr<PastEventsReading>;
+  void AskForPast(const SharedReading& reading, const std::shared_ptr<Channel>& channel,
+                  const SharedClock& clock);
   void Ask(const SharedListener& listener, const std::shared_ptr<Channel>& channel,
            const SharedClock& clock, std::uint32_t attempt);
   void Fail(const SharedListener& listener, std::uint32_t attempt, const Error& reason);

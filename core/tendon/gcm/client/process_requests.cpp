@@ -136,6 +136,16 @@ void ProcessRequests::GetFill(const std::string& process, const std::string& com
   AskProcess(process, message::kGetFill, message::GetFill{component}, std::move(handler));
 }
 
+void ProcessRequests::GetProcessHistory(const std::string& process,
+                                        Handler<message::ProcessHistoryState> handler) {
+  AskProcess(process, message::kGetProcessHistory, None{}, std::move(handler));
+}
+
+void ProcessRequests::ReadLog(const std::string& process, const message::ReadLog& wanted,
+                              Handler<message::ReadLogReply> handler) {
+  AskProcess(process, message::kReadLog, wanted, std::move(handler));
+}
+
 template <Payload Answer, Message T>
 void ProcessRequests::AskProcess(const std::string& process, MessageType type, const T& question,
                                  Handler<Answer> handler) {

@@ -5,6 +5,7 @@
 #include <tendon/gcm/client/process_links.h>
 #include <tendon/payload/fingerprint.h>
 #include <tendon/payload/schema.h>
+#include <tendon/process/history/history_messages.h>
 #include <tendon/process/membership_messages.h>
 #include <tendon/process/version_messages.h>
 #include <tendon/process/viewer_messages.h>
@@ -40,6 +41,9 @@ class ProcessRequests final : public std::enable_shared_from_this<ProcessRequest
   void GetProviderCounts(const message::Wire& wire, Handler<ConnectionCounts> handler);
   void GetFill(const std::string& process, const std::string& component,
                Handler<MailboxFill> handler);
+  void GetProcessHistory(const std::string& process, Handler<message::ProcessHistoryState> handler);
+  void ReadLog(const std::string& process, const message::ReadLog& wanted,
+               Handler<message::ReadLogReply> handler);
   /// Fetches schemas for FindSchema() from processes that know them. Waits at most 500 ms for each
   /// process.
   void Learn(const std::map<std::string, message::GetSchemas>& types, Handler<void> handler);

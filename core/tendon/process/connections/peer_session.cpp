@@ -38,6 +38,11 @@ void PeerSession::OnAllowedRequest(const SharedChannel& channel, const FrameHead
     return Subscribe(type, channel, body, std::move(responder));
   }
   if (type == message::kReadRows) return ReadRows(body, std::move(responder));
+  if (type == message::kReadEvents) return ReadEvents(body, std::move(responder));
+  if (type == message::kReadLog) return ReadLog(body, std::move(responder));
+  if (type == message::kGetProcessHistory) {
+    return responder.Answer(Result(services_.history.state()));
+  }
   if (type == message::kMirror) return Mirror(channel, body, std::move(responder));
   ChannelHandler::OnRequest(channel, header, body, std::move(responder));
 }
@@ -195,6 +200,20 @@ void PeerSession::ReadRows(Body body, Responder responder) {
       [&telemetry = services_.telemetry](const auto& wanted, const auto& answer) {
         telemetry.ReadRows(wanted, *answer);
       });
+}
+
+void PeerSession::ReadEvents(Body body, Responder responder) {
+  Post<message::ReadEvents>(body, std::move(responder),
+                            [&history = services_.history](const auto& wanted, const auto& answer) {
+                              answer->Answer(history.ReadEvents(wanted));
+                            });
+}
+
+void PeerSession::ReadLog(Body body, Responder responder) {
+  Post<message::ReadLog>(body, std::move(responder),
+                         [&history = services_.history](const auto& wanted, const auto& answer) {
+                           answer->Answer(history.ReadLog(wanted));
+                         });
 }
 
 void PeerSession::Mirror(const SharedChannel& channel, Body body, Responder responder) {

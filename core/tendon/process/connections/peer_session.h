@@ -5,6 +5,7 @@
 #include <tendon/process/connections/served_connections.h>
 #include <tendon/process/guarded_handler.h>
 #include <tendon/process/heartbeat.h>
+#include <tendon/process/history/process_history.h>
 #include <tendon/process/telemetry/telemetry_server.h>
 
 #include <cstddef>
@@ -20,6 +21,7 @@ namespace tendon {
 /// The services that a process offers to other processes.
 struct Services {
   ProcessContext& context;
+  ProcessHistory& history;
   ServedConnections connections;
   MemberCalls calls;
   TelemetryServer telemetry;
@@ -89,6 +91,8 @@ class PeerSession final : public GuardedHandler {
   /// Subscribes directly or through a topic, depending on `type`.
   void Subscribe(MessageType type, const SharedChannel& channel, Body body, Responder responder);
   void ReadRows(Body body, Responder responder);
+  void ReadEvents(Body body, Responder responder);
+  void ReadLog(Body body, Responder responder);
   void Mirror(const SharedChannel& channel, Body body, Responder responder);
 
   Services& services_;

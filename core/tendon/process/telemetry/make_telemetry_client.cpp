@@ -43,8 +43,7 @@ class ChannelTelemetryClient final : public TelemetryClient {
   }
 
   void ReadPast(const TableSubscription& table, std::chrono::nanoseconds last,
-                std::shared_ptr<RowSink> sink,
-                std::function<void(Result<PastRows>)> done) override {
+                std::shared_ptr<RowSink> sink, std::function<void(const PastRows&)> done) override {
     auto reading = std::make_shared<PastRowsReading>(table, last, std::move(sink), std::move(done));
     worker_->Post(
         [this, reading = std::move(reading)] { SourceOf(reading->process()).ReadPast(reading); });

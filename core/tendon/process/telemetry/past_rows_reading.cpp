@@ -18,7 +18,7 @@ PastRowsReading::PastRowsReading(TableSubscription table, std::chrono::nanosecon
 
 bool PastRowsReading::Take(const message::ReadRowsReply& page, const ClockOffset& clock) {
   if (const auto taken = TryTake(page, clock); !taken) {
-    done_(taken.error());
+    Fail(taken.error());
     return false;
   }
   const bool is_last = next_.first_tick >= end_tick_;

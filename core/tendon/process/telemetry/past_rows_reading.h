@@ -20,7 +20,7 @@ namespace tendon {
 /// Thread safety: any thread, one call at a time.
 class PastRowsReading {
  public:
-  using Done = std::function<void(Result<PastRows>)>;
+  using Done = std::function<void(const PastRows&)>;
 
   PastRowsReading(TableSubscription table, std::chrono::nanoseconds last,
                   std::shared_ptr<RowSink> sink, Done done);
@@ -30,7 +30,10 @@ class PastRowsReading {
   /// Passes the rows of a page to the sink. Returns true if another page must be requested.
   /// Otherwise it has called `done`.
   [[nodiscard]] bool Take(const message::ReadRowsReply& page, const ClockOffset& clock);
-  void Fail(const Error& reason) { done_(reason); }
+  void Fail(const Error& reason) {
+    read_.failure = reason;
+    done_(read_);
+  }
 
  private:
   /// Like Take(), but returns an error if the reply is invalid. The reply of a process is

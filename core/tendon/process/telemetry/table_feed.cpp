@@ -6,10 +6,7 @@
 namespace tendon {
 
 TableFeed::TableFeed(std::string component, const StateTable& table)
-    : component_(std::move(component)),
-      table_(table),
-      next_tick_(table_.next_tick()),
-      row_(table_.row_words()) {}
+    : component_(std::move(component)), table_(table), rows_(table_) {}
 
 void TableFeed::Add(const std::vector<std::size_t>& columns, const RowChoice& rows,
                     std::shared_ptr<Channel> channel, std::uint32_t handle, Lane lane) {
@@ -23,8 +20,8 @@ void TableFeed::Add(const std::vector<std::size_t>& columns, const RowChoice& ro
 void TableFeed::TakeNewest(RowStream& stream) {
   std::uint64_t tick = 0;
   std::int64_t time = 0;
-  const bool is_there = table_.CopyNewestRow(tick, row_, time) == RowResult::kDone;
-  if (is_there && tick < next_tick_) stream.Take(tick, time, row_);
+  const bool is_there = table_.CopyNewestRow(tick, rows_.row(), time) == RowResult::kDone;
+  if (is_there && tick < next_tick()) stream.Take(tick, time, rows_.row());
 }
 
 const std::string& TableFeed::AddToTopic(const std::vector<std::size_t>& columns,
@@ -68,39 +65,23 @@ bool TableFeed::Gather() {
   RemoveUnwatched();
   has_more_ = false;
   if (!has_viewers()) return false;
-  const std::uint64_t end = table_.next_tick();
-  // oldest_tick() is not called before the first row, because the table may still be allocating its
-  // memory.
-  const std::uint64_t first = end == 0 ? 0 : std::clamp(table_.oldest_tick(), next_tick_, end);
-  std::uint64_t lost = first - next_tick_;
-  next_tick_ = first;
-  while (next_tick_ < end && !IsBatchFull()) {
+  const std::uint64_t end = rows_.Begin();
+  while (next_tick() < end && !IsBatchFull()) {
+    const std::uint64_t tick = next_tick();
     std::int64_t time = 0;
-    if (table_.CopyRow(next_tick_, row_, time) != RowResult::kDone) {
-      lost += FallBehind();
-      continue;
-    }
-    for (RowStream& stream : streams_) stream.Take(next_tick_, time, row_);
-    ++next_tick_;
-    head_start_ = 0;
+    if (!rows_.Read(time)) continue;
+    for (RowStream& stream : streams_) stream.Take(tick, time, rows_.row());
   }
-  for (RowStream& stream : streams_) stream.Send(lost, next_tick_);
-  has_more_ = next_tick_ < end;
+  const std::uint64_t lost = rows_.TakeLost();
+  for (RowStream& stream : streams_) stream.Send(lost, next_tick());
+  has_more_ = next_tick() < end;
   return has_more_;
 }
 
 bool TableFeed::HasSentAll() const {
   if (!has_viewers()) return true;
-  return next_tick_ >= table_.next_tick() &&
+  return next_tick() >= table_.next_tick() &&
          std::ranges::all_of(streams_, [](const RowStream& one) { return one.has_sent_all(); });
-}
-
-std::uint64_t TableFeed::FallBehind() {
-  const std::uint64_t oldest = table_.oldest_tick();
-  const std::uint64_t newest = table_.next_tick() - 1;
-  head_start_ = std::min(2 * head_start_ + 1, (newest - oldest) / 2);
-  const std::uint64_t next = std::max(next_tick_ + 1, oldest + head_start_);
-  return next - std::exchange(next_tick_, next);
 }
 
 bool TableFeed::IsBatchFull() const {

@@ -2,6 +2,7 @@
 
 #include <tendon/base/error.h>
 #include <tendon/process/telemetry/row_stream.h>
+#include <tendon/state/row_cursor.h>
 #include <tendon/state/state_table.h>
 
 #include <cstddef>
@@ -24,7 +25,7 @@ class TableFeed {
   [[nodiscard]] const std::string& component() const { return component_; }
   [[nodiscard]] bool IsOf(const StateTable& table) const { return &table_ == &table; }
   /// The tick of the first row that a viewer gets if it is added now.
-  [[nodiscard]] std::uint64_t next_tick() const { return next_tick_; }
+  [[nodiscard]] std::uint64_t next_tick() const { return rows_.next_tick(); }
 
   /// Adds a viewer. `handle` is the number that this process has issued for the subscription.
   /// `lane` is used only for its rows. A viewer that wants only the newest row gets the present row
@@ -54,18 +55,13 @@ class TableFeed {
   /// Adds the present row to the stream, unless Gather() will read this row.
   void TakeNewest(RowStream& stream);
   RowStream& StreamOf(const std::vector<std::size_t>& columns, const RowChoice& rows);
-  /// Called if the next row was overwritten while it was read. Skips to a newer row and returns the
-  /// number of skipped rows. Each repetition skips more rows.
-  std::uint64_t FallBehind();
   [[nodiscard]] bool IsBatchFull() const;
   void RemoveUnwatched();
 
   const std::string component_;
   const StateTable& table_;
-  std::uint64_t next_tick_ = 0;
+  RowCursor rows_;
   bool has_more_ = false;
-  std::uint64_t head_start_ = 0;  // rows between the oldest row and the end of the last skip
-  std::vector<std::uint64_t> row_;
   std::list<RowStream> streams_;
 };
 

@@ -1,5 +1,6 @@
 #include <tendon/base/os/process.h>
 #include <tendon/middleware/broadcast.h>
+#include <tendon/process/history/kept_rows.h>
 #include <tendon/process/telemetry/telemetry_server.h>
 
 #include <algorithm>
@@ -17,15 +18,6 @@ std::vector<std::string> ListedNames(const List& list) {
   std::vector<std::string> names;
   for (const auto& one : list) names.push_back(one->name());
   return names;
-}
-
-/// Returns the tick of the first row that is not older than `last`. Returns the oldest row if all
-/// rows are younger.
-std::uint64_t FirstTick(const StateTable& table, std::chrono::nanoseconds last, SteadyTime now) {
-  if (table.next_tick() == 0) return 0;  // the table may still be allocating its memory
-  std::uint64_t before = 0;
-  const bool is_found = table.FindRow(now - last, before) == RowResult::kDone;
-  return is_found ? before + 1 : table.oldest_tick();
 }
 
 /// Returns the newest value of one column, without a handle.
@@ -61,7 +53,8 @@ RowAcknowledgements AcknowledgementQueue::TakeAll() {
   return std::exchange(acknowledgements_, {});
 }
 
-TelemetryServer::TelemetryServer(ProcessContext& context) : context_(context) {
+TelemetryServer::TelemetryServer(ProcessContext& context, const ProcessHistory& history)
+    : context_(context), history_(history) {
   context_.network->Add(*this);
 }
 
@@ -111,20 +104,18 @@ void TelemetryServer::ReadRows(const message::ReadRows& wanted, Responder& respo
                                .now = now.time_since_epoch().count(),
                                .end_tick = table.next_tick(),
                                .rows = {}};
-  std::uint64_t tick = is_first ? FirstTick(table, wanted.last, now) : wanted.first_tick;
+  const auto history = history_.Lock(table);
+  KeptRows rows(table, history.get());
+  std::uint64_t tick = is_first ? rows.FirstTick(now - wanted.last) : wanted.first_tick;
   reply.subscribed.first_tick = tick;
   RowBatchWriter batch(CellSizes(table, source->columns));
-  std::vector<std::uint64_t> row(table.row_words());
   std::uint64_t lost = 0;
   while (tick < reply.end_tick && batch.size() < kMostBytes) {
-    std::int64_t time = 0;
-    if (table.CopyRow(tick, row, time) != RowResult::kDone) {
-      const std::uint64_t next = std::clamp(table.oldest_tick(), tick + 1, reply.end_tick);
-      lost += next - std::exchange(tick, next);
-      continue;
-    }
-    batch.BeginRow(tick++, time);
-    for (const std::size_t column : source->columns) batch.AddCell(table.cell(row, column));
+    const std::uint64_t found = rows.Read(tick, reply.end_tick);
+    lost += found - std::exchange(tick, found);
+    if (tick == reply.end_tick) break;
+    batch.BeginRow(tick++, rows.time());
+    for (const std::size_t column : source->columns) batch.AddCell(rows.cell(column));
   }
   const auto body =
       batch.Finish({.rows_before = wanted.rows_before, .lost_table = lost, .next_tick = tick});

@@ -4,6 +4,7 @@
 #include <tendon/middleware/channel.h>
 #include <tendon/process/broadcast_messages.h>
 #include <tendon/process/context.h>
+#include <tendon/process/history/process_history.h>
 #include <tendon/process/mirrored_commands.h>
 #include <tendon/process/telemetry/table_feed.h>
 #include <tendon/process/viewer_messages.h>
@@ -44,7 +45,7 @@ class AcknowledgementQueue {
 /// Functions are called on the worker unless noted.
 class TelemetryServer final : public NetworkJob {
  public:
-  explicit TelemetryServer(ProcessContext& context);
+  TelemetryServer(ProcessContext& context, const ProcessHistory& history);
   ~TelemetryServer() override;
 
   /// The limits of one viewer, which is identified by its channel. They prevent a viewer from
@@ -67,9 +68,9 @@ class TelemetryServer final : public NetworkJob {
   /// a topic cannot carry.
   void JoinTopic(const std::shared_ptr<Channel>& channel, const message::Subscribe& wanted,
                  Responder& responder);
-  /// Replies with rows that are already written, at most about 128 KiB. Refusals: kNotFound with a
-  /// suggestion; kInvalid for a time below zero, or a column named twice; kFailed if the table was
-  /// replaced after the first reply.
+  /// Replies with rows that are already written and kept in the table or in the history, at most
+  /// about 128 KiB. Refusals: kNotFound with a suggestion; kInvalid for a time below zero, or a
+  /// column named twice; kFailed if the table was replaced after the first reply.
   void ReadRows(const message::ReadRows& wanted, Responder& responder) const;
   /// Starts to send copies of the values that read commands return. Refusals: kNotFound;
   /// kIncompatible for a command that does not return the newest value of a column; kInvalid for a
@@ -110,6 +111,7 @@ class TelemetryServer final : public NetworkJob {
   TableFeed& FeedOf(const std::string& component, const StateTable& table);
 
   ProcessContext& context_;
+  const ProcessHistory& history_;
   std::mutex mutex_;  // locked after the manager's lock
   std::list<TableFeed> feeds_;
   MirroredCommands mirrored_;

@@ -32,11 +32,11 @@ class TickSink final : public RowSink {
 /// A reading of a table without columns.
 struct Reading {
   std::shared_ptr<TickSink> sink = std::make_shared<TickSink>();
-  std::optional<Result<PastRows>> outcome;
+  std::optional<PastRows> outcome;
   PastRowsReading reading{{.process = "robot", .component = "arm", .table = "state"},
                           30s,
                           sink,
-                          [this](const Result<PastRows>& past) { outcome = past; }};
+                          [this](const PastRows& past) { outcome = past; }};
 
   /// Returns true if another page must be requested.
   bool Take(const message::ReadRowsReply& page) { return reading.Take(page, ClockOffset()); }
@@ -79,10 +79,11 @@ TEST(PastRowsReading, DeliversAllPagesInOrderAndEndsWithTheRowsOfItsBegin) {
 
   EXPECT_EQ(one.sink->subscribed, 1);
   EXPECT_EQ(one.sink->ticks, (std::vector<std::uint64_t>{100, 101, 102, 103, 104, 105, 106}));
-  ASSERT_TRUE(one.outcome && *one.outcome);
-  EXPECT_EQ((**one.outcome).rows, 7U);
-  EXPECT_EQ((**one.outcome).lost, 0U);
-  EXPECT_EQ((**one.outcome).reach, 900ms);
+  ASSERT_TRUE(one.outcome);
+  EXPECT_FALSE(one.outcome->failure);
+  EXPECT_EQ(one.outcome->rows, 7U);
+  EXPECT_EQ(one.outcome->lost, 0U);
+  EXPECT_EQ(one.outcome->reach, 900ms);
 }
 
 TEST(PastRowsReading, AnEmptyTableReachesNowhere) {
@@ -90,9 +91,10 @@ TEST(PastRowsReading, AnEmptyTableReachesNowhere) {
 
   EXPECT_FALSE(one.Take(Page(0, 0, 0, 0)));
 
-  ASSERT_TRUE(one.outcome && *one.outcome);
-  EXPECT_EQ((**one.outcome).rows, 0U);
-  EXPECT_EQ((**one.outcome).reach, 0ns);
+  ASSERT_TRUE(one.outcome);
+  EXPECT_FALSE(one.outcome->failure);
+  EXPECT_EQ(one.outcome->rows, 0U);
+  EXPECT_EQ(one.outcome->reach, 0ns);
 }
 
 TEST(PastRowsReading, CountsRowsThatWereOverwrittenMeanwhile) {
@@ -101,8 +103,9 @@ TEST(PastRowsReading, CountsRowsThatWereOverwrittenMeanwhile) {
 
   EXPECT_FALSE(one.Take(Page(110, 120, 130, 4, 6)));
 
-  ASSERT_TRUE(one.outcome && *one.outcome);
-  EXPECT_EQ((**one.outcome).lost, 6U);
+  ASSERT_TRUE(one.outcome);
+  EXPECT_FALSE(one.outcome->failure);
+  EXPECT_EQ(one.outcome->lost, 6U);
   EXPECT_EQ(one.sink->lost.table, 6U);
 }
 
@@ -112,9 +115,8 @@ TEST(PastRowsReading, APageThatDoesNotGoOnIsRefused) {
 
   EXPECT_FALSE(one.Take(Page(104, 104, 120, 4))) << "it would never end";
 
-  ASSERT_TRUE(one.outcome);
-  EXPECT_FALSE(*one.outcome);
-  EXPECT_EQ(one.outcome->error().message, "process 'robot' sent invalid past rows");
+  ASSERT_TRUE(one.outcome && one.outcome->failure);
+  EXPECT_EQ(one.outcome->failure->message, "process 'robot' sent invalid past rows");
 }
 
 TEST(PastRowsReading, AMalformedPageIsRefused) {
@@ -125,16 +127,19 @@ TEST(PastRowsReading, AMalformedPageIsRefused) {
   EXPECT_FALSE(one.Take(page));
 
   ASSERT_TRUE(one.outcome);
-  EXPECT_FALSE(*one.outcome);
+  EXPECT_TRUE(one.outcome->failure);
 }
 
-TEST(PastRowsReading, AnErrorEndsIt) {
+TEST(PastRowsReading, AnErrorEndsItAndLeavesWhatWasRead) {
   Reading one;
+  EXPECT_TRUE(one.Take(Page(100, 104, 106, 0)));
 
   one.reading.Fail({ErrorCode::kUnreachable, "the process is gone"});
 
-  ASSERT_TRUE(one.outcome);
-  EXPECT_EQ(one.outcome->error().code, ErrorCode::kUnreachable);
+  ASSERT_TRUE(one.outcome && one.outcome->failure);
+  EXPECT_EQ(one.outcome->failure->code, ErrorCode::kUnreachable);
+  EXPECT_EQ(one.outcome->rows, 4U);
+  EXPECT_EQ(one.outcome->reach, 900ms);
 }
 
 }  // namespace

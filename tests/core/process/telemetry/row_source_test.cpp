@@ -90,15 +90,15 @@ TEST(RowSource, SaysThatAProcessIsTooOldForPastRows) {
       std::make_shared<LoopbackMiddleware>(network),
       [&](const std::string& /*process*/) { return Result<std::string>(listener->address()); },
       HelloOf("viewer"));
-  std::promise<Result<PastRows>> answer;
+  std::promise<PastRows> answer;
 
   viewer->ReadPast({"robot", "plant", "state", {"Move"}}, std::chrono::seconds(1),
                    std::make_shared<DeafSink>(),
-                   [&](const Result<PastRows>& past) { answer.set_value(past); });
-  const Result<PastRows> past = answer.get_future().get();
+                   [&](const PastRows& past) { answer.set_value(past); });
+  const PastRows past = answer.get_future().get();
 
-  ASSERT_FALSE(past);
-  EXPECT_EQ(past.error().message,
+  ASSERT_TRUE(past.failure);
+  EXPECT_EQ(past.failure->message,
             "process 'robot' does not know the request 'read past rows', because it runs an older "
             "version of Tendon; start it again with " +
                 OwnVersion().release + " or later");

@@ -124,7 +124,8 @@ void FaultTest::StartGcm() {
 }
 
 std::unique_ptr<Program> FaultTest::MakeLcm(const std::string& name, const Words& more) const {
-  Words words{"--name", name, "--system", home_.path() / "system.json"};
+  // The history fills before the first footprint, or grows by less than a footprint may grow.
+  Words words{"--name", name, "--system", home_.path() / "system.json", "--history-memory", "4MiB"};
   words.insert(words.end(), more.begin(), more.end());
   return std::make_unique<Program>(Command("lcm", words), environment());
 }

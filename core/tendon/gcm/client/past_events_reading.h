@@ -1,0 +1,47 @@
+#pragma once
+
+#include <tendon/gcm/event_sink.h>
+#include <tendon/process/history/history_messages.h>
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace tendon::client {
+
+class SourceClock;
+
+/// Reads the past events of one interface in pages, for EventFeed::ReadPast().
+///
+/// Thread safety: from any thread, one call at a time.
+class PastEventsReading {
+ public:
+  using Done = std::function<void(const PastEvents&)>;
+
+  PastEventsReading(EventSubscription wanted, std::chrono::nanoseconds last,
+                    std::shared_ptr<EventSink> sink, Done done);
+
+  [[nodiscard]] const EventSubscription& wanted() const { return wanted_; }
+  /// Sets the descriptions of the wanted events. Must be called before Take().
+  void SetEvents(std::vector<MemberDescription> events) { events_ = std::move(events); }
+  [[nodiscard]] const message::ReadEvents& NextRequest() const { return next_; }
+  /// Passes the events of a page to the sink. Returns true if another page must be requested. If
+  /// not, it has called `done`. The page is untrusted.
+  [[nodiscard]] bool Take(const message::ReadEventsReply& page, const SourceClock& clock);
+  /// Calls `done` with this failure.
+  void Fail(const Error& reason);
+
+ private:
+  const EventSubscription wanted_;
+  const std::shared_ptr<EventSink> sink_;
+  const Done done_;
+  std::vector<MemberDescription> events_;
+  message::ReadEvents next_;
+  PastEvents read_;
+  std::uint64_t end_ = 0;  // events from this number on were raised after the first request
+};
+
+}  // namespace tendon::client
