@@ -142,8 +142,8 @@ Result<void> CheckGcmAddress(const std::string& address, const NetworkOptions& o
     return {};
   }
   return Error{ErrorCode::kInvalid,
-               "--gcm: '" + tendon::Printable(host) +
-                   "' is not an address on this machine, such as 127.0.0.1:10705; "
+               "--gcm: " + tendon::Quoted(host) +
+                   " is not an address on this machine, such as 127.0.0.1:10705; "
                    "to use a host with this name, give a --certificate"};
 }
 

@@ -35,8 +35,8 @@ Recorder::Recorder(std::string name, Configuration configuration)
   }
   if (configuration_.name.find('/') != std::string::npos ||
       configuration_.name.find("..") != std::string::npos) {
-    throw tendon::ConfigurationError("'name' is '" + tendon::Printable(configuration_.name, 100) +
-                                     "'; expected the begin of a file name, without / and ..; "
+    throw tendon::ConfigurationError("'name' is " + tendon::Quoted(configuration_.name, 100) +
+                                     "; expected the begin of a file name, without / and ..; "
                                      "'folder' is the place of the files");
   }
   if (configuration_.keep > 0 && configuration_.split_size == 0 &&

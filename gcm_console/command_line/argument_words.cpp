@@ -55,8 +55,8 @@ class FieldsByWords {
     const Schema::Field* field = name ? Find(*name) : NextFree();
     if (field == nullptr && name) return NoField(*name);
     if (field == nullptr) {
-      return Error{ErrorCode::kInvalid, "'" + tendon::Printable(word, 64) +
-                                            "' is one word too many: " + FieldsText(schema_)};
+      return Error{ErrorCode::kInvalid,
+                   tendon::Quoted(word, 64) + " is one word too many: " + FieldsText(schema_)};
     }
     if (!given_.insert(field->name).second) {
       return Error{ErrorCode::kInvalid, field->name + " is given twice: leave out one of the two"};
@@ -109,8 +109,8 @@ Result<std::string> StructureOf(const Schema& schema, const std::vector<std::str
 
 Result<std::string> ValueOf(const Schema& schema, const std::vector<std::string>& words) {
   if (words.size() > 1) {
-    return Error{ErrorCode::kInvalid, "'" + tendon::Printable(words[1], 64) +
-                                          "' is one word too many: expected one value of type " +
+    return Error{ErrorCode::kInvalid, tendon::Quoted(words[1], 64) +
+                                          " is one word too many: expected one value of type " +
                                           schema.TypeName()};
   }
   const auto value = tendon::TypedValue(schema, "the argument", words[0]);

@@ -50,14 +50,11 @@ std::vector<TimeSlider::Span> SpansOf(const std::vector<recording::PlayedSpan>& 
   return spans;
 }
 
-/// A word of a shell command.
-QString Quoted(const QString& file) { return '\'' + QString(file).replace('\'', "'\\''") + '\''; }
-
 /// The command that makes a whole file out of a damaged one.
 QString RecoverCommand(const QString& file) {
   const QFileInfo info(file);
   const QString whole = info.path() + '/' + info.completeBaseName() + QStringLiteral("-whole.mcap");
-  return QStringLiteral("gcm recover %1 -o %2").arg(Quoted(file), Quoted(whole));
+  return QStringLiteral("gcm recover %1 -o %2").arg(ShellWord(file), ShellWord(whole));
 }
 
 }  // namespace

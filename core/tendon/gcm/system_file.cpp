@@ -397,8 +397,8 @@ Result<SystemFile> ReadSystemFile(const fs::path& path) {
 
 Result<std::string> SystemFileText(const SystemFile& system) {
   const auto refuse = [&](const std::string& why) {
-    return Error{ErrorCode::kInvalid, "system '" + Printable(system.name, 256) +
-                                          "' cannot be written as a file: " + why};
+    return Error{ErrorCode::kInvalid,
+                 "system " + Quoted(system.name, 256) + " cannot be written as a file: " + why};
   };
   if (const auto checked = CheckConfigurations(system); !checked) {
     return refuse(checked.error().message);

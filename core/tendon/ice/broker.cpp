@@ -67,8 +67,8 @@ Result<void> CheckFits(const std::filesystem::path& file) {
   const std::string text = file.string();
   if (text.find_first_of("#\\=: \t\r\n") == std::string::npos) return {};
   return Error{ErrorCode::kInvalid,
-               "the settings of icebox cannot hold the path '" + Printable(text) +
-                   "': put the file into a folder whose path has no '#', '\\', '=', ':' or blank"};
+               "the settings of icebox cannot hold the path " + Quoted(text) +
+                   ": put the file into a folder whose path has no '#', '\\', '=', ':' or blank"};
 }
 
 }  // namespace

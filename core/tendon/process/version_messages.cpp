@@ -17,7 +17,7 @@ Error ExplainRefusal(Error refusal, MessageType request, const std::string& peer
                           refusal.message == message + " is not understood here";
   const Right* const right = FindRight(static_cast<std::uint16_t>(request));
   if (!is_unknown || right == nullptr) return refusal;
-  refusal.message = "process '" + Printable(peer, 64) + "' does not know the request '" +
+  refusal.message = "process " + Quoted(peer, 64) + " does not know the request '" +
                     std::string(right->act) +
                     "', because it runs an older version of Tendon; start it again with " +
                     OwnVersion().release + " or later";

@@ -40,9 +40,9 @@ bool IsDescribed(const mcap::Reader& reader, const mcap::Channel& channel) {
 std::string EncodingText(const mcap::Reader& reader, const mcap::Channel& channel) {
   constexpr std::size_t kMost = 60;
   const auto schema = reader.schemas().find(channel.schema_id);
-  std::string text = "'" + Printable(channel.message_encoding, kMost) + "'";
+  std::string text = Quoted(channel.message_encoding, kMost);
   if (schema == reader.schemas().end()) return text + " without a schema";
-  return text + " with a schema in '" + Printable(schema->second.encoding, kMost) + "'";
+  return text + " with a schema in " + Quoted(schema->second.encoding, kMost);
 }
 
 bool HasTopic(const ChannelGroup& group, const std::string& topic) {

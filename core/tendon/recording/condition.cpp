@@ -33,12 +33,12 @@ std::string_view Trimmed(std::string_view text) {
 }
 
 Error Mistake(std::string_view text, std::size_t place, const std::string& expected) {
-  return {ErrorCode::kInvalid, "'" + Printable(text, 200) + "' is not a condition: column " +
+  return {ErrorCode::kInvalid, Quoted(text, 200) + " is not a condition: column " +
                                    std::to_string(place + 1) + ": expected " + expected};
 }
 
 Error DoesNotFit(const Condition& condition, const std::string& why) {
-  return {ErrorCode::kInvalid, "'" + Printable(condition.text, 200) + "': " + why};
+  return {ErrorCode::kInvalid, Quoted(condition.text, 200) + ": " + why};
 }
 
 template <typename T>
@@ -126,8 +126,7 @@ Result<CellTest> CellTest::Make(const Condition& condition, const Schema& column
   const Condition::Comparison& comparison = *condition.comparison;
   auto field = FindNumericField(column, condition.path.field);
   if (!field) {
-    return Error{field.error().code,
-                 "'" + Printable(condition.text, 200) + "': " + field.error().message};
+    return Error{field.error().code, Quoted(condition.text, 200) + ": " + field.error().message};
   }
   if (!comparison.unit.empty() && comparison.unit != field->unit) {
     return DoesNotFit(

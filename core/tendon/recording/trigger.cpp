@@ -17,7 +17,7 @@ namespace tendon::recording {
 namespace {
 
 Error NoSuch(const Condition& condition, const std::string& what) {
-  return {ErrorCode::kNotFound, "'" + Printable(condition.text, 200) + "': " + what};
+  return {ErrorCode::kNotFound, Quoted(condition.text, 200) + ": " + what};
 }
 
 }  // namespace
@@ -159,8 +159,8 @@ Result<void> Trigger::WatchEvent(const Condition& condition, const Catalogue& ca
     return NoSuch(condition, component.error().message);
   } else if (FindNamed((*component)->tables, path.interface) != nullptr) {
     return Error{ErrorCode::kInvalid,
-                 "'" + Printable(condition.text, 200) +
-                     "' is a value: expected a comparison after the path, such as > 1.5"};
+                 Quoted(condition.text, 200) +
+                     " is a value: expected a comparison after the path, such as > 1.5"};
   }
   const auto provided = LookUpProvided(catalogue, path.interface_name());
   if (!provided) return NoSuch(condition, provided.error().message);

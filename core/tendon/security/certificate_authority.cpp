@@ -88,8 +88,8 @@ Result<void> Check(const CertificateAuthority::Request& request, sys_seconds las
   }
   for (const std::string& host : request.hosts) {
     if (openssl::IsHost(host)) continue;
-    return Error{ErrorCode::kInvalid, "host '" + Printable(host, 64) +
-                                          "': expected a name such as robot.local or an address"};
+    return Error{ErrorCode::kInvalid, "host " + Quoted(host, 64) +
+                                          ": expected a name such as robot.local or an address"};
   }
   return {};
 }
@@ -152,8 +152,8 @@ Result<std::vector<openssl::CertificateHandle>> FindValid(const AuthorityFolder&
   if (!found) return found.error();
   if (found->certificates.empty()) {
     return Error{ErrorCode::kNotFound, "the CA in " + folder.path.string() +
-                                           " has issued no certificate to '" + Printable(name, 64) +
-                                           "'" + DidYouMean(name, found->names)};
+                                           " has issued no certificate to " + Quoted(name, 64) +
+                                           DidYouMean(name, found->names)};
   }
   std::erase_if(found->certificates, [&revoked](const auto& certificate) {
     X509_REVOKED* entry = nullptr;

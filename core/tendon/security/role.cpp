@@ -17,8 +17,7 @@ Result<Role> ParseRole(std::string_view text) {
   for (const Role role : {Role::kViewer, Role::kOperator}) {
     if (text == ToString(role)) return role;
   }
-  return Error{ErrorCode::kInvalid,
-               "role '" + Printable(text, 64) + "': expected viewer or operator"};
+  return Error{ErrorCode::kInvalid, "role " + Quoted(text, 64) + ": expected viewer or operator"};
 }
 
 }  // namespace tendon

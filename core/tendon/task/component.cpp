@@ -1,6 +1,7 @@
 #include <tendon/base/clock.h>
 #include <tendon/base/log.h>
 #include <tendon/base/name.h>
+#include <tendon/base/text.h>
 #include <tendon/interface/execution/block_when_full.h>
 #include <tendon/task/component.h>
 
@@ -18,8 +19,6 @@ auto FindByName(const List& list, const std::string& name) -> decltype(list.fron
 }
 
 bool IsReserved(const std::string& name) { return name == "state" || name.starts_with("state-"); }
-
-std::string Quoted(const std::string& name) { return "'" + name + "'"; }
 
 /// Returns the transition for a request, or an error that says why the request is refused. `mutex`
 /// guards state changes.

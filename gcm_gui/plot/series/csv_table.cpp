@@ -18,7 +18,7 @@ constexpr std::int64_t kMicrosecond = 1'000;
 constexpr qsizetype kWrittenAtOnce = 1 << 16;  // bytes written at once
 constexpr std::int64_t kNoTime = std::numeric_limits<std::int64_t>::max();
 
-QByteArray Quoted(const QString& text) {
+QByteArray CsvField(const QString& text) {
   if (!text.contains(',') && !text.contains('"') && !text.contains('\n')) return text.toUtf8();
   return '"' + QString(text).replace('"', "\"\"").toUtf8() + '"';
 }
@@ -72,10 +72,10 @@ class Writer {
       const QString unit = curve.unit.isEmpty() ? QString() : " [" + curve.unit + ']';
       const QString scaled = TextOf(curve.plotted);
       const QString plotted = scaled.isEmpty() ? QString() : " (raw; plotted " + scaled + ')';
-      text_.append(',').append(Quoted(curve.path + unit + plotted));
+      text_.append(',').append(CsvField(curve.path + unit + plotted));
     }
     for (const QString& source : sources_) {
-      text_.append(',').append(Quoted(source + " rows lost before"));
+      text_.append(',').append(CsvField(source + " rows lost before"));
     }
     text_.append('\n');
   }
@@ -115,7 +115,7 @@ class Writer {
   void AddValue(const CsvTable::Curve& curve, std::size_t index) {
     const ExactNumber number(curve.kind, curve.words[index]);
     if (curve.names != nullptr) {
-      text_.append(Quoted(curve.names->textOf(number)));
+      text_.append(CsvField(curve.names->textOf(number)));
     } else if (number.kind() == ExactNumber::Kind::kSigned) {
       AppendNumber(text_, static_cast<std::int64_t>(number.word()));
     } else if (number.kind() == ExactNumber::Kind::kUnsigned) {

@@ -35,5 +35,11 @@ TEST(Printable, MarksTextThatItTruncates) {
   EXPECT_LT(Printable(std::string(1U << 20U, 'x')).size(), 5000U);
 }
 
+TEST(Quoted, PutsPrintableTextBetweenQuotes) {
+  EXPECT_EQ(Quoted("arm"), "'arm'");
+  EXPECT_EQ(Quoted("a\nb"), "'a\\x0ab'");
+  EXPECT_EQ(Quoted("abcdef", 5), "'abcde...'");
+}
+
 }  // namespace
 }  // namespace tendon

@@ -212,8 +212,7 @@ Result<void> CheckSharedLibrary(const std::filesystem::path& path) {
   if (size == 0) return Expected("an empty file");
   if (size < SELFMAG || std::memcmp(&header, ELFMAG, SELFMAG) != 0) {
     const auto* text = reinterpret_cast<const char*>(&header);
-    return Expected("a file that begins with '" +
-                    Printable({text, std::min<std::size_t>(size, 16)}) + "'");
+    return Expected("a file that begins with " + Quoted({text, std::min<std::size_t>(size, 16)}));
   }
   if (size < sizeof(header))
     return Expected("a file that ends after " + std::to_string(size) + " B");

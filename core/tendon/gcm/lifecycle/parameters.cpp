@@ -54,8 +54,8 @@ Result<std::vector<Step>> StepsOf(const std::string& name) {
   std::vector<Step> steps;
   std::string_view rest = name;
   const Error wrong{ErrorCode::kInvalid,
-                    "'" + Printable(name, 64) +
-                        "' does not name a parameter: expected a name such as gain, "
+                    Quoted(name, 64) +
+                        " does not name a parameter: expected a name such as gain, "
                         "gain.x or gain[2]"};
   while (!rest.empty()) {
     if (rest.front() == '[') {
@@ -85,7 +85,7 @@ Error NoField(const Schema& structure, const std::string& field, const std::stri
   std::vector<std::string> names;
   for (const Schema::Field& one : structure.fields()) names.push_back(one.name);
   const std::string at = where.empty() ? "" : " in '" + where + "'";
-  std::string message = "no parameter '" + Printable(field, 64) + "'" + at;
+  std::string message = "no parameter " + Quoted(field, 64) + at;
   if (const std::string near = DidYouMean(field, names); !near.empty()) {
     return {ErrorCode::kNotFound, message + near};
   }

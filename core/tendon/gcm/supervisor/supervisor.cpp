@@ -39,10 +39,10 @@ Result<T> Guarded(const Action& action) {
   }
 }
 
-std::string Quoted(const std::string& process) { return "process '" + process + "'"; }
+std::string Named(const std::string& process) { return "process '" + process + "'"; }
 
 Error Refused(const std::string& process, const std::string& why) {
-  return {ErrorCode::kFailed, Quoted(process) + " " + why};
+  return {ErrorCode::kFailed, Named(process) + " " + why};
 }
 
 }  // namespace
@@ -122,7 +122,7 @@ Result<void> Supervisor::CheckStart(const std::string& process) const {
   }
   const auto* const entry = parts_.registry.catalogue().FindProcess(process);
   if (entry != nullptr && IsPresent(entry->process)) {
-    return Error{ErrorCode::kExists, Quoted(process) + " is already running: host " +
+    return Error{ErrorCode::kExists, Named(process) + " is already running: host " +
                                          entry->process.host + " pid " +
                                          std::to_string(entry->process.pid)};
   }
@@ -130,7 +130,7 @@ Result<void> Supervisor::CheckStart(const std::string& process) const {
   if (child == children_.end() || child->second.phase == Phase::kPausing) return {};
   const auto& program = child->second.program;
   const std::string pid = program ? " as pid " + std::to_string(program->pid()) : "";
-  return Error{ErrorCode::kExists, Quoted(process) + " was already started" + pid +
+  return Error{ErrorCode::kExists, Named(process) + " was already started" + pid +
                                        ", but has not joined; to end the process: gcm kill " +
                                        process};
 }
@@ -312,7 +312,7 @@ void Supervisor::Drop(const std::string& process, const std::string& how) {
 void Supervisor::Report(const std::string& process, const std::string& what) {
   if (parts_.registry.SetReason(process, what)) return;  // then the server logs the change
   parts_.deferred.Add(
-      [text = Quoted(process) + " " + what] { Log(LogLevel::kWarning, "gcm", text); });
+      [text = Named(process) + " " + what] { Log(LogLevel::kWarning, "gcm", text); });
 }
 
 bool Supervisor::IsMember(const std::string& process, const Child& child) const {

@@ -158,9 +158,8 @@ class ComponentManagerReader {
       return;
     }
     component.comment = "configure-parameter: " + Printable(text, 200);
-    LeaveOut(object.Place("configure-parameter"), "kept as a comment; write the content of '" +
-                                                      Printable(text, 64) +
-                                                      "' into \"configuration\"");
+    LeaveOut(object.Place("configure-parameter"), "kept as a comment; write the content of " +
+                                                      Quoted(text, 64) + " into \"configuration\"");
   }
 
   void LeaveOut(const std::string& place, const std::string& why) {

@@ -13,7 +13,7 @@ void Refuse(const std::string& place, const std::string& reason) {
 
 std::string Shown(const Json& value) {
   if (!value.is_string()) return KindOf(value);
-  return "string '" + Printable(value.get_ref<const std::string&>(), 64) + "'";
+  return "string " + Quoted(value.get_ref<const std::string&>(), 64);
 }
 
 FileObject::FileObject(const Json& object, std::string place, const std::vector<std::string>& keys)
@@ -122,7 +122,7 @@ std::string ConfigurationText(const Json& configuration, const std::string& plac
 }
 
 void CheckLibrary(const std::string& library, const std::string& place) {
-  const std::string shown = "library '" + Printable(library, 64) + "' ";
+  const std::string shown = "library " + Quoted(library, 64) + " ";
   if (library.empty())
     Refuse(place, "library name is empty; if there is no library, leave the key out");
   if (library.find('/') != library.npos || library.find('\\') != library.npos ||

@@ -414,7 +414,7 @@ std::string FlawText(const NumberLiteral& word) {
     case NumberFlaw::kSpelling:
       return write;
     case NumberFlaw::kRest:
-      return "write the number alone, without '" + Printable(word.rest, 40) + "'";
+      return "write the number alone, without " + Quoted(word.rest, 40);
     case NumberFlaw::kFraction:
       return "write a whole number";
     case NumberFlaw::kLimits:

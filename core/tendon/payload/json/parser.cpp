@@ -51,7 +51,7 @@ std::string Found(const Json& value) {
     case Json::value_t::array:
       return "an array of " + std::to_string(value.size());
     case Json::value_t::string:
-      return "string '" + Printable(value.get_ref<const std::string&>(), kShown) + "'";
+      return "string " + Quoted(value.get_ref<const std::string&>(), kShown);
     case Json::value_t::boolean:
     case Json::value_t::null:
       return value.dump();
@@ -271,8 +271,7 @@ class Builder {
     for (const Schema::Field& field : schema.fields()) names.push_back(field.name);
     for (const auto& item : value.items()) {
       if (std::find(names.begin(), names.end(), item.key()) != names.end()) continue;
-      return Mistake("unknown key '" + Printable(item.key(), 64) + "'" +
-                     DidYouMean(item.key(), names));
+      return Mistake("unknown key " + Quoted(item.key(), 64) + DidYouMean(item.key(), names));
     }
     return true;
   }

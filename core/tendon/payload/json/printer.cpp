@@ -13,7 +13,7 @@ namespace {
 
 using payload::CdrReader;
 
-std::string Quoted(std::string_view text) {
+std::string JsonText(std::string_view text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
@@ -84,7 +84,7 @@ class Printer {
   bool PrintString() {
     std::string_view text;
     if (!reader_.ReadString(text)) return Expected("a string");
-    out_ += Quoted(text);
+    out_ += JsonText(text);
     return true;
   }
 

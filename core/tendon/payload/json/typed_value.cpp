@@ -12,7 +12,7 @@ namespace {
 
 std::string ExpectedOf(const Schema& schema, const std::string& name, const std::string& form,
                        const std::string& typed) {
-  return name + ": expected " + schema.TypeName() + form + ", got '" + Printable(typed, 64) + "'";
+  return name + ": expected " + schema.TypeName() + form + ", got " + Quoted(typed, 64);
 }
 
 Result<nlohmann::ordered_json> TypedNumber(const Schema& schema, const std::string& name,
@@ -82,7 +82,7 @@ Result<nlohmann::ordered_json> TypedValue(const Schema& schema, const std::strin
   try {
     (void)value.dump();
   } catch (const nlohmann::ordered_json::exception&) {
-    return Error{ErrorCode::kInvalid, name + ": '" + Printable(typed, 64) + "' is not valid UTF-8"};
+    return Error{ErrorCode::kInvalid, name + ": " + Quoted(typed, 64) + " is not valid UTF-8"};
   }
   if (!is_meant_as_it_is) {
     if (auto checked = CheckTyped(schema, name, typed, value); !checked) return checked.error();

@@ -62,7 +62,7 @@ Result<Compression> ParseCompression(std::string_view name) {
     known += (known.empty() ? "" : ", ") + std::string(NameOf(compression));
   }
   return Error{ErrorCode::kInvalid,
-               "there is no compression '" + Printable(name, 100) + "'; known: " + known};
+               "there is no compression " + Quoted(name, 100) + "; known: " + known};
 }
 
 std::string_view FormatNameOf(Compression compression) noexcept {

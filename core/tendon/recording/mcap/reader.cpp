@@ -74,16 +74,16 @@ Result<void> Reader::CheckMagic() {
   if (std::ranges::equal(begin->first(std::min(kBeforeVersion, begin->size())),
                          Magic().first(kBeforeVersion)) &&
       text.size() > kBeforeVersion && text[kBeforeVersion] != '0') {
-    return Error{ErrorCode::kInvalid, what + "the file has version '" +
-                                          Printable(text.substr(kBeforeVersion, 1)) +
-                                          "' of MCAP, but this program reads version 0"};
+    return Error{ErrorCode::kInvalid, what + "the file has version " +
+                                          Quoted(text.substr(kBeforeVersion, 1)) +
+                                          " of MCAP, but this program reads version 0"};
   }
   std::string guess;
   if (text.starts_with("PK")) guess = "; a ZIP archive?";
   if (text.starts_with("#ROSBAG")) guess = "; a bag of ROS 1?";
   if (text.starts_with("SQLite")) guess = "; a bag of ROS 2 in SQLite?";
-  return Error{ErrorCode::kInvalid, what + "the file begins with '" + Printable(text) +
-                                        "', but an MCAP file begins with '\\x89MCAP0'" + guess};
+  return Error{ErrorCode::kInvalid, what + "the file begins with " + Quoted(text) +
+                                        ", but an MCAP file begins with '\\x89MCAP0'" + guess};
 }
 
 void Reader::ReadContents(bool by_scan) {
@@ -186,7 +186,7 @@ Result<Buffer> Reader::ReadRecord(std::uint64_t offset, std::uint64_t length, Op
 
 Result<Attachment> Reader::ReadAttachment(const AttachmentIndex& index) try {
   constexpr std::size_t kCrcSize = 4;
-  const std::string what = "attachment '" + Printable(index.name, 200) + "' at " +
+  const std::string what = "attachment " + Quoted(index.name, 200) + " at " +
                            std::to_string(index.offset) + " of " + file_->name();
   auto content = ReadRecord(index.offset, index.length, Opcode::kAttachment, limits_.attachment);
   if (!content) return Unreadable(what, content.error().message);
@@ -215,7 +215,7 @@ Result<Attachment> Reader::ReadAttachment(const AttachmentIndex& index) try {
 }
 
 Result<Metadata> Reader::ReadMetadata(const MetadataIndex& index) try {
-  const std::string what = "metadata '" + Printable(index.name, 200) + "' at " +
+  const std::string what = "metadata " + Quoted(index.name, 200) + " at " +
                            std::to_string(index.offset) + " of " + file_->name();
   const auto content = ReadRecord(index.offset, index.length, Opcode::kMetadata, limits_.text);
   if (!content) return Unreadable(what, content.error().message);

@@ -455,8 +455,8 @@ void DataScan::TellUnknownSchemas() {
     if (channel.schema_id == 0 || contents_.schemas.contains(channel.schema_id)) continue;
     problems_.Add(
         file_.size(),
-        "channel " + std::to_string(id) + " ('" + Printable(channel.topic, 200) +
-            "') has the schema id " + std::to_string(channel.schema_id) +
+        "channel " + std::to_string(id) + " (" + Quoted(channel.topic, 200) +
+            ") has the schema id " + std::to_string(channel.schema_id) +
             ", but this schema is not defined; the messages of the channel have no schema");
   }
 }
