@@ -28,9 +28,7 @@ constexpr std::chrono::hours kLongest(24 * 365 * 10);  // so that no sum of time
 std::size_t TableBytes(const RecordedSource& source, std::chrono::nanoseconds period) {
   std::size_t row = sizeof(std::uint64_t);
   for (const RecordedMember& member : source.members) row += member.largest + sizeof(std::uint64_t);
-  const auto rows = static_cast<std::size_t>(std::max<std::int64_t>(1s / period, 0));
-  const std::size_t most = StateTable::kDefaultBytes / row + 1;
-  return row * std::min(std::max(rows, StateTable::kMinimumLength), most);
+  return row * (StateTable::LengthFor(period, row) + 1);  // one more row is being replaced
 }
 
 LogLevel LogLevelOf(std::uint8_t ros_level) {

@@ -56,12 +56,12 @@ void StateTable::SetLength(std::size_t rows) {
   length_ = rows;
 }
 
-std::size_t StateTable::LengthFor(std::chrono::nanoseconds period) const noexcept {
-  constexpr std::size_t kMaxWords = kDefaultBytes / sizeof(std::uint64_t);
+std::size_t StateTable::LengthFor(std::chrono::nanoseconds period, std::size_t row_bytes) noexcept {
+  constexpr std::size_t kWord = sizeof(std::uint64_t);
   constexpr std::chrono::seconds kHistory(1);
   const auto cycles = period.count() > 0 ? kHistory / period : 0;
   return std::min(std::max(static_cast<std::size_t>(cycles), kMinimumLength),
-                  RowRing<>::RowsWithin(kMaxWords, row_words_));
+                  RowRing<>::RowsWithin(kDefaultBytes / kWord, (row_bytes + kWord - 1) / kWord));
 }
 
 void StateTable::Prepare() {

@@ -78,9 +78,15 @@ class StateTable {
   /// not limit this number. Throws ConfigurationError if `rows` is not 1 to kMaximumLength, or if
   /// rows have been written. Reallocates the rows if they exist.
   void SetLength(std::size_t rows);
-  /// Returns the number of rows that cycles of `period` write in one second. The result is at least
-  /// kMinimumLength, and at most as many rows as kDefaultBytes can hold.
-  [[nodiscard]] std::size_t LengthFor(std::chrono::nanoseconds period) const noexcept;
+  /// The default length of a table whose rows have `row_bytes`: the number of rows that cycles of
+  /// `period` write in one second. The result is at least kMinimumLength, and at most as many rows
+  /// as kDefaultBytes can hold.
+  [[nodiscard]] static std::size_t LengthFor(std::chrono::nanoseconds period,
+                                             std::size_t row_bytes) noexcept;
+  /// The default length of this table, with the columns that it has now.
+  [[nodiscard]] std::size_t LengthFor(std::chrono::nanoseconds period) const noexcept {
+    return LengthFor(period, row_words_ * sizeof(std::uint64_t));
+  }
   /// From now on, cycles write no rows; the author's code calls Advance().
   void AdvanceOnlyByHand() noexcept { is_by_hand_ = true; }
   /// Sets the shortest time between two rows written by cycles. With 0, the default, each cycle

@@ -175,6 +175,7 @@ TEST_F(StateTableTest, SuggestsOneSecondOfRowsWithinBounds) {
 
   table_.Add(report_, "Report", 1 << 20);
   EXPECT_EQ(table_.LengthFor(1ms), 7U);
+  EXPECT_EQ(StateTable::LengthFor(1ms, (1 << 20) + 16), 7U);
 }
 
 TEST_F(StateTableTest, AllColumnsOfARowBelongToOneCycle) {
