@@ -38,14 +38,15 @@ std::optional<std::string> WaitForItself(const RequiredInterface& required,
 
 }  // namespace
 
+Error AlreadyConnected(const std::string& required_name) {
+  return {ErrorCode::kExists, required_name + " is already connected; end that connection first"};
+}
+
 Result<std::unique_ptr<Connection>> Connection::Make(RequiredInterface& required,
                                                      ProvidedInterface& provided,
                                                      const std::string& required_name,
                                                      const std::string& provided_name) {
-  if (required.is_connected()) {
-    return Error{ErrorCode::kExists,
-                 required_name + " is already connected; end that connection first"};
-  }
+  if (required.is_connected()) return AlreadyConnected(required_name);
   const Compatibility compatibility = Compare(
       required.description(),
       required.observes_calls() ? provided.description_for_observers() : provided.description());

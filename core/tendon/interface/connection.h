@@ -12,6 +12,9 @@
 
 namespace tendon {
 
+/// The error for a required interface that is already connected.
+[[nodiscard]] Error AlreadyConnected(const std::string& required_name);
+
 /// Connects a required interface to a provided one in the same process. The connection has a
 /// mailbox for calls, a mailbox for events, and the bound commands. It lasts until this object is
 /// destroyed.

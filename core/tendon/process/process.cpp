@@ -391,10 +391,7 @@ Result<ConnectionId> Process::ConnectAnew(const InterfaceName& required,
   if (provided.process != name()) {
     return parts_->Connect({.required = required, .provided = provided});
   }
-  if (parts_->connections().Has(required)) {
-    return Error{ErrorCode::kExists,
-                 ToString(required) + " is already connected; end that connection first"};
-  }
+  if (parts_->connections().Has(required)) return AlreadyConnected(ToString(required));
   return LocalManager::Connect(WithoutProcess(required), WithoutProcess(provided));
 }
 

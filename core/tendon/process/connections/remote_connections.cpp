@@ -30,14 +30,13 @@ Result<ConnectionId> RemoteConnections::Enter(const message::Wire& wire, const D
   const auto required = context_.process.LookUpRequired(wire.required);
   if (!required) return required.error();
   const auto known = FindEntry(wire.required);
-  const bool stands = known == entries_.end() || known->second.connection != nullptr;
+  if (known != entries_.end() && known->second.connection == nullptr) {
+    return Error{ErrorCode::kExists, ToString(wire.required) + " waits to be connected to " +
+                                         ToString(known->second.description.provided) +
+                                         " already; end that connection first"};
+  }
   if ((*required)->is_connected() || known != entries_.end()) {
-    return Error{ErrorCode::kExists,
-                 ToString(wire.required) +
-                     (stands ? std::string(" is already connected")
-                             : " waits to be connected to " +
-                                   ToString(known->second.description.provided) + " already") +
-                     "; end that connection first"};
+    return AlreadyConnected(ToString(wire.required));
   }
   const ConnectionId id = context_.process.NewConnectionId();
   Entry& entry = entries_[id];
