@@ -186,7 +186,7 @@ void IceLink::Admit() {
 
 void IceLink::CheckAdmission() {
   if (limit_.Get() == kMaxPieceSize) return;
-  Fail({ErrorCode::kTimeout, peer_ + " connected but did not authenticate within 3 s"});
+  Fail(NotAdmitted(peer_));
 }
 
 /// Sends a marker, which the peer ignores. When Ice reports that the marker was sent, all earlier

@@ -63,7 +63,7 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   /// still sent.
   void Fail(const Error& reason);
   void CloseAtOnce();
-  /// Called 3 s after the link was accepted. Closes the link if it is not admitted yet.
+  /// Called kAdmissionTime after the link was accepted. Closes the link if it is not admitted yet.
   void CheckAdmission();
 
   // The next three functions are called with the outcome of a message. `size` is the number of

@@ -6,7 +6,8 @@
 namespace tendon::ice {
 namespace {
 
-/// Closes one connection if it is not admitted. Runs kPatience after the connection was accepted.
+/// Closes one connection if it is not admitted. Runs kAdmissionTime after the connection was
+/// accepted.
 class AdmissionCheck final : public IceUtil::TimerTask {
  public:
   AdmissionCheck(std::shared_ptr<Links> links, SocketAddresses addresses)
@@ -30,7 +31,7 @@ class PendingHandshake final : public Ice::Instrumentation::ConnectionObserver {
 
   void attach() override {
     try {
-      timer_->schedule(check_, IceUtil::Time::seconds(PendingHandshakes::kPatience.count()));
+      timer_->schedule(check_, IceUtil::Time::seconds(kAdmissionTime.count()));
     } catch (const IceUtil::Exception&) {
       // The communicator is being destroyed with all its connections.
     }

@@ -4,7 +4,6 @@
 #include <IceUtil/Timer.h>
 #include <tendon/ice/links.h>
 
-#include <chrono>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -13,13 +12,12 @@
 
 namespace tendon::ice {
 
-/// Closes accepted connections that are not admitted after kPatience. The timeout of Ice does not
-/// do this: it closes only a silent connection, not one that sends a byte from time to time. As an
-/// observer of Ice, this object is notified of every new connection. It checks each connection
+/// Closes accepted connections that are not admitted after kAdmissionTime. The timeout of Ice does
+/// not do this: it closes only a silent connection, not one that sends a byte from time to time. As
+/// an observer of Ice, this object is notified of every new connection. It checks each connection
 /// later, in the thread of Ice's timer. Thread-safe.
 class PendingHandshakes final : public Ice::Instrumentation::CommunicatorObserver {
  public:
-  static constexpr std::chrono::seconds kPatience{3};
   /// Connections of an adapter are checked if its name begins with this prefix.
   static constexpr std::string_view kListener = "door";
 

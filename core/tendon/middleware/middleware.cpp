@@ -53,6 +53,11 @@ class PlainListener final : public Listener {
 
 }  // namespace
 
+Error NotAdmitted(const std::string& peer) {
+  return {ErrorCode::kTimeout, peer + " connected but did not authenticate within " +
+                                   std::to_string(kAdmissionTime.count()) + " s"};
+}
+
 void LinkHandler::OnLentFrame(std::span<const std::byte> frame,
                               std::shared_ptr<const void> /*owner*/) {
   OnFrame(frame);

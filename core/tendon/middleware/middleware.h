@@ -23,6 +23,12 @@ class ReplySlot;
 /// The largest number of bytes that may be buffered in a link for a slow peer.
 inline constexpr std::size_t kSendWindow = std::size_t{8} << 20U;
 
+/// An accepted link is closed if it is not admitted within this time.
+inline constexpr std::chrono::seconds kAdmissionTime{3};
+
+/// The error of a link that was not admitted in time.
+[[nodiscard]] Error NotAdmitted(const std::string& peer);
+
 /// How a link delivers a frame.
 enum class Delivery {
   kQueued,
@@ -48,8 +54,9 @@ class Link {
 
   /// Marks the peer as authenticated, so that it may send frames of up to kMaxPieceSize bytes.
   /// Before this call, a frame larger than kMaxUnauthenticatedFrameSize closes the link. An
-  /// accepted link is also closed if Admit() is not called within 3 s. These rules limit the
-  /// resources that an unauthenticated peer can use. Idempotent; may be called from a handler.
+  /// accepted link is also closed if Admit() is not called within kAdmissionTime. These rules
+  /// limit the resources that an unauthenticated peer can use. Idempotent; may be called from a
+  /// handler.
   virtual void Admit() = 0;
 
   /// Closes the link. Frames that were sent before still reach the peer if it reads them. No more

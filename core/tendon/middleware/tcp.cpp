@@ -167,8 +167,7 @@ class TcpLink final : public Link,
         endpoint_(endpoint),
         peer_(os::PeerAddress(socket)),
         local_(os::LocalAddress(socket)),
-        deadline_(endpoint == 0 ? SteadyTime::max()
-                                : SteadyClock().Now() + std::chrono::seconds(3)),
+        deadline_(endpoint == 0 ? SteadyTime::max() : SteadyClock().Now() + kAdmissionTime),
         socket_(std::move(socket)) {}
 
   void Begin(std::shared_ptr<LinkHandler> handler) {
@@ -248,7 +247,7 @@ class TcpLink final : public Link,
     const bool is_unauthenticated = state_ == State::kUnauthenticated;
     lock.unlock();
     if (!is_unauthenticated) return CloseNow();
-    Reject({ErrorCode::kTimeout, peer_ + " connected but did not authenticate within 3 s"});
+    Reject(NotAdmitted(peer_));
   }
 
   void OnOutOfMemory() override {
