@@ -29,15 +29,15 @@ Status CheckPayload(Outbox& outbox, std::uint32_t handle, std::size_t size) {
   return Status::kInvalid;
 }
 
-class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
+class QueuedCommandProxy : public CommandBase, protected Mailbox::Entry {
  public:
   QueuedCommandProxy(Outbox& outbox, const MemberDescription& command, std::uint32_t handle,
                      SharedCounter<>& refused, Mailbox& mailbox)
       : CommandBase(layout::kNone, layout::kNone),
         outbox_(outbox),
-        must_wait_(WaitsForServer(command.signature.kind)),
         handle_(handle),
         refused_(refused),
+        must_wait_(WaitsForServer(command.signature.kind)),
         mailbox_(mailbox),
         callers_(std::make_shared<OutstandingCalls<>>(mailbox.completions())),
         pool_(mailbox.storage()) {}
@@ -84,6 +84,11 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     mailbox_.Publish(room, blocking_entry_);
     return Await(*record, call, deadline, out);
   }
+
+ protected:
+  Outbox& outbox_;
+  const std::uint32_t handle_;
+  SharedCounter<>& refused_;  // the counter of the offer
 
  private:
   /// The entry for calls whose callers wait.
@@ -232,10 +237,7 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
     Bytes().swap(pool_[slot]);
   }
 
-  Outbox& outbox_;
   const bool must_wait_;
-  const std::uint32_t handle_;
-  SharedCounter<>& refused_;  // the counter of the offer
   Mailbox& mailbox_;
   const std::shared_ptr<OutstandingCalls<>> callers_;
   BlockingCallEntry blocking_entry_{*this};
@@ -246,28 +248,16 @@ class QueuedCommandProxy final : public CommandBase, private Mailbox::Entry {
 
 /// Behaves like LatestCommand: a newer call replaces an older one that is still queued, here or in
 /// the other process. Calls whose callers wait are queued like those of a QueuedCommandProxy.
-class LatestCommandProxy final : public CommandBase, private Mailbox::Entry {
+class LatestCommandProxy final : public QueuedCommandProxy {
  public:
   LatestCommandProxy(Outbox& outbox, const MemberDescription& command, std::uint32_t handle,
                      SharedCounter<>& refused, Mailbox& mailbox)
-      : CommandBase(layout::kNone, layout::kNone),
-        outbox_(outbox),
-        handle_(handle),
-        refused_(refused),
-        queued_(outbox, command, handle, refused, mailbox),
-        newest_(mailbox) {}
+      : QueuedCommandProxy(outbox, command, handle, refused, mailbox), newest_(mailbox) {}
 
-  Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& out) override {
-    return ExecuteFrom(EncodedArgument(in), out);
-  }
   Status ExecuteFrom(const ArgumentWriter& in, AnswerSink& /*out*/) override {
     const Status posted = Post(in);
     if (!posted) refused_.Add();
     return posted;
-  }
-  Status WaitEncoded(std::span<const std::byte> in, std::vector<std::byte>& out,
-                     std::chrono::nanoseconds timeout) override {
-    return queued_.WaitEncoded(in, out, timeout);
   }
 
  private:
@@ -286,10 +276,6 @@ class LatestCommandProxy final : public CommandBase, private Mailbox::Entry {
   }
   void DropSlot(std::byte* /*argument*/, std::size_t /*slot*/) noexcept override { newest_.Take(); }
 
-  Outbox& outbox_;
-  const std::uint32_t handle_;
-  SharedCounter<>& refused_;  // the counter of the offer
-  QueuedCommandProxy queued_;
   Bytes written_;  // used only by the posting thread
   LatestValue<Bytes> newest_;
 };
