@@ -5,23 +5,23 @@
 
 namespace tendon::gui {
 
-/// The time of a recording while it is played: it runs with a speed, stops, and jumps. All times
-/// are in ns; those of the recording since 1970, `now` on any clock that never goes back.
+/// The time of a recording while it is played. It runs with a speed, stops and jumps. All times are
+/// in ns: times of the recording since 1970, and `now` on any clock that never goes back.
 class PlaybackClock {
  public:
   /// The speeds that the user can choose, sorted.
   static constexpr std::array kSpeeds{0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0};
   static constexpr double kSlowest = kSpeeds.front();
   static constexpr double kFastest = kSpeeds.back();
-  /// What has happened since the last update.
+  /// The result of an update.
   enum class Turn {
     kNone,
-    kEnded,       ///< the end was reached: the clock stands
-    kBeganAgain,  ///< the end was reached: the clock runs from the begin again
+    kEnded,       ///< the clock has reached the end and has stopped
+    kBeganAgain,  ///< the clock has reached the end and runs from the begin again
   };
 
   PlaybackClock() = default;
-  /// Stands at the begin. `last` is not before `first`.
+  /// Makes a clock that stands at the begin. `last` must not be before `first`.
   PlaybackClock(std::int64_t first, std::int64_t last)
       : first_(first), last_(last), position_(first) {}
 
@@ -30,29 +30,30 @@ class PlaybackClock {
   [[nodiscard]] std::int64_t length() const { return last_ - first_; }
 
   [[nodiscard]] bool isPlaying() const { return is_playing_; }
-  /// At the end, begins again.
+  /// Runs from now on. If the clock is at the end, it begins again.
   void play(std::int64_t now);
   void pause(std::int64_t now);
   [[nodiscard]] double speed() const { return speed_; }
-  /// Limited to kSlowest and kFastest; the position stays.
+  /// Sets the speed, limited to kSlowest and kFastest. The position does not change.
   void setSpeed(double speed, std::int64_t now);
-  /// The next of kSpeeds above or below the speed; the speed itself if there is none.
+  /// Returns the next faster speed of kSpeeds, or the present speed if there is none.
   [[nodiscard]] double fasterSpeed() const;
+  /// Returns the next slower speed of kSpeeds, or the present speed if there is none.
   [[nodiscard]] double slowerSpeed() const;
-  /// Whether it begins again at the end.
+  /// Says whether the clock begins again at the end.
   void setLooping(bool looping) { is_looping_ = looping; }
   [[nodiscard]] bool isLooping() const { return is_looping_; }
 
-  /// Limited to the recording; goes on from there.
+  /// Jumps to `position`, limited to the recording. The clock goes on from there if it runs.
   void seek(std::int64_t position, std::int64_t now);
   [[nodiscard]] std::int64_t position(std::int64_t now) const;
-  /// Ends the run or begins it again at the end of the recording.
+  /// Call this regularly. At the end of the recording, it stops the clock or begins again.
   Turn update(std::int64_t now);
 
  private:
   std::int64_t first_ = 0;
   std::int64_t last_ = 0;
-  std::int64_t position_ = 0;  // at began_
+  std::int64_t position_ = 0;  // the position at the time began_
   std::int64_t began_ = 0;
   double speed_ = 1.0;
   bool is_playing_ = false;

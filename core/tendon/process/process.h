@@ -78,9 +78,9 @@ class Process final : public LocalManager {
   [[nodiscard]] std::string address() const;
   [[nodiscard]] std::uint64_t instance() const;
 
-  /// Waits until the process has joined the GCM. Errors: kUnreachable ("no GCM at ..."), kExists if
-  /// another process has the name (the text says which), kTimeout. The process works without a GCM;
-  /// it keeps trying to join if ProcessOptions::retry is set.
+  /// Waits until the process has joined the GCM. Fails with kUnreachable if there is no GCM, with
+  /// kExists if another process has the name (the error names that process), and with kTimeout. The
+  /// process works without a GCM; it keeps trying to join if ProcessOptions::retry is set.
   Result<void> WaitUntilJoined(std::chrono::milliseconds timeout) const;
   [[nodiscard]] bool is_joined() const;
 
@@ -89,9 +89,8 @@ class Process final : public LocalManager {
   /// process of the program.
   void ForwardLog(LogLevel level, std::string_view source, std::string_view text);
 
-  /// True if the rows that were written and the events that were raised by now are sent to all
-  /// viewers and peers, which a program may want to know before it ends. What a peer does not read
-  /// keeps it false, so callers need a time limit.
+  /// True if all rows and events up to now are sent to all viewers and peers. For programs that end
+  /// soon. It stays false while a peer does not read, so callers need a time limit.
   [[nodiscard]] bool HasSentAll() const;
 
   /// Like LocalManager::Connect(), but the provided interface may be in any process. The required

@@ -19,7 +19,8 @@ struct EntryTimes {
   SteadyTime first;
   SteadyTime last;
 };
-/// A log record has a wall time; `wall_minus_steady`, ns, converts it.
+/// Adding `wall_minus_steady`, in ns, to a steady time gives the wall time. It converts the times
+/// of log records, which are wall times.
 [[nodiscard]] EntryTimes TimesOf(const Entry& entry, std::int64_t wall_minus_steady);
 
 /// Removes the rows before `from` and those after `to`. Returns false if nothing of the entry is
@@ -30,9 +31,9 @@ struct EntryTimes {
 /// Returns the rows that were lost before the rows of an entry; none if the entry has no rows.
 [[nodiscard]] LostRows LostBefore(const Entry& entry);
 
-/// The entries of the last seconds, while a recorder waits for its condition to start. It is
-/// bounded in time and in bytes. Entries that are dropped because of the bytes, and not because of
-/// their age, are counted.
+/// The entries of the last seconds, while a recorder waits for its condition to start. Both the age
+/// and the bytes of the entries are limited. An entry that is dropped because of the limit of bytes
+/// counts as missing, but not one that is dropped because of its age.
 ///
 /// Thread safety: one thread at a time; the recorder's writing thread uses it. Cost: an entry is
 /// moved in and out, and never copied.
@@ -48,12 +49,12 @@ class PreTriggerBuffer {
   std::deque<Entry> TakeSince(SteadyTime from);
 
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
-  /// By table: the rows that were lost before the result of TakeSince().
+  /// For each table: the rows that were lost before the entries that TakeSince() has returned.
   [[nodiscard]] const std::map<std::string, LostRows>& losses() const { return losses_; }
-  /// Returns the entries that were dropped since `from` because of the bytes. Rows count as lost by
-  /// the recorder.
+  /// Returns how many entries since `from` were dropped because of the limit of bytes. Rows count
+  /// as lost by the recorder.
   [[nodiscard]] Losses MissingSince(SteadyTime from) const;
-  /// By table: the rows that were lost before the rows which MissingSince() counts.
+  /// For each table: the rows that were lost before the rows that MissingSince() counts.
   [[nodiscard]] std::map<std::string, LostRows> LostBeforeMissingSince(SteadyTime from) const;
 
  private:
@@ -67,11 +68,13 @@ class PreTriggerBuffer {
     std::uint64_t others = 0;
     LostRows lost_before;
   };
-  /// What was dropped because of the bytes, of a thousandth of the age.
+  /// Counts entries that were dropped because of the limit of bytes. Entries whose times differ by
+  /// less than a thousandth of the age are counted together.
   struct Dropped {
     SteadyTime first;
     SteadyTime last;
-    std::map<std::string, Missing> by_path;  // of the table or event; empty for log records
+    // The key is the path of the table or event, and empty for log records.
+    std::map<std::string, Missing> by_path;
   };
 
   void DropOldest(bool is_too_old);
@@ -86,7 +89,7 @@ class PreTriggerBuffer {
   std::size_t bytes_ = 0;
   std::deque<Dropped> dropped_;
   std::map<std::string, LostRows> losses_;
-  Catalogue catalogue_;  // before the entries
+  Catalogue catalogue_;  // as it was before the first entry
   bool has_catalogue_ = false;
 };
 

@@ -27,18 +27,21 @@
 namespace tendon::recording {
 
 struct RecorderOptions {
-  std::vector<std::string> patterns;
+  std::vector<std::string> patterns;  ///< the paths to record, such as "robot/**"
   FileOptions files;
   bool has_log = true;
   /// Writes nothing before this condition is true; then the file is created.
   std::optional<Condition> start_when{};
   /// The recording is finished when this condition becomes true after its begin.
   std::optional<Condition> stop_when{};
-  std::chrono::nanoseconds before{0};  ///< with start_when: what came in this time before it, too
-  std::chrono::nanoseconds after{0};   ///< with stop_when: what comes in this time after it, too
-  /// The most memory for what came before; at least one entry is kept.
+  /// The recording begins this long before `start_when` becomes true.
+  std::chrono::nanoseconds before{0};
+  /// The recording ends this long after `stop_when` becomes true.
+  std::chrono::nanoseconds after{0};
+  /// The maximum memory for the entries that arrive before `start_when` becomes true. At least one
+  /// entry is kept.
   std::size_t before_bytes = std::size_t{256} << 20U;
-  /// Of a request to a process.
+  /// The time limit of a request to a process.
   std::chrono::milliseconds timeout{2000};
 };
 
@@ -46,35 +49,37 @@ struct RecorderOptions {
 struct RecorderStatus {
   Counts counts;
   Losses losses;
-  std::size_t tables = 0;         ///< that are recorded
-  std::size_t interfaces = 0;     ///< whose events or commands are recorded
-  std::size_t waiting_bytes = 0;  ///< in the queue, because the disk is slower
-  std::uint64_t disk_free = 0;    ///< bytes
-  std::filesystem::path file;     ///< the present one
-  std::optional<Error> failure;   ///< why the recording has stopped
-  bool is_waiting = false;        ///< for the condition to start: there is no file yet
-  bool is_finished = false;       ///< the condition to stop was true: call Recorder::Stop()
-  std::size_t before_bytes = 0;   ///< while it waits: memory that holds what came before
-  /// Rows, and events, calls and log records, that came before the start and did not fit into
+  std::size_t tables = 0;         ///< number of recorded tables
+  std::size_t interfaces = 0;     ///< number of interfaces whose events or commands are recorded
+  std::size_t waiting_bytes = 0;  ///< bytes in the queue, which wait for the disk
+  std::uint64_t disk_free = 0;    ///< free bytes of the disk
+  std::filesystem::path file;     ///< the file that is being written
+  std::optional<Error> failure;   ///< the reason why the recording has stopped
+  bool is_waiting = false;        ///< waits for the condition to start; there is no file yet
+  bool is_finished = false;       ///< the condition to stop was true; call Recorder::Stop()
+  /// While the recorder waits: the memory of the entries that it keeps, in bytes.
+  std::size_t before_bytes = 0;
+  /// The number of rows that arrived before the start and did not fit into
   /// RecorderOptions::before_bytes. `losses` contains them as losses of the recorder.
   std::uint64_t before_rows_missing = 0;
+  /// The same number for events, calls and log records.
   std::uint64_t before_others_missing = 0;
 };
 
 /// Records a running system into MCAP files, until Stop() or an error: all rows of the chosen
 /// tables, the chosen events and commands, the log, and all changes of the catalogue. Processes may
-/// come and go; what appears later and fits a pattern is recorded as well. A GCM that is gone does
-/// not end the recording, since rows and events come from the processes directly.
+/// come and go; tables and interfaces that appear later are recorded too if they fit a pattern. If
+/// the GCM ends, the recording goes on, because rows and events come from the processes directly.
 ///
-/// With a condition to start, it receives everything from its own start on, but writes only what is
-/// not older than RecorderOptions::before when the condition becomes true. Both conditions are
-/// evaluated for every row, event and call.
+/// With a condition to start, the recorder receives everything from its own start on. When the
+/// condition becomes true, it writes only entries that are not older than RecorderOptions::before.
+/// Both conditions are evaluated for every row, event and call.
 ///
-/// A slow disk costs rows of the recording, which are counted, and never a cycle of a component. If
-/// the disk fails, all that is not in the file counts as lost. The file is synced every 0.8 s, so
-/// at most 1 s is lost if this program is killed.
+/// If the disk is slow, the recording loses rows, which are counted; components are never delayed.
+/// If the disk fails, everything that is not in the file counts as lost. The file is synced every
+/// 0.8 s, so at most 1 s is lost if this program is killed.
 ///
-/// It has two threads: one follows the catalogue and subscribes, the other one writes.
+/// Two threads: one follows the catalogue and subscribes, the other one writes.
 ///
 ///     const auto queue = std::make_shared<recording::RecordingQueue>();
 ///     GcmClient client(middleware, options, queue);
@@ -86,8 +91,8 @@ struct RecorderStatus {
 /// outlive it.
 class Recorder {
  public:
-  /// `queue` is the client's listener. kExists if there is a file of this name; errors of a
-  /// condition as in Trigger::Make().
+  /// `queue` is the client's listener. Fails with kExists if there is a file with this name, and
+  /// like Trigger::Make() if a condition is wrong.
   static Result<std::unique_ptr<Recorder>> Start(GcmClient& client,
                                                  std::shared_ptr<RecordingQueue> queue,
                                                  RecorderOptions options);
@@ -119,8 +124,8 @@ class Recorder {
     std::vector<Fingerprint> types;
     GcmClient::ListenerId id = 0;
   };
-  /// The events of an interface, or its commands. Each has a subscription of its own, because an
-  /// older process refuses that to commands.
+  /// The events of an interface, or its commands. The two have separate subscriptions, because an
+  /// older process refuses a subscription to commands.
   struct ListenerKey {
     InterfaceName interface;
     bool are_commands = false;
@@ -141,7 +146,7 @@ class Recorder {
   [[nodiscard]] bool IsEnded(const Catalogue& catalogue, const std::string& process) const;
   void FollowTables(const std::vector<TableSubscription>& wanted, const Catalogue& catalogue);
   /// Follows events and commands. Returns false if some are left out, because their types must be
-  /// asked for.
+  /// requested first.
   bool FollowEvents(const std::vector<EventSubscription>& wanted, const Catalogue& catalogue,
                     bool may_wait);
   std::map<Fingerprint, Schema> TypesOf(const Catalogue& catalogue, const EventSubscription& events,
@@ -169,7 +174,7 @@ class Recorder {
   std::mutex stop_mutex_;  // one Stop() at a time
   std::optional<Result<void>> stopped_;
 
-  // Of the thread that follows the catalogue, and of Stop() after it.
+  // Used by the thread that follows the catalogue, and after its end by Stop().
   std::map<InterfaceName, Table> tables_;
   std::map<ListenerKey, Listener> listeners_;
   std::map<Fingerprint, Schema> types_;
@@ -179,26 +184,26 @@ class Recorder {
   std::set<std::string> silent_;  // processes that did not answer since the last change
   bool has_all_events_ = false;
 
-  // Of the thread that writes, and of Stop() after it.
+  // Used by the thread that writes, and after its end by Stop().
   std::unique_ptr<RecordingWriter> writer_;  // null before the start, or if no file can be made
-  bool is_waiting_;                          // for the condition to start
+  bool is_waiting_;                          // waits for the condition to start
   SteadyTime next_sync_;
   Triggers triggers_;
   PreTriggerBuffer past_;
   std::deque<std::pair<SteadyTime, Losses>> kept_losses_;  // while it waits, by time
-  SteadyTime armed_;                                       // when it began to wait
-  SteadyTime started_ = SteadyTime::min();                 // when the condition was true
-  SteadyTime from_ = SteadyTime::min();                    // of the first row
-  SteadyTime to_ = SteadyTime::max();                      // of the last one
+  SteadyTime armed_;                                       // the time when it began to wait
+  SteadyTime started_ = SteadyTime::min();                 // the time when the condition was true
+  SteadyTime from_ = SteadyTime::min();                    // the recording begins at this time
+  SteadyTime to_ = SteadyTime::max();                      // the recording ends at this time
 
   mutable std::mutex mutex_;
   std::condition_variable stop_;
   bool follows_ = true;
   bool is_drained_ = false;  // nothing more will arrive
   RecorderStatus status_;
-  Losses losses_before_;   // that are not of the recording
+  Losses losses_before_;   // losses before the begin of the recording
   Losses missing_before_;  // see RecorderStatus::before_rows_missing
-  Losses unwritten_;       // what has arrived and is not in the file
+  Losses unwritten_;       // entries that have arrived and are not in the file
   std::set<std::string> refused_paths_;
   std::vector<std::string> notices_;
 

@@ -20,45 +20,45 @@ namespace tendon::mcap {
 
 class MessageStream;
 
-/// Which messages to read, and in which order.
+/// The messages to read, and their order.
 struct Query {
   enum class Order {
-    kLogTime,  ///< by log time, then by place in the file
-    kFile,     ///< as written
+    kLogTime,  ///< by log time; messages of the same time by their place in the file
+    kFile,     ///< by the place in the file
   };
 
   Timestamp from = kFirstTime;
   Timestamp to = kLastTime;         ///< inclusive
-  std::vector<ChannelId> channels;  ///< empty: all
+  std::vector<ChannelId> channels;  ///< empty: all channels
   Order order = Order::kLogTime;
 };
 
-/// Reads an MCAP file, also one that is damaged, cut off, or still being written.
+/// Reads an MCAP file, even if it is damaged, cut off, or still being written.
 ///
 ///     const auto reader = Reader::Open("run.mcap");
 ///     auto messages = (*reader)->Messages({.from = start, .to = end});
 ///     while (const auto message = messages.Next()) Use(*message);
 ///     for (const Problem& problem : (*reader)->problems().first()) Warn(problem.sentence);
 ///
-/// Open() reads the header, the footer and the summary, however large the file is. If the summary
-/// is missing, damaged or incomplete, it reads the whole file once. Nothing is read wrong in
-/// silence: what a checksum, a length or an index contradicts is skipped, and a Problem says so.
-/// The message indexes in the file have no checksum, so messages are found by the index of chunks
-/// in the summary, which has one, and by the records of each chunk, which have one.
+/// Open() reads only the header, the footer and the summary. If the summary is missing, damaged or
+/// incomplete, it reads the whole file once. The reader skips data that contradicts its checksum,
+/// its length or its index, and adds a Problem. It does not use the message indexes of the file,
+/// because they have no checksum. It finds messages with the chunk indexes in the summary and the
+/// records in the chunks, because both have checksums.
 ///
 /// Memory: the summary, and the limits in ReaderLimits. No function throws.
 ///
-/// Thread safety: one thread at a time, for a reader with all its streams. Several readers of one
+/// Thread safety: one thread at a time may use a reader and its streams. Several readers of one
 /// file are independent.
 class Reader {
  public:
-  /// kNotFound or kFailed if the file cannot be opened; kInvalid if it is no MCAP file of version
-  /// 0, with what it begins with.
+  /// Fails with kNotFound or kFailed if the file cannot be opened. Fails with kInvalid if the file
+  /// is not an MCAP file of version 0; the error shows the begin of the file.
   static Result<std::unique_ptr<Reader>> Open(const std::filesystem::path& file,
                                               const ReaderLimits& limits = {});
   static Result<std::unique_ptr<Reader>> Open(std::unique_ptr<os::RandomAccessFile> file,
                                               const ReaderLimits& limits = {});
-  /// Ignores the summary and reads the whole file, as Recover() does.
+  /// Ignores the summary and reads the whole file. Recover() uses this.
   static Result<std::unique_ptr<Reader>> OpenByScan(std::unique_ptr<os::RandomAccessFile> file,
                                                     const ReaderLimits& limits = {});
   Reader(const Reader&) = delete;
@@ -69,11 +69,12 @@ class Reader {
   [[nodiscard]] const Header& header() const { return contents_.header; }
   [[nodiscard]] const std::map<SchemaId, Schema>& schemas() const { return contents_.schemas; }
   [[nodiscard]] const std::map<ChannelId, Channel>& channels() const { return contents_.channels; }
-  /// Null if there is none.
+  /// Returns null if there is no such channel.
   [[nodiscard]] const Channel* FindChannel(ChannelId id) const;
-  /// Empty only if the summary has none. After a scan, of what was found.
+  /// The statistics of the summary, if it has some. After a scan, the statistics of the records
+  /// that were found.
   [[nodiscard]] const std::optional<Statistics>& statistics() const { return contents_.statistics; }
-  /// By their place in the file.
+  /// The blocks, sorted by their place in the file.
   [[nodiscard]] const std::vector<MessageBlock>& blocks() const { return contents_.blocks; }
   [[nodiscard]] const std::vector<AttachmentIndex>& attachments() const {
     return contents_.attachments;
@@ -81,22 +82,24 @@ class Reader {
   [[nodiscard]] const std::vector<MetadataIndex>& metadata() const { return contents_.metadata; }
   /// True if another program still writes the file.
   [[nodiscard]] bool is_being_written() const { return file_->is_being_written(); }
-  /// True if the summary could not be used, or was not.
+  /// True if the whole file was read instead of the summary.
   [[nodiscard]] bool was_scanned() const { return was_scanned_; }
-  /// What is damaged or missing, as far as it was read; it grows while messages are read.
+  /// The damaged and missing parts that were found up to now. Reading messages can add more.
   [[nodiscard]] const Problems& problems() const { return problems_; }
-  /// Records of kinds that this version does not know, which were skipped.
+  /// The number of records that were skipped, because this version does not know their kind.
   [[nodiscard]] std::uint64_t unknown_records() const { return contents_.unknown_records; }
 
-  /// The messages that match. The reader must outlive the stream. Costs nothing until Next().
+  /// Returns the messages that match. The reader must outlive the stream. Nothing is read before
+  /// Next().
   [[nodiscard]] MessageStream Messages(Query query = {});
 
-  /// kInvalid if the attachment is damaged or above the limit; kFailed if the disk reports an
-  /// error.
+  /// Fails with kInvalid if the attachment is damaged or larger than the limit, and with kFailed if
+  /// the disk reports an error.
   Result<Attachment> ReadAttachment(const AttachmentIndex& index);
-  /// As ReadAttachment(). Metadata have no checksum of their own: only Verify() sees a wrong byte.
+  /// Fails like ReadAttachment(). Metadata have no checksum, so only Verify() finds a wrong byte.
   Result<Metadata> ReadMetadata(const MetadataIndex& index);
-  /// The message indexes behind a chunk, as they are in the file; kInvalid if they are damaged.
+  /// Returns the message indexes behind a chunk, as they are in the file. Fails with kInvalid if
+  /// they are damaged.
   Result<std::vector<MessageIndex>> ReadMessageIndexes(const MessageBlock& block);
 
  private:
@@ -123,25 +126,26 @@ class Reader {
   Problems problems_;
   bool was_scanned_ = false;
   std::vector<std::pair<const MessageBlock*, std::shared_ptr<const RawBuffer>>>
-      cache_;                            // latest last
+      cache_;                            // sorted by last use
   std::uint64_t cache_size_ = 0;         // bytes
-  std::set<std::uint64_t> lost_blocks_;  // their offsets, of which a Problem tells already
+  std::set<std::uint64_t> lost_blocks_;  // offsets of the blocks that have a Problem already
 };
 
-/// Messages one after the other, in the order of the Query. Chunks whose times overlap are read
-/// side by side; one that was decompressed stays in the reader's cache as long as that has room.
+/// Returns messages one after the other, in the order of the Query. Chunks whose times overlap are
+/// read in parallel. A decompressed chunk stays in the reader's cache as long as the cache has
+/// room.
 ///
-/// Cost: reading and decompressing each chunk that can contain such a message; then about 100 ns a
-/// message.
+/// Cost: each chunk that can contain a matching message is read and decompressed. Then, a message
+/// costs about 100 ns.
 class MessageStream {
  public:
   MessageStream(MessageStream&&) = default;
 
-  /// Empty at the end. The data is valid until the next call of any function of the reader or its
-  /// streams.
+  /// Returns nothing at the end. The data is valid until the next call of any function of the
+  /// reader or its streams.
   std::optional<Message> Next();
-  /// False if a block that may contain such messages could not be read, so some may be missing: the
-  /// reader's problems() say which.
+  /// False if messages may be missing, because a block that may contain some could not be read. The
+  /// reader's problems() name this block.
   [[nodiscard]] bool is_complete() const { return is_complete_; }
 
  private:
