@@ -47,7 +47,7 @@ std::vector<std::uint64_t> TicksOf(const std::deque<Entry>& entries) {
   return ticks;
 }
 
-TEST(PreTriggerBufferTest, GiveBackTheRowsSinceATime) {
+TEST(PreTriggerBuffer, ReturnsTheRowsSinceATime) {
   PreTriggerBuffer past(5s, kMuch, 0);
   past.Add(RowsFrom(0, 10), At(10ms));
   past.Add(RowsFrom(10, 10), At(20ms));
@@ -58,7 +58,7 @@ TEST(PreTriggerBufferTest, GiveBackTheRowsSinceATime) {
   EXPECT_EQ(past.bytes(), 0U);
 }
 
-TEST(PreTriggerBufferTest, DropOldEntriesWithoutCountingThem) {
+TEST(PreTriggerBuffer, DropsOldEntriesWithoutCountingThem) {
   PreTriggerBuffer past(1s, kMuch, 0);
   past.Add(RowsFrom(0, 10), At(10ms));
   past.Add(RowsFrom(5000, 10), At(5010ms));
@@ -67,7 +67,7 @@ TEST(PreTriggerBufferTest, DropOldEntriesWithoutCountingThem) {
   EXPECT_EQ(TicksOf(past.TakeSince(At(0ms))).front(), 5000U);
 }
 
-TEST(PreTriggerBufferTest, CountWhatTheirMemoryDoesNotHold) {
+TEST(PreTriggerBuffer, CountsEntriesThatExceedItsMemory) {
   PreTriggerBuffer past(5s, SizeOf(Entry(RowsFrom(0, 10))), 0);
   past.Add(RowsFrom(0, 10), At(10ms));
   past.Add(Event{RowsFrom(0, 1).source, 0, At(15ms), {}}, At(15ms));
@@ -79,7 +79,7 @@ TEST(PreTriggerBufferTest, CountWhatTheirMemoryDoesNotHold) {
   EXPECT_EQ(TicksOf(past.TakeSince(At(0ms))).size(), 10U);
 }
 
-TEST(PreTriggerBufferTest, TellByPathWhatTheirMemoryDoesNotHold) {
+TEST(PreTriggerBuffer, CountsMissingEntriesOfEachPath) {
   PreTriggerBuffer past(5s, 1, 0);
   past.Add(RowsFrom(0, 10, 3), At(10ms));
   past.Add(RowsFrom(20, 10, 4), At(30ms));
@@ -96,7 +96,7 @@ TEST(PreTriggerBufferTest, TellByPathWhatTheirMemoryDoesNotHold) {
   EXPECT_EQ(past.losses().at("robot/arm/state").table, 3U) << "only those before 15 ms";
 }
 
-TEST(PreTriggerBufferTest, GiveTheCatalogueAsItWasBefore) {
+TEST(PreTriggerBuffer, ReturnsTheCatalogueOfThatTimeFirst) {
   CatalogueChanges added{.received = At(1ms)};
   CatalogueChange process;
   process.revision = 1;
@@ -116,7 +116,7 @@ TEST(PreTriggerBufferTest, GiveTheCatalogueAsItWasBefore) {
   EXPECT_EQ(snapshot.changes.front().process, "robot");
 }
 
-TEST(PreTriggerBufferTest, KeepApartTheLossesThatAreNotOfTheRecording) {
+TEST(PreTriggerBuffer, SeparatesLossesBeforeTheRecording) {
   PreTriggerBuffer past(5s, kMuch, 0);
   past.Add(RowsFrom(10, 10, 3), At(20ms));
   past.Add(RowsFrom(25, 10, 5), At(40ms));
@@ -128,7 +128,7 @@ TEST(PreTriggerBufferTest, KeepApartTheLossesThatAreNotOfTheRecording) {
   EXPECT_EQ(std::get<Rows>(taken.at(1)).lost_before.table, 5U);
 }
 
-TEST(PreTriggerBufferTest, TrimKeepsTheRowsWithinTheTime) {
+TEST(Trim, KeepsTheRowsWithinTheTime) {
   Entry entry = RowsFrom(0, 10);
 
   ASSERT_TRUE(Trim(entry, At(3ms), At(5ms), 0));
@@ -136,7 +136,7 @@ TEST(PreTriggerBufferTest, TrimKeepsTheRowsWithinTheTime) {
   EXPECT_FALSE(Trim(entry, At(6ms), At(9ms), 0));
 }
 
-TEST(PreTriggerBufferTest, TrimRemovesRowsBetweenWhichTheTimeLies) {
+TEST(Trim, RemovesAnEntryWhoseRowsAreAllOutsideTheTime) {
   Entry entry = RowsFrom(0, 2);
 
   EXPECT_FALSE(Trim(entry, SteadyTime(100us), SteadyTime(200us), 0));

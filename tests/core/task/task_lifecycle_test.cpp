@@ -34,7 +34,7 @@ static_assert(
       }
       return true;
     }(),
-    "each state and request has its cell, and what is refused leads nowhere");
+    "each state and request has a cell, and a refused request changes no state");
 
 std::string NameOfRequest(LifecycleRequest request) {
   switch (request) {
