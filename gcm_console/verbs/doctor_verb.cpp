@@ -208,7 +208,7 @@ class Doctor {
     const auto begin = std::chrono::steady_clock::now();
     const auto told = AskForVersion(process.name);
     const auto passed = std::chrono::steady_clock::now() - begin;
-    if (!told && told.error().code != ErrorCode::kDenied) {
+    if (!told) {
       const std::string here = tendon::os::HostName();
       const bool is_silent = told.error().code == ErrorCode::kTimeout;
       Bad(what,

@@ -82,9 +82,7 @@ Result<std::chrono::microseconds> RoundTrip(Context& context, const std::string&
   const auto begin = std::chrono::steady_clock::now();
   const auto answer = context.Ask<tendon::message::ProgramVersion>(
       [&](tendon::GcmClient& client, auto handler) { client.GetVersion(process, handler); });
-  // An older process refuses the request. A refusal is an answer, too.
-  const bool is_older = !answer && answer.error().code == ErrorCode::kDenied;
-  if (!answer && !is_older) return answer.error();
+  if (!answer) return answer.error();
   return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() -
                                                                begin);
 }

@@ -270,13 +270,11 @@ Result<Targets> FindProcesses(const Catalogue& catalogue, const Ours& ours,
   return targets;
 }
 
-/// Returns the processes that the GCM has started; empty if the GCM is too old to report them.
+/// Returns the processes that the GCM has started.
 Result<Ours> AskForOurs(Context& context) {
   auto children = context.Ask<tendon::message::Children>(
       [](tendon::GcmClient& client, auto handler) { client.GetChildren(handler); });
-  if (children) return Ours(*std::move(children));
-  if (children.error().code == ErrorCode::kDenied) return Ours();
-  return children.error();
+  return children ? Result<Ours>(*std::move(children)) : children.error();
 }
 
 Result<ExitCode> ExecuteProcessVerb(Context& context, const ProcessVerbForms& forms,

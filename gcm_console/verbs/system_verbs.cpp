@@ -129,10 +129,8 @@ Result<ExitCode> Save(Context& context, const SaveWords& words) {
   if (*former) kept = KeepFrom(**former, running);
   const auto children = context.Ask<tendon::message::Children>(
       [](tendon::GcmClient& asked, auto handler) { asked.GetChildren(handler); });
-  const bool is_older = !children && children.error().code == ErrorCode::kDenied;
-  if (!children && !is_older) return children.error();
-  if (children) SetStarts(*children, running.file);
-  if (is_older) kept.emplace_back("this GCM is too old to report which processes it has started");
+  if (!children) return children.error();
+  SetStarts(*children, running.file);
   auto left_out = running.LeftOut();
   return Write(context, words, {std::move(running.file), std::move(kept), std::move(left_out)});
 }

@@ -121,8 +121,7 @@ class GcmClient {
   /// Starts an `lcm` on the GCM's host, or ends an `lcm` that the GCM started. May take
   /// kProcessOrderTimeouts times `timeout`.
   void ExecuteProcessOrder(message::ProcessOrder order, DoneHandler handler);
-  /// Gets the processes that the GCM has started. Fails with kDenied if the GCM has an older
-  /// version of Tendon, without this request.
+  /// Gets the processes that the GCM has started.
   void GetChildren(std::function<void(Result<message::Children>)> handler);
   /// Gets the classes from which a process can create components, and the plug-ins that the process
   /// could load.
@@ -144,9 +143,7 @@ class GcmClient {
   void GetHistory(std::function<void(Result<message::History>)> handler);
   /// Gets the last report of each process about the resources that it uses.
   void GetHealth(std::function<void(Result<message::SystemHealth>)> handler);
-  /// Gets the version of a process, or of the GCM if `process` is empty. Fails with kDenied if the
-  /// program has an older version of Tendon, without this request. Fails with kFailed if a process
-  /// cannot be reached or refuses the link.
+  /// Gets the version of a process, or of the GCM if `process` is empty.
   void GetVersion(const std::string& process,
                   std::function<void(Result<message::ProgramVersion>)> handler);
   /// Gets the counts of the connection of a required interface from the process that has this

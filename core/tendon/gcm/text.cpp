@@ -199,9 +199,6 @@ std::string VersionText(const message::ProgramVersion& version) {
 
 VersionReport CompareVersion(const Result<message::ProgramVersion>& told,
                              const message::ProgramVersion& own) {
-  if (!told && told.error().code == ErrorCode::kDenied) {
-    return {.text = "of an old version that does not report itself"};
-  }
   if (!told) return {.text = "of an unknown version (" + told.error().message + ")"};
   const bool is_own = told->release == own.release && told->protocol == own.protocol;
   return {.text = VersionText(*told) + (is_own ? "" : ", but this program has another version"),

@@ -104,8 +104,8 @@ struct VersionReport {
   std::string text;  ///< "version 0.3.0, protocol 10, but this program has another version"
   bool is_own = false;
 };
-/// Compares the version that a program has reported with `own`. If the program has reported no
-/// version, the text says this.
+/// Compares the version that a program has reported with `own`. If the program has not answered,
+/// the text says why its version is unknown.
 [[nodiscard]] VersionReport CompareVersion(const Result<message::ProgramVersion>& told,
                                            const message::ProgramVersion& own);
 

@@ -112,8 +112,7 @@ class TelemetryClient {
   /// that are not older than `last`, oldest first. The sink gets OnSubscribed(), then OnRows().
   /// Then `done` is called once, in a thread of the middleware or of the client. If the client ends
   /// first, `done` is not called. If the reading fails, the sink has already got the rows before
-  /// the failure. Errors are those of Subscribe(). A process with an older version of Tendon
-  /// refuses the request.
+  /// the failure. Errors are those of Subscribe().
   virtual void ReadPast(const TableSubscription& table, std::chrono::nanoseconds last,
                         std::shared_ptr<RowSink> sink, std::function<void(const PastRows&)> done) {
     static_cast<void>(table);

@@ -10,7 +10,7 @@
 /// The version of an LCM or a GCM.
 namespace tendon::message {
 
-// From a viewer. A program with an older version of Tendon refuses this message.
+// From a viewer.
 inline constexpr auto kGetProgram =
     static_cast<MessageType>(0x20d);  // request: None -> ProgramVersion
 
@@ -32,8 +32,8 @@ namespace tendon {
 /// The version of this program.
 [[nodiscard]] message::ProgramVersion OwnVersion();
 
-/// The refusal of a request by `peer`. If the peer does not know this request, because it is older
-/// than this program, the sentence says so, and what to do.
+/// Returns `refusal`, the answer of `peer` to a request. If the peer does not know this request,
+/// because it runs an older version of Tendon, the error says this and what to do.
 [[nodiscard]] Error ExplainRefusal(Error refusal, MessageType request, const std::string& peer);
 
 }  // namespace tendon

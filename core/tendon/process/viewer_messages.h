@@ -45,8 +45,7 @@ inline constexpr auto kGetCounts =
 inline constexpr auto kGetFill =
     static_cast<MessageType>(0x209);  // request: GetFill -> MailboxFill
 
-/// Reads the rows of a state table that are already written, page by page. A process with an older
-/// version of Tendon refuses this message, because it does not know the type.
+/// Reads the rows of a state table that are already written, page by page.
 inline constexpr auto kReadRows =
     static_cast<MessageType>(0x20e);  // request: ReadRows -> ReadRowsReply
 

@@ -102,13 +102,6 @@ TEST(VersionText, ReportsAnotherReleaseOrProtocol) {
   }
 }
 
-TEST(VersionText, AProgramWithoutVersionReportIsOld) {
-  const VersionReport told =
-      CompareVersion(Error{ErrorCode::kDenied, "'message 525' is not allowed for any role"}, kOwn);
-  EXPECT_EQ(told.text, "of an old version that does not report itself");
-  EXPECT_FALSE(told.is_own);
-}
-
 TEST(VersionText, AnUnresponsiveProgramHasAnUnknownVersion) {
   const VersionReport told = CompareVersion(Error{ErrorCode::kTimeout, "no answer"}, kOwn);
   EXPECT_EQ(told.text, "of an unknown version (no answer)");

@@ -107,17 +107,7 @@ void ProcessRequests::GetSchema(const std::string& process, Fingerprint fingerpr
 
 void ProcessRequests::GetVersion(const std::string& process,
                                  Handler<message::ProgramVersion> handler) {
-  links_->WithChannel(
-      process, [self = shared_from_this(), handler = std::move(handler)](const auto& channel) {
-        if (channel) {
-          return Ask<message::ProgramVersion>(*self->timer_, *channel, message::kGetProgram, None{},
-                                              self->timeout_, handler);
-        }
-        // kDenied means that the program is too old to report its version. Therefore, a link that
-        // was refused with kDenied needs another code.
-        const Error& why = channel.error();
-        handler(Error{why.code == ErrorCode::kDenied ? ErrorCode::kFailed : why.code, why.message});
-      });
+  AskProcess(process, message::kGetProgram, None{}, std::move(handler));
 }
 
 void ProcessRequests::GetCounts(const InterfaceName& required, Handler<ConnectionCounts> handler) {

@@ -18,8 +18,8 @@ class ClientExecutor final : public PlanExecutor {
   ClientExecutor(GcmClient& client, std::chrono::milliseconds timeout)
       : client_(client), timeout_(timeout) {}
 
-  /// Takes the plan lock. Also succeeds if the GCM answers kDenied, because then there is no lock
-  /// to wait for: the GCM is too old to have this lock, or the client may not make changes.
+  /// Takes the plan lock. Also succeeds if the client may not make changes (kDenied): it cannot
+  /// have the lock, and each of its steps fails with a clear error.
   Result<void> Begin() override;
   /// Executes a step. Also refuses the step if the lock was lost with the link to the GCM and
   /// another viewer has it now.
