@@ -13,7 +13,7 @@
 
 namespace tendon::recording {
 
-/// A condition that begins or ends a recording, as a person types it: an event, such as
+/// A condition that begins or ends a recording, in the form that a user types: an event, such as
 /// "robot/arm/Control.GoalReached", an executed call of a command, such as
 /// "robot/arm/Control.MoveTo", or a comparison of a column of a state table, such as
 /// "robot/arm/state.Joints.position[2] > 1.2 rad". A Trigger watches it.
@@ -23,7 +23,7 @@ struct Condition {
   struct Comparison {
     Relation relation = Relation::kEqual;
     std::string value;
-    std::string unit;  ///< empty: that of the column
+    std::string unit;  ///< empty: the unit of the column
   };
 
   std::string text;  ///< as typed
@@ -31,8 +31,8 @@ struct Condition {
   std::optional<Comparison> comparison;  ///< empty: an event or a command
 };
 
-/// Reads a condition. kInvalid if it has a mistake; the error names the column of the text, counted
-/// from 1.
+/// Parses a condition. Fails with kInvalid if the text has a mistake; the error names the column of
+/// the text, counted from 1.
 Result<Condition> ParseCondition(std::string_view text);
 
 /// A comparison of one number in a column, ready to be evaluated for each row. The trigger calls it
@@ -41,12 +41,13 @@ Result<Condition> ParseCondition(std::string_view text);
 /// Thread safety: immutable, so any thread.
 class CellTest {
  public:
-  /// `condition` has a comparison, and `column` is the type of its column. kNotFound if the type
-  /// has no such field, kInvalid for another unit, or a value or relation that does not fit it.
+  /// `condition` must have a comparison; `column` is the type of its column. Fails with kNotFound
+  /// if the type has no such field. Fails with kInvalid if the unit differs, or if the value or the
+  /// relation does not fit the type.
   static Result<CellTest> Make(const Condition& condition, const Schema& column);
 
-  /// Returns false also if the cell has no value. A value that is not a number is only `!=`. Cost:
-  /// a load and a comparison.
+  /// Also returns false if the cell has no value. For NaN, only `!=` is true. Cost: a load and a
+  /// comparison.
   [[nodiscard]] bool IsTrue(std::span<const std::byte> cell) const;
 
  private:

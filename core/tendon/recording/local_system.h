@@ -17,17 +17,18 @@
 
 namespace tendon::recording {
 
-/// The process in which this code runs, as a system to record, without a GCM and without the
-/// network: its components and connections, their rows and events, and its log. The component
-/// `Recorder` uses it. Rows are read as for any viewer, so the recorded components never wait.
+/// The own process as a system that can be recorded, without a GCM and without a network: its
+/// components and connections, their rows and events, and its log. The component `Recorder` uses
+/// it. Rows are read as for any viewer, so the recorded components never wait.
 ///
-/// Thread safety: that of RecordedSystem. It has five threads, which wait most of the time; they
-/// must end before the process does.
+/// Thread safety: that of RecordedSystem. This object has five threads, which mostly wait. It must
+/// be destroyed before the process.
 class LocalSystem final : public RecordedSystem {
  public:
-  /// Waits for up to 200 ms while the process is busy with a request; later, revision() finds its
-  /// components. The listener gets the catalogue and its changes, in the thread that calls
-  /// revision(), and the log, in the threads that log. `timeout` is that of a request.
+  /// Waits for up to 200 ms if the process is busy with a request. If it stays busy, revision()
+  /// finds its components later. The listener receives the catalogue and its changes in the thread
+  /// that calls revision(), and the log in the threads that log. `timeout` is the time limit of a
+  /// request.
   LocalSystem(std::shared_ptr<LocalAccess> process, std::shared_ptr<GcmListener> listener,
               std::chrono::milliseconds timeout = std::chrono::seconds(2));
   ~LocalSystem() override;
@@ -36,7 +37,7 @@ class LocalSystem final : public RecordedSystem {
   /// busy with a request, returns the revision of the last look.
   std::uint64_t revision() override;
   [[nodiscard]] Catalogue catalogue() const override;
-  /// kFailed if the process was busy at each look.
+  /// Returns kFailed if the process was always busy.
   [[nodiscard]] std::optional<Error> WhyUnknown() override;
   TelemetryClient& telemetry() override { return *telemetry_; }
   GcmClient::ListenerId Listen(const EventSubscription& events,

@@ -45,13 +45,14 @@ struct PlayedChange {
   bool begins_snapshot = false;
 };
 
-/// Something that happened at one time.
+/// An item of the recording, with its time.
 struct PlayedItem {
   mcap::Timestamp time = 0;  ///< log time
   std::variant<PlayedValue, PlayedEvent, RosLog, Loss, PlayedChange> content;
 };
 
-/// A time span of the recording in which something happened; one moment if both are the same.
+/// A time span of the recording that contains events or losses. If both times are equal, it is one
+/// moment.
 struct PlayedSpan {
   mcap::Timestamp from = 0;
   mcap::Timestamp to = 0;
@@ -59,18 +60,19 @@ struct PlayedSpan {
   bool operator==(const PlayedSpan&) const = default;
 };
 
-/// A recording as of one moment, its position, which can be moved forth and back.
+/// A view of a recording at one moment, the position. The position can be moved forwards and
+/// backwards.
 ///
 ///     auto playback = Playback::Open(std::move(reader));
 ///     (*playback)->Choose({"robot/arm/state.Joints"});
 ///     (*playback)->Seek(time);                     // the past: Past(), CatalogueNow()
 ///     (*playback)->PlayUpTo(time + 33ms, handler);  // what happens from there on
 ///
-/// Reads by the index of the file: the cost of each function grows with the part of the file that
-/// it hands out, not with the file. A file without an index was read once by its reader.
+/// Uses the index of the file: the cost of each function depends on how much it returns, not on the
+/// size of the file. If a file has no index, its reader has read the whole file once.
 ///
-/// Events, the log, losses and changes of the catalogue are always handed out; values of columns
-/// only if they were chosen, because they are nearly the whole file. Calls of commands are left
+/// Handlers always get events, log records, losses and changes of the catalogue. They get values
+/// only of chosen columns, because values are nearly the whole file. Calls of commands are left
 /// out, because a component may be called in every cycle.
 ///
 /// Thread safety: one thread at a time.
@@ -80,8 +82,8 @@ class Playback {
   enum class Kind { kEvents, kLosses };
   enum class WithLosses { kNo, kYes };
 
-  /// kInvalid if the file contains nothing that Tendon recorded, no message, or one at a time that
-  /// does not fit in 64 bits with a sign.
+  /// Fails with kInvalid if the file has no messages, was not recorded by Tendon, or has a message
+  /// whose time does not fit in a signed 64-bit number.
   static Result<std::unique_ptr<Playback>> Open(std::unique_ptr<mcap::Reader> reader);
   Playback(const Playback&) = delete;
   Playback& operator=(const Playback&) = delete;
@@ -92,46 +94,49 @@ class Playback {
   [[nodiscard]] mcap::Timestamp last_time() const { return last_time_; }
   /// The paths of all columns, sorted.
   [[nodiscard]] std::vector<std::string> columns() const;
-  /// The type of a column in its latest run; null if there is no such column.
+  /// Returns the type of a column in its latest run; null if there is no such column.
   [[nodiscard]] const Schema* FindSchema(const std::string& column) const;
 
   /// The types of all columns and events.
   [[nodiscard]] std::vector<Schema> types() const;
 
-  /// Sets the columns whose values are handed out; unknown ones have no effect.
+  /// Chooses the columns whose values PlayUpTo() passes to its handler. Ignores unknown columns.
   void Choose(const std::vector<std::string>& columns);
 
-  /// All up to this time has happened. At the begin, the position is before the first message.
+  /// The position: all items up to this time have happened. At the begin, the position is before
+  /// the first message.
   [[nodiscard]] mcap::Timestamp position() const { return position_; }
-  /// Moves the position without handing out anything.
+  /// Moves the position without calling a handler.
   void Seek(mcap::Timestamp time);
-  /// Hands out what happened after the position, up to and including `time`, in the order of time,
-  /// and moves the position to `time`. Does nothing if `time` is not after the position.
+  /// Calls the handler for all items after the position, up to and including `time`, in the order
+  /// of their times. Moves the position to `time`. Does nothing if `time` is not after the
+  /// position.
   void PlayUpTo(mcap::Timestamp time, const Handler& handler);
 
-  /// The catalogue as of the position; before the first one in the file, the first one. A file
-  /// without any has one that is made of the paths of its columns.
+  /// Returns the catalogue at the position. If the position is before the first catalogue of the
+  /// file, returns the first one. If the file has no catalogue, returns one that is made from the
+  /// paths of the columns.
   [[nodiscard]] Catalogue CatalogueNow();
 
-  /// Hands out the values of `columns` from `from` to the position, with the losses in this span if
-  /// they are wanted. A column without a value in it has its newest value before it, if there is
-  /// one in the last 64 chunks that have values of such columns.
+  /// Calls the handler for the values of `columns` from `from` to the position, and for the losses
+  /// in this span if they are wanted. If a column has no value in this span, its newest earlier
+  /// value is used, if it is in the last 64 chunks that have values of such columns.
   void Past(const std::vector<std::string>& columns, mcap::Timestamp from, WithLosses losses,
             const Handler& handler);
-  /// Hands out the last `most` events or log records up to the position, oldest first;
-  /// fewer if the last 64 chunks that have some have fewer.
+  /// Calls the handler for the last `most` events or log records up to the position, oldest first.
+  /// Searches only the last 64 chunks with such items, so it may find fewer.
   void LastEvents(std::size_t most, const Handler& handler);
   void LastLog(std::size_t most, const Handler& handler);
 
-  /// The time of the next row of the chosen columns or event after the position, and of the last
-  /// one before it.
+  /// Return the time of the next row of a chosen column, or the next event, after the position, and
+  /// of the last one before it.
   [[nodiscard]] std::optional<mcap::Timestamp> NextStep();
   [[nodiscard]] std::optional<mcap::Timestamp> PreviousStep();
-  /// The next event or loss after `time`, and the last one before it.
+  /// Return the time of the next event or loss after `time`, and of the last one before it.
   [[nodiscard]] std::optional<mcap::Timestamp> FindNext(Kind kind, mcap::Timestamp time);
   [[nodiscard]] std::optional<mcap::Timestamp> FindPrevious(Kind kind, mcap::Timestamp time);
-  /// When there were events or losses: each one of them or, in a large file, the chunks that
-  /// contain some.
+  /// Returns the time spans that contain events or losses: one for each event or loss or, in a
+  /// large file, one for each chunk that contains some.
   [[nodiscard]] std::vector<PlayedSpan> Spans(Kind kind);
 
  private:
@@ -148,8 +153,8 @@ class Playback {
   [[nodiscard]] Channels PlayedChannels() const;
   void HandOut(const mcap::Message& message, const Handler& handler) const;
   void ReadChangesUpTo(mcap::Timestamp time);
-  /// The blocks that may contain messages of these channels up to `time`, by their end, latest
-  /// first.
+  /// Returns the blocks that may contain messages of these channels up to `time`, sorted by their
+  /// end, latest first.
   [[nodiscard]] std::vector<const mcap::MessageBlock*> BlocksBefore(const Channels& channels,
                                                                     mcap::Timestamp time) const;
   void Last(const Channels& channels, std::size_t most, const Handler& handler);
@@ -174,13 +179,13 @@ class Playback {
 
   Channels chosen_;
   mcap::Timestamp position_ = 0;
-  std::optional<mcap::MessageStream> stream_;  // what follows the position
-  std::optional<OwnMessage> next_;             // was taken out of the stream, is after the position
+  std::optional<mcap::MessageStream> stream_;  // the messages after the position
+  std::optional<OwnMessage> next_;             // taken from the stream; it is after the position
 
   std::optional<mcap::MessageStream> change_stream_;
   std::vector<std::pair<mcap::Timestamp, PlayedChange>> changes_;  // read so far
   bool has_all_changes_ = false;
-  Catalogue made_catalogue_;  // if the file has none
+  Catalogue made_catalogue_;  // used if the file has no catalogue
 };
 
 }  // namespace tendon::recording

@@ -12,11 +12,11 @@
 
 namespace tendon::recording {
 
-/// A system that a recorder can record: the seam between the recorder and either the client of a
-/// GCM or the own process.
+/// A system that a recorder can record: either all processes that a GCM knows, or only the own
+/// process.
 ///
-/// Thread safety: all functions, from any thread except handlers and sinks. The recorder calls them
-/// in its follower thread, and in the thread that starts and stops it.
+/// Thread safety: any thread may call all functions, but handlers and sinks may not. The recorder
+/// calls them in its follower thread, and in the thread that starts and stops it.
 class RecordedSystem {
  public:
   RecordedSystem() = default;
@@ -24,15 +24,16 @@ class RecordedSystem {
   RecordedSystem& operator=(const RecordedSystem&) = delete;
   virtual ~RecordedSystem() = default;
 
-  /// The revision of catalogue(). Cheap: a recorder asks ten times a second.
+  /// The revision of catalogue(). Must be cheap, because a recorder calls this function ten times a
+  /// second.
   [[nodiscard]] virtual std::uint64_t revision() = 0;
   [[nodiscard]] virtual Catalogue catalogue() const = 0;
-  /// Returns the reason if the catalogue is still empty because the system could not be asked.
+  /// If the catalogue is empty because the system has not answered yet, returns the reason.
   [[nodiscard]] virtual std::optional<Error> WhyUnknown() { return std::nullopt; }
   [[nodiscard]] virtual TelemetryClient& telemetry() = 0;
   virtual GcmClient::ListenerId Listen(const EventSubscription& events,
                                        std::shared_ptr<EventSink> sink) = 0;
-  /// After the return, the sink is not called any more.
+  /// After this function has returned, the sink is not called any more.
   virtual void StopListening(GcmClient::ListenerId id) = 0;
   /// See GcmClient::ReadPastEvents().
   virtual void ReadPastEvents(const EventSubscription& events, std::chrono::nanoseconds last,
@@ -43,16 +44,16 @@ class RecordedSystem {
                                                 const message::ReadLog& wanted) = 0;
   virtual Result<message::ProcessHistoryState> GetProcessHistory(const std::string& process) = 0;
   virtual Result<Schema> FindSchema(const std::string& process, Fingerprint type) = 0;
-  /// The listener gets the whole catalogue again.
+  /// Makes the listener receive the whole catalogue again.
   virtual void Resync() = 0;
-  /// From now on, the listener gets the log.
+  /// From now on, the listener receives the log.
   virtual void WatchLog() = 0;
 };
 
 /// All processes that a GCM knows. The client must outlive it.
 class GcmSystem final : public RecordedSystem {
  public:
-  /// `timeout` is that of a request to a process.
+  /// `timeout` is the time limit of a request to a process.
   GcmSystem(GcmClient& client, std::chrono::milliseconds timeout)
       : client_(client), timeout_(timeout) {}
 

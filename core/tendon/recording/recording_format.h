@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <string>
 
-/// How Tendon uses MCAP. The writer, the reader, the replay and the exports agree on what is here.
+/// How Tendon uses MCAP. The writer, the reader, the replay and the exports use these rules.
 ///
 /// - A column of a state table, an event or a command is a channel. Its topic is its path with
 ///   slashes: `robot/arm/state/Joints`. A row of a table is one message on each of the table's
@@ -20,7 +20,7 @@
 ///   on the clock of the source plus kClockKey.
 /// - The data of a message is a CDR body behind kEncapsulationSize bytes, as in ROS 2. The schema
 ///   is a ROS 2 message definition; the channel's metadata has the Tendon schema, too.
-/// - When a source starts again, its ticks begin again: then it gets new channels, with another
+/// - When a source starts again, its ticks begin again. Then it gets new channels, with another
 ///   kEpochKey.
 /// - The recorder writes the log, the losses and the catalogue on three topics of its own.
 /// - Metadata at the begin and the end of a file describe the recording, and an attachment holds
@@ -49,10 +49,10 @@ inline constexpr const char* kKindKey = "tendon.kind";      // one of the kinds 
 inline constexpr const char* kPathKey = "tendon.path";      // "robot/arm/state.Joints"
 inline constexpr const char* kSchemaKey = "tendon.schema";  // Schema::TextWithHelp()
 inline constexpr const char* kEpochKey = "tendon.epoch";    // which start of the source
-/// publish_time minus the time on the steady clock of the source, ns.
+/// The publish time minus the time on the steady clock of the source, in ns.
 inline constexpr const char* kClockKey = "tendon.clock_ns";
-/// The largest possible error of the log time of a row, ns, when the channel was made; missing if
-/// unknown.
+/// The maximum error of the log time of a row, in ns, at the time when the channel was made.
+/// Missing if it is unknown.
 inline constexpr const char* kClockUncertaintyKey = "tendon.clock_uncertainty_ns";
 /// The unit of a number, behind the path of its field: "tendon.unit.position" is "rad".
 inline constexpr const char* kUnitKey = "tendon.unit";
@@ -63,13 +63,14 @@ inline constexpr const char* kEventKind = "event";
 inline constexpr const char* kCommandKind = "command";
 inline constexpr const char* kOtherKind = "other";
 
-/// The bytes before the CDR body of a message. They say that it is little-endian.
+/// The number of bytes before the CDR body of a message. These bytes say that the body is
+/// little-endian.
 inline constexpr std::size_t kEncapsulationSize = 4;
 
 /// Returns the CDR body of a message; empty if the data is not little-endian CDR of the first
-/// version. An empty body is a value of no type.
+/// version. No value has an empty body.
 [[nodiscard]] mcap::Bytes BodyOf(mcap::Bytes data);
-/// Makes the data of a message out of a CDR body. Reuses the memory of `data`.
+/// Makes the data of a message from a CDR body. Reuses the memory of `data`.
 void Encapsulate(mcap::Bytes body, mcap::Buffer& data);
 
 /// Returns the value of a key in a channel's metadata; empty if there is none.
@@ -80,10 +81,13 @@ void Encapsulate(mcap::Bytes body, mcap::Buffer& data);
 
 /// A loss of rows: a message on kLossTopic, just before the rows that follow the loss.
 struct Loss {
-  std::string path;            ///< of the table
-  std::uint64_t table = 0;     ///< the table's ring was too short for a slow process
-  std::uint64_t network = 0;   ///< between the process and the recorder
-  std::uint64_t recorder = 0;  ///< the disk was too slow, or failed
+  std::string path;  ///< of the table
+  /// Rows that the table overwrote before its process could read them.
+  std::uint64_t table = 0;
+  /// Rows that were lost between the process and the recorder.
+  std::uint64_t network = 0;
+  /// Rows that were lost because the disk was too slow or failed.
+  std::uint64_t recorder = 0;
 
   bool operator==(const Loss&) const = default;
 };

@@ -19,8 +19,8 @@
 #include <variant>
 #include <vector>
 
-/// The entries that a recorder receives of a running system. In LostRows, `viewer` counts the rows
-/// that the recorder itself has lost, because the disk was slower than the data, or failed.
+/// The entries that a recorder receives from a running system. In LostRows, `viewer` counts the
+/// rows that the recorder itself has lost, because the disk was slower than the data, or failed.
 namespace tendon::recording {
 
 /// A column of a table, an event, or a command with the type of its calls.
@@ -29,21 +29,21 @@ struct Member {
   Schema schema;
 };
 
-/// A table, or the events or the commands of an interface, with the types that it has now. Another
-/// object after each recovery.
+/// A table, or the events or the commands of an interface, with its present types. After each
+/// recovery of the connection, there is a new object.
 struct Source {
   InterfaceName name;
   std::vector<Member> members;
   bool are_commands = false;
 };
 
-/// Rows of a table, one after the other.
+/// Consecutive rows of a table.
 struct Rows {
   std::shared_ptr<const Source> source;
   std::uint64_t epoch = 0;                        ///< as in RowBatch
   std::chrono::nanoseconds clock_offset{0};       ///< likewise
   std::chrono::nanoseconds clock_uncertainty{0};  ///< likewise
-  LostRows lost_before;                           ///< between the rows before and these
+  LostRows lost_before;                           ///< rows that were lost just before these rows
   std::vector<std::uint64_t> ticks;
   std::vector<std::int64_t> times;        ///< on the clock of the source, ns
   std::vector<std::uint32_t> cell_sizes;  ///< bytes, row by row
@@ -54,8 +54,8 @@ struct Rows {
 struct Event {
   std::shared_ptr<const Source> source;
   std::size_t member = 0;
-  SteadyTime raised;             ///< of a call: when its execution had ended
-  std::vector<std::byte> value;  ///< a CDR body; empty without an argument
+  SteadyTime raised;             ///< for a call, the end of its execution
+  std::vector<std::byte> value;  ///< a CDR body; empty if there is no argument
 };
 
 /// A record of the log of a process.
@@ -63,7 +63,7 @@ struct LogEntry {
   message::LogRecord record;
 };
 
-/// The whole catalogue, or its next changes.
+/// The whole catalogue, or the next changes of it.
 struct CatalogueChanges {
   bool is_snapshot = false;
   SteadyTime received;
@@ -72,15 +72,15 @@ struct CatalogueChanges {
 
 using Entry = std::variant<Rows, Event, LogEntry, CatalogueChanges>;
 
-/// The memory that an entry takes, bytes.
+/// Returns the memory of an entry, in bytes.
 [[nodiscard]] std::size_t SizeOf(const Entry& entry);
-/// The path of the table or event; empty for a log record and for changes of the catalogue.
+/// Returns the path of the table or event; empty for a log record and for changes of the catalogue.
 [[nodiscard]] std::string PathOf(const Entry& entry);
 
 /// All losses of a recording up to now, by the path of the table, event or command.
 struct Losses {
   std::map<std::string, LostRows> rows;
-  std::map<std::string, std::uint64_t> events;  ///< and calls of commands
+  std::map<std::string, std::uint64_t> events;  ///< events, and calls of commands
   std::uint64_t log = 0;                        ///< records
 
   /// Sums over all paths.
@@ -89,19 +89,19 @@ struct Losses {
   /// Returns the number of all lost rows, events and log records.
   [[nodiscard]] std::uint64_t all() const { return all_rows().all() + all_events() + log; }
   Losses& operator+=(const Losses& other);
-  /// Counts an entry that was not written as lost by the recorder, apart from its first `written`
-  /// rows.
+  /// Counts an entry as lost by the recorder, because it was not written. The first `written` rows
+  /// were written and do not count.
   void AddUnwritten(const Entry& entry, std::uint64_t written = 0);
 };
 
 /// The queue between the threads of the middleware, which receive rows and events, and the thread
-/// that writes the file. It is bounded in bytes. An entry that does not fit is counted as lost, and
-/// no thread waits for the writer, so a slow disk never slows down a component.
+/// that writes the file. Its size in bytes is limited. If an entry does not fit, it is counted as
+/// lost. No thread waits for the writer, so a slow disk never slows down a component.
 ///
-/// Give it to a GcmClient as its listener, to also record the log and the catalogue.
+/// If it is the listener of a GcmClient, the log and the catalogue are recorded, too.
 ///
-/// Thread safety: all functions, from any thread. Cost: a batch of rows is copied once, outside of
-/// the lock.
+/// Thread safety: any thread may call all functions. Cost: a batch of rows is copied once, outside
+/// of the lock.
 class RecordingQueue final : public GcmListener,
                              public std::enable_shared_from_this<RecordingQueue> {
  public:
@@ -109,23 +109,23 @@ class RecordingQueue final : public GcmListener,
 
   explicit RecordingQueue(std::size_t most_bytes = kMostBytes) : most_bytes_(most_bytes) {}
 
-  /// The sink for the rows of this table.
+  /// Returns the sink for the rows of this table.
   std::shared_ptr<RowSink> SinkOf(const TableSubscription& table);
-  /// The sink for these events, or for these commands: a subscription has only one of both. Events
-  /// and calls whose types are not among `types` are counted as lost.
+  /// Returns the sink for these events or these commands; a subscription has only one of the two.
+  /// Events and calls whose types are not among `types` are counted as lost.
   std::shared_ptr<EventSink> SinkOf(const EventSubscription& events,
                                     std::map<Fingerprint, Schema> types);
 
   /// Waits until an entry has arrived or Wake() is called, at most `patience`. Removes and returns
-  /// the oldest entries, about a MiB. For the writing thread.
+  /// the oldest entries, about 1 MiB. Called by the writing thread.
   std::deque<Entry> Take(std::chrono::nanoseconds patience);
   /// Lets Take() return.
   void Wake();
-  /// Drops all entries, and from now on all that arrive, without counting them as lost.
+  /// Drops all entries, and all that arrive from now on, without counting them as lost.
   void Close();
 
   [[nodiscard]] Losses losses() const;
-  /// Returns, and forgets, the losses of rows that no accepted rows have followed, by table.
+  /// Returns and forgets, for each table, the losses of rows after the last accepted row.
   [[nodiscard]] std::map<std::string, LostRows> TakeTrailingLosses();
   [[nodiscard]] std::size_t waiting_bytes() const;
   /// Returns sentences about interruptions since the last call: at most 100, each once.
@@ -133,10 +133,10 @@ class RecordingQueue final : public GcmListener,
   [[nodiscard]] bool is_gcm_lost() const;
   /// True if all log records that the GCM had when it was asked have arrived.
   [[nodiscard]] bool has_past_log() const;
-  /// How often the whole catalogue has arrived: a new number may mean another GCM, whose revisions
-  /// are not those of the one before.
+  /// The number of times that the whole catalogue has arrived. If the number changes, the catalogue
+  /// may be that of another GCM, with other revisions.
   [[nodiscard]] std::uint64_t snapshots() const;
-  /// True if changes of the catalogue did not fit: ask the client for GcmClient::Resync().
+  /// True if changes of the catalogue did not fit. Then call GcmClient::Resync().
   [[nodiscard]] bool needs_snapshot() const;
 
   void OnSnapshot(const Catalogue& catalogue) override;
@@ -160,12 +160,12 @@ class RecordingQueue final : public GcmListener,
   bool is_woken_ = false;
   bool is_closed_ = false;
   Losses losses_;
-  std::map<std::string, LostRows> trailing_losses_;  // not told by any entry yet
+  std::map<std::string, LostRows> trailing_losses_;  // not in the `lost_before` of any entry yet
   std::vector<std::string> notices_;
   bool is_gcm_lost_ = false;
   bool needs_snapshot_ = false;
   std::uint64_t snapshots_ = 0;
-  bool is_log_current_ = false;  // earlier losses are not of this recording
+  bool is_log_current_ = false;  // while false, lost log records do not count
 };
 
 }  // namespace tendon::recording

@@ -25,21 +25,20 @@ struct RecordedMember {
   std::size_t largest = 0;  ///< size of the largest value, bytes
 };
 
-/// The members of a state table, or the events or the commands of an interface, that a recording
-/// contains.
+/// The recorded members of a state table, or the recorded events or commands of an interface.
 struct RecordedSource {
   InterfaceName name;
   std::vector<RecordedMember> members;
   bool is_table = false;
   bool are_commands = false;
-  std::uint64_t first_tick = 0;    ///< of a table
+  std::uint64_t first_tick = 0;    ///< only for a table
   std::uint64_t count = 0;         ///< rows, events or calls
   mcap::Timestamp first_time = 0;  ///< log time; 0 if there is none
   mcap::Timestamp last_time = 0;
 };
 
-/// A row of a table. Ticks only grow: where the ticks in the file begin again, because the source
-/// was restarted, they go on here with the next tick.
+/// A row of a table. Its ticks only increase: if the source was restarted, the ticks in the file
+/// begin again, but here they continue with the next tick.
 struct RecordedRow {
   std::uint64_t tick = 0;
   std::vector<std::vector<std::byte>> cells;  ///< CDR bodies, by column; empty if there is no value
@@ -52,42 +51,43 @@ struct RecordedEvent {
 
 /// A row, an event or a log record, with its time.
 struct RecordedItem {
-  mcap::Timestamp time = 0;  ///< the log time; of a call, the time when its execution had ended
+  mcap::Timestamp time = 0;  ///< the log time; for a call, the end of its execution
   std::size_t source = 0;    ///< index of RecordingReader::sources(); not for the log
   std::variant<RecordedRow, RecordedEvent, RosLog> content;
 };
 
-/// What RecordingReader::Open() counts.
+/// The counts of RecordingReader::Open().
 struct RecordedCounts {
   std::uint64_t rows = 0;
   std::uint64_t events = 0;
   std::uint64_t commands = 0;  ///< calls
   std::uint64_t log = 0;       ///< records
-  /// Messages that are left out: their channels are not Tendon's, or their type differs from the
-  /// one that the same path had before.
+  /// The number of messages that are left out, because their channels are not Tendon's or the type
+  /// of their path has changed.
   std::uint64_t left_out = 0;
   mcap::Timestamp first_time = 0;
   mcap::Timestamp last_time = 0;
 };
 
-/// Reads a recording as rows, events, calls and log records, in the order of their times: the
-/// counterpart of RecordingWriter, for the replay. The order of each table, and of the events of
-/// each interface, is that of the file.
+/// Reads a recording as rows, events, calls and log records, in the order of their times. The
+/// replay uses it; RecordingWriter is its counterpart. The rows of one table, and the events of one
+/// interface, keep the order of the file.
 ///
 ///     auto recording = RecordingReader::Open(*reader, query);
 ///     while (auto item = (*recording)->Next()) Play(*item);
 ///
-/// Cost: Open() reads the part once, to know the sizes of all values. Memory: one item for each
-/// source, and what the MCAP reader keeps.
+/// Cost: Open() reads the part once, to find the sizes of all values. Memory: one item for each
+/// source, and the memory of the MCAP reader.
 ///
-/// Thread safety: one thread at a time, which is also that of the MCAP reader. That reader must
-/// outlive it.
+/// Thread safety: one thread at a time may use this object and the MCAP reader, which must outlive
+/// it.
 class RecordingReader {
  public:
   static constexpr std::size_t kMostSources = 4096;
 
-  /// Takes the messages that match; the order in `query` is not used. kInvalid if the part contains
-  /// no row, event or call that can be read, or more than kMostSources tables and interfaces.
+  /// Reads the messages that match; ignores the order in `query`. Fails with kInvalid if the part
+  /// contains no row, event or call that can be read, or more than kMostSources tables and
+  /// interfaces.
   static Result<std::unique_ptr<RecordingReader>> Open(mcap::Reader& reader, mcap::Query query);
   RecordingReader(const RecordingReader&) = delete;
   RecordingReader& operator=(const RecordingReader&) = delete;
@@ -95,13 +95,13 @@ class RecordingReader {
 
   [[nodiscard]] const std::vector<RecordedSource>& sources() const { return sources_; }
   [[nodiscard]] const RecordedCounts& counts() const { return counts_; }
-  /// The newest description that the recording has of a component; null if there is none.
+  /// Returns the newest description of a component in the recording; null if there is none.
   [[nodiscard]] const ComponentDescription* FindComponent(const std::string& process,
                                                           const std::string& component) const;
 
-  /// Empty at the end.
+  /// Returns the next item, or nothing at the end.
   std::optional<RecordedItem> Next();
-  /// The next item is the first one again. The ticks go on.
+  /// Begins again: the next item is the first one. The ticks continue to increase.
   void Rewind();
 
  private:

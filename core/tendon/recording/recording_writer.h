@@ -27,19 +27,21 @@ namespace tendon::recording {
 struct FileOptions {
   std::filesystem::path file;  ///< "run.mcap"; with a split "run-1.mcap", "run-2.mcap" ...
   mcap::Compression compression = mcap::Compression::kZstd;
-  std::uint64_t split_size = 0;            ///< bytes, about; 0: no limit
+  std::uint64_t split_size = 0;            ///< approximate size of a file, in bytes; 0: no limit
   std::chrono::nanoseconds split_time{0};  ///< 0: no limit
-  std::size_t keep = 0;                    ///< the newest files of a split; 0: all
-  /// Creates a file, so that tests can have a disk that is slow or fails; the system's if empty.
+  std::size_t keep = 0;                    ///< number of newest files to keep; 0: all
+  /// Creates a file; if empty, the system's function is used. Tests simulate a slow or failing disk
+  /// with it.
   std::function<Result<std::unique_ptr<os::WritableFile>>(const std::filesystem::path&)> create{};
-  /// Log records of this time before the begin belong to the recording.
+  /// Log records that are older than the begin by at most this time belong to the recording.
   std::chrono::nanoseconds past{0};
 };
 
-/// The name of the file with this number, from 1 on: "run-2.mcap"; without a split "run.mcap".
+/// Returns the name of the file with this number, which begins at 1: "run-2.mcap". Without a split,
+/// returns "run.mcap".
 [[nodiscard]] std::filesystem::path FileName(const FileOptions& options, std::size_t number);
 
-/// The description of a recording that each of its files contains.
+/// The description of a recording. Each of its files contains it.
 struct Heading {
   std::map<std::string, std::string> about;
   std::string system;  ///< the text of the system file; empty for none
@@ -51,46 +53,47 @@ struct Counts {
   std::uint64_t events = 0;
   std::uint64_t commands = 0;  ///< calls
   std::uint64_t log = 0;       ///< records
-  std::uint64_t bytes = 0;     ///< of the files that are kept
-  std::size_t files = 0;       ///< that were begun
+  std::uint64_t bytes = 0;     ///< size of the files that are kept
+  std::size_t files = 0;       ///< number of files that were begun
 };
 
-/// Writes entries into one MCAP file, or one after the other. Each file can be read without the
-/// others: it begins with the whole catalogue.
+/// Writes entries into one MCAP file, or into several files, one after the other. Each file can be
+/// read without the others, because it begins with the whole catalogue.
 ///
-/// A column is a channel with the topic `robot/arm/state/Joints`; a row is one message on each
+/// A column is a channel with the topic `robot/arm/state/Joints`. A row is one message on each
 /// channel of its table, with the low 32 bits of the tick as the sequence. The log time is the time
-/// of the row on the clock of this machine, with the wall time as of the recording's begin. A new
-/// epoch of the source begins new channels, since its ticks begin again.
+/// of the row on this machine's clock; later corrections of the wall time have no effect on it. A
+/// source that starts again gets new channels, because its ticks begin again.
 ///
 /// Thread safety: one thread at a time; the recorder's writing thread uses it. Cost: that of
 /// mcap::Writer for each cell of a row.
 class RecordingWriter {
  public:
-  /// kExists if there is a file of this name. `begin` is now.
+  /// Begins a recording now. Fails with kExists if there is a file with this name.
   static Result<std::unique_ptr<RecordingWriter>> Create(FileOptions options, Heading heading);
   RecordingWriter(const RecordingWriter&) = delete;
   RecordingWriter& operator=(const RecordingWriter&) = delete;
 
-  /// kInvalid if the file cannot hold this entry, such as when the channels are used up or a type
-  /// is too large: other entries can still be written. With a split, a file whose channels are
-  /// nearly used up is followed by another. After any other error, only Close() has an effect; the
-  /// error says how much is safe. losses() counts what was not written.
+  /// Fails with kInvalid if the file cannot hold this entry, for example because a type is too
+  /// large or the channels are used up; other entries can still be written. With a split, a new
+  /// file begins before the channels are used up. After any other error, only Close() has an
+  /// effect; the error says how much is safe. losses() counts the entries that were not written.
   Result<void> Write(const Entry& entry);
-  /// Writes a loss that no rows follow.
+  /// Writes a loss that no rows follow. Its time is the present time.
   Result<void> WriteLoss(const std::string& path, const LostRows& lost);
   /// Writes a loss at `time`, which is in the past.
   Result<void> WriteLoss(const std::string& path, const LostRows& lost, SteadyTime time);
-  /// Waits until all is on the disk.
+  /// Waits until all data is on the disk.
   Result<void> Sync();
   /// Writes the losses of the whole recording, which are losses() and `others`, and completes the
   /// file. Returns the failure of an earlier Write() if there was one.
   Result<void> Close(const Losses& others);
 
-  /// What was given to Write() and is in no file: what was refused and, after a failure, what was
-  /// in the chunk that could not be written. Rows count as lost by the recorder.
+  /// The entries that were given to Write() and are in no file: refused entries and, after a
+  /// failure, the entries of the chunk that could not be written. Rows count as lost by the
+  /// recorder.
   [[nodiscard]] Losses losses() const;
-  /// What the files contain, or the present chunk.
+  /// The content of the files and of the present chunk.
   [[nodiscard]] Counts counts() const;
   /// The file that is being written.
   [[nodiscard]] const std::filesystem::path& file() const { return files_.back().first; }
@@ -118,12 +121,13 @@ class RecordingWriter {
     std::uint32_t sequence = 0;
   };
 
-  /// Rows of a table, an event or a call, or a log record, in a chunk that may not be written yet.
+  /// An accepted entry whose chunk may not be written yet: rows of a table, an event, a call or a
+  /// log record.
   struct Accepted {
-    std::shared_ptr<const Source> source;  // null: the log
-    std::optional<std::size_t> event;      // the member; empty: rows
+    std::shared_ptr<const Source> source;  // null for a log record
+    std::optional<std::size_t> event;      // index of the member; empty for rows
     std::uint64_t first = 0;               // the number of the first message in the file
-    std::uint64_t width = 1;               // messages of one row
+    std::uint64_t width = 1;               // number of messages of one row
     std::uint64_t count = 0;               // rows
   };
 
@@ -163,7 +167,7 @@ class RecordingWriter {
   std::unique_ptr<mcap::Writer> writer_;
   SteadyTime file_begin_;
   std::size_t number_ = 0;                                             // of the file
-  std::deque<std::pair<std::filesystem::path, std::uint64_t>> files_;  // with their size; kept ones
+  std::deque<std::pair<std::filesystem::path, std::uint64_t>> files_;  // kept files, sizes
 
   // Of the present file.
   std::map<std::pair<std::string, std::string>, mcap::SchemaId> schemas_;  // by name and text
@@ -178,7 +182,7 @@ class RecordingWriter {
   std::vector<std::byte> body_;
   std::vector<std::byte> message_;
   Catalogue catalogue_;
-  Counts counts_;                  // of what was accepted
+  Counts counts_;                  // counts of accepted entries
   std::deque<Accepted> accepted_;  // oldest first
   Losses refused_;
   std::optional<Error> failure_;

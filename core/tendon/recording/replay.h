@@ -22,7 +22,8 @@ struct ReplayOptions {
   double rate = 1.0;   ///< 2: twice as fast as recorded
   bool loops = false;  ///< begins again at the end
   std::string as;      ///< the name of the process; empty: as recorded
-  /// Between the first Play() and the first row, so that others can connect and subscribe.
+  /// The time between the first Play() and the first row, in which others can connect and
+  /// subscribe.
   std::chrono::nanoseconds delay{0};
 };
 
@@ -32,18 +33,19 @@ struct ReplayStatus {
   std::uint64_t events = 0;
   std::uint64_t commands = 0;            ///< calls
   std::uint64_t log = 0;                 ///< records
-  std::uint64_t passes = 0;              ///< that have ended
+  std::uint64_t passes = 0;              ///< number of passes that have ended
   std::uint64_t log_left_out = 0;        ///< records of processes that are not replayed
-  std::chrono::nanoseconds extended{0};  ///< the time that it took longer, because it was too slow
+  std::chrono::nanoseconds extended{0};  ///< delay of the replay, because it was too slow
 };
 
 /// Plays a recording in a running system: each recorded process appears as a process with the
 /// recorded components. They have the state tables, events and commands of the real ones, so that
-/// other components connect and subscribe to them as usual. Commands are refused, see
-/// ReplayedComponent; observers of commands see the recorded calls. The log is sent again, too.
+/// other components connect and subscribe to them as usual. Commands are refused (see
+/// ReplayedComponent); observers of commands see the recorded calls. The log is sent again, too.
 ///
-/// A row has the recorded tick and value. The times between rows are those between the recorded log
-/// times, divided by the rate. A replay that is too slow takes longer, and leaves nothing out.
+/// Rows have the recorded ticks and values. The time between two rows is the difference of their
+/// log times, divided by the rate. If a replay is too slow, it takes longer, but leaves nothing
+/// out.
 ///
 ///     auto replay = Replay::Open(std::move(reader), query, {.rate = 2.0});
 ///     (*replay)->Start(make_process);
@@ -53,12 +55,12 @@ struct ReplayStatus {
 /// Thread safety: one thread at a time.
 class Replay {
  public:
-  /// Makes the process of that name, which joins the GCM.
+  /// Makes a process with this name, which joins the GCM.
   using MakeProcess = std::function<Result<std::unique_ptr<Process>>(const std::string& name)>;
 
-  /// Reads the part once. Errors: those of RecordingReader::Open(); kInvalid if the options name
-  /// one process, but the part has several, or if the part needs more than 1 GiB for its tables, or
-  /// takes more than ten years.
+  /// Reads the part once. Fails like RecordingReader::Open(). Also fails with kInvalid if the
+  /// options name one process but the part has several, if the tables of the part need more than 1
+  /// GiB, or if the replay would take more than ten years.
   static Result<std::unique_ptr<Replay>> Open(std::unique_ptr<mcap::Reader> reader,
                                               mcap::Query part, ReplayOptions options);
   Replay(const Replay&) = delete;
@@ -66,23 +68,23 @@ class Replay {
   /// Ends the processes.
   ~Replay();
 
-  /// The names that its processes have, or will have.
+  /// The names of the processes. Before Start(), the names that they will have.
   [[nodiscard]] std::vector<std::string> processes() const;
-  /// What the part contains.
+  /// The counts of the part.
   [[nodiscard]] const RecordedCounts& contained() const { return items_->counts(); }
   [[nodiscard]] const mcap::Reader& reader() const { return *reader_; }
 
-  /// Makes the processes with their components, and starts them. On an error, there are none.
+  /// Makes and starts the processes with their components. After an error, no process exists.
   Result<void> Start(const MakeProcess& make);
-  /// Errors are those of Process::WaitUntilJoined().
+  /// Fails like Process::WaitUntilJoined().
   Result<void> WaitUntilJoined(std::chrono::milliseconds timeout) const;
 
   /// Writes the rows and raises the events that are due at `now`, at most about a thousand. Returns
-  /// when to call it again; empty at the end. Only after Start().
+  /// the time of the next call, or nothing at the end. Must be called after Start().
   std::optional<SteadyTime> Play(SteadyTime now);
 
-  /// True if everything that Play() has written and raised is sent to all viewers and clients. Only
-  /// after Start(). See Process::HasSentAll().
+  /// True if everything that Play() has written and raised is sent to all viewers and clients. Must
+  /// be called after Start(). See Process::HasSentAll().
   [[nodiscard]] bool HasSentAll() const;
 
   [[nodiscard]] ReplayStatus status() const { return status_; }
@@ -107,8 +109,8 @@ class Replay {
   std::map<std::string, std::unique_ptr<Process>> processes_;  // by recorded name
 
   std::optional<RecordedItem> next_;
-  std::optional<SteadyTime> begin_;  // of this pass
-  mcap::Timestamp last_time_ = 0;    // of the latest item
+  std::optional<SteadyTime> begin_;  // begin of this pass
+  mcap::Timestamp last_time_ = 0;    // time of the latest item
   ReplayStatus status_;
 };
 

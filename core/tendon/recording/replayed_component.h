@@ -18,10 +18,10 @@
 
 namespace tendon::recording {
 
-/// An event that the replay raises with encoded values, as they are in the recording.
+/// An event that the replay raises with the encoded values of the recording.
 class ReplayedEvent final : public EventBase {
  public:
-  /// One thread at a time.
+  /// May be called by one thread at a time.
   void Raise(std::span<const std::byte> value);
 
  private:
@@ -33,7 +33,7 @@ class ReplayedEvent final : public EventBase {
   std::vector<std::byte> nothing_;
 };
 
-/// An event of an interface, as recorded.
+/// A recorded event of an interface.
 struct NamedReplayedEvent {
   std::string name;
   Schema type;
@@ -47,20 +47,20 @@ struct NamedReplayedCommand {
   std::shared_ptr<CallEvent> calls;
 };
 
-/// The state tables, events and calls of a recorded component. The replay fills it; a
-/// ReplayedComponent offers it, and may end earlier. `source` is the index in
-/// RecordingReader::sources().
+/// The state tables, events and calls of a recorded component. The replay writes to this object,
+/// and a ReplayedComponent offers it to others. The ReplayedComponent may end earlier. `source` is
+/// the index in RecordingReader::sources().
 ///
-/// Thread safety: after all is added, one thread writes rows and raises events.
+/// Thread safety: one thread writes rows and raises events, after all members were added.
 class ReplayedMembers {
  public:
-  /// `period` is the time between two rows, from which the length of the table follows. Throws
-  /// ConfigurationError for names that are not allowed, and for rows that are too large.
+  /// Adds a table. Its length depends on `period`, the time between two rows. Throws
+  /// ConfigurationError if a name is not allowed or a row is too large.
   void AddTable(std::size_t source, const RecordedSource& table, std::chrono::nanoseconds period);
   void AddEvents(std::size_t source, const RecordedSource& events);
   void AddCommands(std::size_t source, const RecordedSource& commands);
 
-  /// `time` is that of the row.
+  /// Writes a row. `time` is the time of the row.
   void Write(std::size_t source, const RecordedRow& row, SteadyTime time);
   /// Raises an event, or shows a call.
   void Raise(std::size_t source, const RecordedEvent& event);
@@ -76,7 +76,7 @@ class ReplayedMembers {
  private:
   struct Table {
     std::unique_ptr<StateTable> table;
-    std::vector<std::vector<std::byte>> cells;  // the variables of its columns
+    std::vector<std::vector<std::byte>> cells;  // the values of its columns
   };
   template <typename Member>
   struct Members {
@@ -91,19 +91,20 @@ class ReplayedMembers {
   MembersBySource<NamedReplayedCommand> commands_;        // likewise
 };
 
-/// Has the interfaces of a recorded component: its state tables, its events, and its commands,
-/// which are refused. Observers of its commands see only the recorded calls. A read command works
-/// if it returns a structure that exactly one column of the component has as its type, and that
-/// column was recorded: it returns the newest value of the column, as such commands usually do.
+/// A component with the interfaces of a recorded component: its state tables, events and commands.
+/// Observers of its commands see only the recorded calls. All commands are refused, except some
+/// read commands: if the type of the reply is a structure that is the type of exactly one column of
+/// the component, and this column was recorded, the reply is the newest value of the column, as it
+/// usually is.
 class ReplayedComponent final : public Component {
  public:
   struct Options {
-    /// As recorded; null if the recording has no description of it. Not kept.
+    /// The recorded description; null if the recording has none. Used only by the constructor.
     const ComponentDescription* description = nullptr;
-    std::string refusal;  ///< the sentence about commands: "this is a replay of run.mcap"
+    std::string refusal;  ///< the reason why commands are refused: "this is a replay of run.mcap"
   };
 
-  /// Throws ConfigurationError as ReplayedMembers does.
+  /// Throws ConfigurationError like ReplayedMembers.
   ReplayedComponent(std::string name, std::shared_ptr<ReplayedMembers> members,
                     const Options& options);
 
@@ -118,7 +119,8 @@ class ReplayedComponent final : public Component {
 
   const std::shared_ptr<ReplayedMembers> members_;
   double period_ = 0.0;
-  std::vector<std::unique_ptr<ReplayedEvent>> silent_events_;  // that are not in the recording
+  std::vector<std::unique_ptr<ReplayedEvent>>
+      silent_events_;  // events that are not in the recording
   RateLimitedWarning refused_;
 };
 

@@ -9,11 +9,11 @@
 
 namespace tendon::recording {
 
-/// Tells the rows of a table apart: the messages of one row have the same key.
+/// Identifies a row of a table: the messages of one row have the same key.
 struct RowKey {
   mcap::Timestamp time = 0;    ///< log time
   std::uint32_t sequence = 0;  ///< the low 32 bits of the tick
-  std::uint64_t run = 0;       ///< another number for each start of the source
+  std::uint64_t run = 0;       ///< a different number for each start of the source
 
   bool operator==(const RowKey&) const = default;
 };
@@ -26,12 +26,12 @@ struct RowKey {
 /// A row of a table.
 struct AssembledRow {
   RowKey key;
-  mcap::Timestamp publish_time = 0;                ///< of its first message
+  mcap::Timestamp publish_time = 0;                ///< that of the first message
   std::vector<std::optional<mcap::Buffer>> cells;  ///< CDR bodies; empty if there is no message
 };
 
-/// Joins messages into rows. A file has one message for each column of a row; they follow each
-/// other, but rows may be incomplete. Events and other topics are rows of one column.
+/// Joins messages into rows. A file has one message for each column of a row. The messages of a row
+/// follow each other, but some may be missing. Events and other topics are rows with one column.
 ///
 ///     if (!rows.Accepts(column, key)) Use(rows.Take());
 ///     rows.Add(column, key, message);

@@ -11,17 +11,18 @@
 namespace tendon::recording {
 
 /// Watches a condition in a running system: evaluates it for every row of its table, or waits for
-/// each of its events, or for each executed call of its command. It has a subscription of its own,
-/// so the paths of the recording need not include the condition. A recorder has one for its begin
+/// its events or for the executed calls of its command. A trigger has its own subscription, so the
+/// paths of the recording need not include the condition. A recorder has one trigger for its begin
 /// and one for its end.
 ///
-/// Thread safety: all functions, from any thread except handlers and sinks. Cost: a comparison for
-/// each row, in a thread of the middleware.
+/// Thread safety: any thread may call all functions, but handlers and sinks may not. Cost: a
+/// comparison for each row, in a thread of the middleware.
 class Trigger {
  public:
   /// Subscribes at once. `on_match` is called after new matches, in a thread of the middleware; it
-  /// must not block. Waits for the type of the column. kNotFound, with a suggestion, if the path
-  /// does not exist now; otherwise as CellTest::Make(). `system` must outlive the trigger.
+  /// must not block. Waits for the type of the column. Fails with kNotFound if the path does not
+  /// exist now (the error suggests another path), and like CellTest::Make(). `system` must outlive
+  /// the trigger.
   static Result<std::unique_ptr<Trigger>> Make(RecordedSystem& system, const Condition& condition,
                                                std::function<void()> on_match);
   Trigger(const Trigger&) = delete;
@@ -29,8 +30,9 @@ class Trigger {
   /// Ends the subscription.
   ~Trigger();
 
-  /// The time of the first row, event or call after `time` for which the condition was true, on
-  /// this process's steady clock; forgets all earlier ones. The newest 4096 matches are kept.
+  /// Returns the time of the first row, event or call after `time` for which the condition was
+  /// true, on this process's steady clock. Forgets all earlier matches. Only the newest 4096
+  /// matches are kept.
   [[nodiscard]] std::optional<SteadyTime> FirstAfter(SteadyTime time);
 
  private:
