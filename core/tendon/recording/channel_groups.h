@@ -14,31 +14,31 @@ namespace tendon::recording {
 
 /// The kind of the messages of a channel.
 enum class Content {
-  kRows,  ///< of a state table; a sequence that is missing was lost
+  kRows,  ///< rows of a state table; a gap in the sequence is a loss
   kEvents,
   kCommands,  ///< calls
   kLog,       ///< records
-  kOthers,    ///< of the recorder itself, or of another program
+  kOthers,    ///< messages of the recorder itself or of another program
 };
 
-/// What an export has written.
+/// The counts of an export.
 struct ExportReport {
   std::uint64_t rows = 0;
-  std::uint64_t lost = 0;  ///< rows that are missing between them
+  std::uint64_t lost = 0;  ///< number of rows that are missing in the recording
   std::uint64_t events = 0;
   std::uint64_t commands = 0;  ///< calls
   std::uint64_t log = 0;       ///< records
   std::uint64_t others = 0;    ///< messages of other topics
-  /// Entries of which a part is missing or malformed. CSV has them with empty cells, so they count
-  /// above, too; HDF5 leaves them out.
+  /// The number of entries that have a missing or malformed part. CSV files contain them with empty
+  /// cells, so they are also counted above. HDF5 files do not contain them.
   std::uint64_t incomplete = 0;
-  std::map<std::string, std::uint64_t> left_out;  ///< messages, by the reason
+  std::map<std::string, std::uint64_t> left_out;  ///< number of messages for each reason
 
   void Count(Content content);
 };
 
-/// Channels that an export writes side by side: the columns of one table since one start of its
-/// source, or a single event, command or other topic.
+/// Channels that an export writes into one table: the columns of one state table since one start of
+/// its source, or a single event, command or other topic.
 struct ChannelGroup {
   std::string path;  ///< "robot/arm/state"
   Content content = Content::kOthers;
@@ -52,34 +52,34 @@ struct ChannelGroup {
 
 /// One column of a table, an event, a command, or another topic.
 struct ChannelMember {
-  std::string name;  ///< empty if the topic has only this one
+  std::string name;  ///< empty if the topic has only one member
   Schema schema;
 };
 
-/// The types of ROS 2 messages that MemberOf() has parsed, by schema: channels may share a large
-/// one.
+/// The types of ROS 2 messages that MemberOf() has parsed, by schema. They are stored because
+/// channels may share a large schema.
 using RosTypes = std::map<mcap::SchemaId, Result<Schema>>;
 
-/// Returns the name and the type of a channel's values. The type is the Tendon schema, or else the
-/// ROS 2 message (`ros2msg` and `cdr`), which files of other programs have, too. kInvalid, with a
-/// sentence, if the channel has neither or the text is broken.
+/// Returns the name and the type of a channel's values. The type is the Tendon schema or, in files
+/// of other programs, the ROS 2 message (`ros2msg` and `cdr`). Fails with kInvalid if the channel
+/// has neither, or if the text has a mistake.
 [[nodiscard]] Result<ChannelMember> MemberOf(const mcap::Reader& reader,
                                              const mcap::Channel& channel, RosTypes& known);
 
-/// Returns the publish time of a message minus its time on the steady clock of its source, ns.
+/// Returns the publish time of a message minus its time on the steady clock of its source, in ns.
 [[nodiscard]] std::int64_t ClockOf(const mcap::Channel& channel);
-/// Returns the time on the steady clock of the source, ns. `clock` is ClockOf() its channel.
-/// Numbers of a hostile file may wrap around.
+/// Returns the time on the steady clock of the source, in ns. `clock` is ClockOf() of its channel.
+/// The sum wraps around if a hostile file has absurd numbers.
 [[nodiscard]] std::int64_t SourceTimeOf(mcap::Timestamp publish_time, std::int64_t clock);
 
-/// Messages that are not exported, by their channel.
+/// The number of messages that are not exported, by channel.
 using LeftOut = std::map<mcap::ChannelId, std::uint64_t>;
-/// Adds them to the report, with the reasons.
+/// Adds these messages to the report, with the reasons.
 void CountLeftOut(const mcap::Reader& reader, const LeftOut& left_out, ExportReport& report);
 
-/// Columns of all tables of an export. A hostile file could have so many that no memory holds them.
+/// The maximum number of columns of an export. A hostile file could have more than fit into memory.
 constexpr std::size_t kMostColumns = 1'000'000;
-/// The error for a part of a recording that has more.
+/// The error for a recording that has more columns.
 [[nodiscard]] Error TooManyColumns(const mcap::Reader& reader);
 
 /// The error for a recording that has nothing to export.

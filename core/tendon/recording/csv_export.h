@@ -10,7 +10,7 @@
 
 namespace tendon::recording {
 
-/// What ExportCsv() has written.
+/// The result of ExportCsv().
 struct CsvReport : ExportReport {
   std::vector<std::filesystem::path> files;
 };
@@ -23,15 +23,15 @@ struct CsvReport : ExportReport {
 ///
 /// the time since 1970, the time on the steady clock of the source, the low 32 bits of the tick,
 /// and one column for each number. A member with texts or sequences also has a column with its
-/// whole value as JSON; so has a member with kMaxNumericFields numbers or more, of which only the
-/// first ones have columns. Where rows are missing, a row without values says how many, in `lost`.
-/// A value that is malformed has empty cells, and its row counts as incomplete.
+/// whole value as JSON. A member with kMaxNumericFields numbers or more has such a column, too, and
+/// only its first numbers have their own columns. If rows are missing, a row without values
+/// contains their number in `lost`. A malformed value has empty cells, and its row counts as
+/// incomplete.
 ///
-/// Creates `folder`. The files get their names when all are complete; on an error, and when `stop`
-/// returns true, no file is there. kExists if a file is there already; then no file is changed.
-/// kInvalid if no channel of the recording describes its values, or there are more than
-/// kMostColumns columns; kFailed if the disk is full or
-/// fails.
+/// Creates `folder`. The files get their names when all are complete; after an error, or if `stop`
+/// returns true, there are no files. Fails with kExists if a file exists already, and then changes
+/// no file. Fails with kInvalid if no channel of the recording describes its values, or if there
+/// are more than kMostColumns columns. Fails with kFailed if the disk is full or fails.
 ///
 /// Thread safety: that of the reader. Cost: reads each chunk once; memory for one row and 64 KiB of
 /// each file.

@@ -9,7 +9,7 @@
 
 namespace tendon::recording {
 
-/// The tables, events and commands of a running system that are to be recorded.
+/// The tables, events and commands of a running system that a recorder records.
 struct Selection {
   std::vector<TableSubscription> tables;
   std::vector<EventSubscription> events;
@@ -20,14 +20,15 @@ struct Selection {
   }
 };
 
-/// Returns the tables, events and commands that `patterns` match, as they are in the catalogue now.
-/// A pattern is a path or a glob of a process, a component, an interface, a column, an event or a
-/// command; everything in it is selected, except reads. Cost: each column, event and command is
-/// compared with each pattern.
+/// Returns the tables, events and commands of the catalogue that match `patterns`. A pattern is a
+/// path or a glob of a process, a component, an interface, a column, an event or a command. It
+/// selects everything in the matching objects, except read commands. Cost: each column, event and
+/// command is compared with each pattern.
 [[nodiscard]] Selection Select(const Catalogue& catalogue,
                                const std::vector<std::string>& patterns);
 
-/// Describes a recording of these patterns: who records what, and the system as a system file.
+/// Describes a recording of these patterns: by whom and what is recorded, and the system as a
+/// system file.
 [[nodiscard]] Heading HeadingFor(const Catalogue& catalogue,
                                  const std::vector<std::string>& patterns);
 

@@ -11,7 +11,7 @@
 
 namespace tendon::recording {
 
-/// What ExportHdf5() has written.
+/// The result of ExportHdf5().
 struct Hdf5Report : ExportReport {
   std::vector<std::string> groups;  ///< "/robot/arm/state"
 };
@@ -30,11 +30,12 @@ struct Hdf5Report : ExportReport {
 /// and `values`; a duration is int64 in ns; text is UTF-8 of variable length. A column with
 /// sequences has a dataset `NAME.json` with its whole value as JSON.
 ///
-/// A row of which a part is missing or malformed is left out, and counts as incomplete.
+/// A row with a missing or malformed part is left out, and counts as incomplete.
 ///
-/// Writes `file`.part, which gets its name when it is complete; on an error, and when `stop` is
-/// true, no file is there. kExists if `file` is there already, kInvalid if no channel describes its
-/// values or there are more than kMostColumns datasets, kNotFound if Tendon was built without HDF5.
+/// Writes `file`.part, which gets its final name when it is complete; after an error, or if `stop`
+/// returns true, there is no file. Fails with kExists if `file` exists already, with kInvalid if no
+/// channel describes its values or there are more than kMostColumns datasets, and with kNotFound if
+/// Tendon was built without HDF5.
 ///
 /// HDF5 and the 30 libraries that it needs are loaded at the first call, not with the program.
 ///

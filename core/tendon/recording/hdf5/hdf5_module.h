@@ -7,9 +7,9 @@
 
 namespace tendon::recording {
 
-/// The function that the module tendon_hdf5 exports, and that only ExportHdf5() calls. The module
-/// is the only part of Tendon that uses HDF5: that library needs 30 others, which no program should
-/// load without need.
+/// The function that the module tendon_hdf5 exports. Only ExportHdf5() calls it. The module is the
+/// only part of Tendon that uses HDF5, because HDF5 needs 30 other libraries, and programs should
+/// load them only if necessary.
 using Hdf5Module = void(mcap::Reader& reader, const mcap::Query& query,
                         const std::filesystem::path& file, const os::StopRequest& stop,
                         Result<Hdf5Report>& report);
@@ -19,8 +19,8 @@ inline constexpr const char* kHdf5Symbol = "TendonExportHdf5";
 using Hdf5ModuleBuild = const char*();
 inline constexpr const char* kHdf5BuildSymbol = "TendonHdf5Build";
 
-/// Describes what both sides must have in common: the version of Hdf5Module, the ABI of the
-/// compiler, and the layout of the objects.
+/// Returns the properties that must be equal in the program and the module: the version of
+/// Hdf5Module, the ABI of the compiler, and the layout of the objects.
 [[nodiscard]] inline std::string Hdf5Build() {
   std::string text = "module 1, C++ ABI " + std::to_string(kCxxAbi) + "." +
                      std::to_string(kCxxLibraryAbi) + ", layout";
@@ -35,7 +35,8 @@ struct LoadedHdf5Module {
   Hdf5Module* write = nullptr;
 };
 
-/// Loads the module. kNotFound if there is no such file, kInvalid if it belongs to another build.
+/// Loads the module. Fails with kNotFound if there is no such file, and with kInvalid if it belongs
+/// to another build.
 [[nodiscard]] Result<LoadedHdf5Module> LoadHdf5Module(const std::filesystem::path& file);
 
 }  // namespace tendon::recording

@@ -13,8 +13,8 @@
 /// Programs use mcap/reader.h. Thread safety: one thread at a time.
 namespace tendon::mcap {
 
-/// How much memory a reader takes for what a file claims, in bytes. Each length is also compared
-/// with the size of the file before memory is taken.
+/// The maximum memory that a reader allocates for parts of a file, in bytes. Before it allocates
+/// memory, it also compares each length with the size of the file.
 struct ReaderLimits {
   std::uint64_t chunk = std::uint64_t{256} << 20U;     ///< of a chunk, decompressed
   std::uint64_t text = std::uint64_t{64} << 20U;       ///< of a schema, channel, metadata, index
@@ -24,13 +24,13 @@ struct ReaderLimits {
   std::uint64_t overlap = std::uint64_t{256} << 20U;   ///< of the positions of crossed chunks
 };
 
-/// A damaged or missing part of a file. The sentence says where it is, and what is lost with it.
+/// A damaged or missing part of a file. The sentence says where it is, and what is lost.
 struct Problem {
   std::uint64_t offset = 0;  ///< in the file
   std::string sentence;
 };
 
-/// The first 100 problems, and how many there were.
+/// The first 100 problems, and the number of all problems.
 class Problems {
  public:
   void Add(std::uint64_t offset, std::string sentence);
@@ -43,18 +43,19 @@ class Problems {
   std::uint64_t count_ = 0;
 };
 
-/// Reads small records, one after the other, with few system calls: reads up to `ahead` bytes more
-/// than it is asked for, unless these cannot be read.
+/// Reads small records, one after the other, with few system calls: it reads up to `ahead` bytes
+/// more than requested, if it can.
 class BufferedFile {
  public:
   explicit BufferedFile(os::RandomAccessFile& file, std::size_t ahead = std::size_t{64} << 10U)
       : file_(file), ahead_(ahead) {}
 
-  /// `size` bytes at `offset`, both within the file. Valid until the next call.
+  /// Returns `size` bytes at `offset`, which must be within the file. They are valid until the next
+  /// call.
   Result<Bytes> At(std::uint64_t offset, std::size_t size);
-  /// As many as there are, up to `size`.
+  /// Like At(), but returns fewer bytes if the file ends before.
   Result<Bytes> UpTo(std::uint64_t offset, std::size_t size);
-  /// The record head at `offset`; length 0 and kNone if the file ends within it.
+  /// Returns the record head at `offset`. If the file ends within it, returns length 0 and kNone.
   Result<RecordHead> HeadAt(std::uint64_t offset);
 
   [[nodiscard]] std::uint64_t size() const { return file_.size(); }
@@ -69,7 +70,8 @@ class BufferedFile {
   std::uint64_t begin_ = 0;  // of the buffer, in the file
 };
 
-/// Bytes that are not filled with zeros first, which takes as long as to read them.
+/// A buffer that is not filled with zeros first, because this would take as long as reading the
+/// bytes.
 class RawBuffer {
  public:
   RawBuffer() = default;
@@ -84,30 +86,30 @@ class RawBuffer {
   std::size_t size_ = 0;
 };
 
-/// A chunk, decompressed, whose checksum is right.
+/// A decompressed chunk with a correct checksum.
 struct LoadedChunk {
   ChunkHead head;
   RawBuffer records;
 };
 
-/// The place of a chunk, read from its own first fields.
+/// The place of a chunk, according to its first fields.
 struct ChunkPlace {
   ChunkHead head;
-  std::uint64_t length = 0;         ///< of the record, with its head
+  std::uint64_t length = 0;         ///< length of the record with its head
   std::uint64_t records_begin = 0;  ///< in the file
-  bool is_exact = false;            ///< the record ends where its records do
+  bool is_exact = false;            ///< true if no bytes follow the chunk's records in the record
 };
 
-/// Reads the first fields of the chunk at `offset`. kInvalid if there is none.
+/// Reads the first fields of the chunk at `offset`. Fails with kInvalid if there is no chunk.
 Result<ChunkPlace> FindChunk(BufferedFile& file, std::uint64_t offset);
 
-/// Reads and decompresses its records. kInvalid, with the reason, if the checksum is wrong, the
-/// compression is unknown, or a size is impossible or above the limit; kFailed if the disk reports
-/// an error.
+/// Reads and decompresses the records of a chunk. Fails with kInvalid if the checksum is wrong, the
+/// compression is unknown, or a size is impossible or above the limit. Fails with kFailed if the
+/// disk reports an error.
 Result<LoadedChunk> LoadChunk(BufferedFile& file, const ChunkPlace& place,
                               const ReaderLimits& limits);
 
-/// "0x1a2b3c4d"
+/// Returns a number as text: "0x1a2b3c4d".
 [[nodiscard]] std::string HexText(std::uint32_t number);
 
 }  // namespace tendon::mcap

@@ -11,7 +11,7 @@
 
 namespace tendon::mcap {
 
-/// How the records of a chunk are compressed.
+/// The compression of the records of a chunk.
 enum class Compression : std::int32_t {
   kNone,
   kLz4,   ///< LZ4 frame format
@@ -20,7 +20,7 @@ enum class Compression : std::int32_t {
 inline constexpr std::array kCompressions{Compression::kNone, Compression::kLz4,
                                           Compression::kZstd};
 
-/// Returns the name for people: "none", "lz4" or "zstd".
+/// Returns the name that users see: "none", "lz4" or "zstd".
 [[nodiscard]] constexpr std::string_view NameOf(Compression compression) noexcept {
   switch (compression) {
     case Compression::kLz4:
@@ -32,34 +32,36 @@ inline constexpr std::array kCompressions{Compression::kNone, Compression::kLz4,
   }
   return "none";
 }
-/// Reads a name for people. kInvalid, with the known names, for another one.
+/// Parses a name that users type. For other names, fails with kInvalid; the error lists the known
+/// names.
 Result<Compression> ParseCompression(std::string_view name);
 
-/// Returns the name in a file, which is empty for kNone.
+/// Returns the name in files, which is empty for kNone.
 [[nodiscard]] std::string_view FormatNameOf(Compression compression) noexcept;
-/// Reads a name in a file. kInvalid, with the known names, for another one.
+/// Parses a name in a file. For other names, fails with kInvalid; the error lists the known names.
 Result<Compression> ParseFormatName(std::string_view name);
 
-/// The CRC32 of zlib, PNG and Ethernet: of `bytes`, or of them behind bytes whose checksum is
-/// `before`. About 0.4 ns a byte.
+/// Returns the CRC32 (of zlib, PNG and Ethernet) of `bytes`. If they follow other bytes, `before`
+/// is the checksum of those. Cost: about 0.4 ns for each byte.
 [[nodiscard]] std::uint32_t Crc32(Bytes bytes, std::uint32_t before = 0) noexcept;
-/// The checksum of two ranges in a row, of which the second has `size` bytes. About 1 us.
+/// Returns the checksum of two consecutive ranges; the second one has `size` bytes. Cost: about 1
+/// us.
 [[nodiscard]] std::uint32_t CombinedCrc32(std::uint32_t first, std::uint32_t second,
                                           std::uint64_t size) noexcept;
 
-/// Compresses chunks; keeps the memory of the codec, a few MiB, from one to the next.
+/// Compresses chunks. Keeps the memory of the codec, a few MiB, between chunks.
 ///
 /// Thread safety: one thread at a time.
 class Compressor {
  public:
-  /// `level` 0 is the default of the method: 1 of zstd, the fast mode of LZ4.
+  /// `level` 0 means the default: level 1 of zstd, or the fast mode of LZ4.
   explicit Compressor(Compression compression, int level = 0);
   Compressor(const Compressor&) = delete;
   Compressor& operator=(const Compressor&) = delete;
   ~Compressor();
 
-  /// The compressed bytes, valid until the next call. `used` becomes kNone, and the result is
-  /// `bytes` itself, if they cannot be made smaller. kFailed if memory is exhausted.
+  /// Returns the compressed bytes, which are valid until the next call. If the bytes cannot be made
+  /// smaller, sets `used` to kNone and returns `bytes`. Fails with kFailed if memory is exhausted.
   Result<Bytes> Compress(Bytes bytes, Compression& used);
 
  private:
@@ -68,13 +70,13 @@ class Compressor {
   const std::unique_ptr<State> state_;
 };
 
-/// The most bytes that `size` compressed bytes can become: a claim above it is a lie, whatever the
-/// memory.
+/// Returns the maximum size of `size` compressed bytes after decompression. If a file states a
+/// larger size, the file is wrong.
 [[nodiscard]] std::uint64_t LargestDecompressed(Compression compression,
                                                 std::uint64_t size) noexcept;
 
-/// Fills `out`, to the byte. kInvalid if the input is malformed or has another size when
-/// decompressed; kFailed if memory is exhausted. Allocates up to 8 MiB.
+/// Decompresses `bytes` into `out`. Fails with kInvalid if the input is malformed or does not fill
+/// `out` exactly, and with kFailed if memory is exhausted. Allocates up to 8 MiB.
 Result<void> Decompress(Compression compression, Bytes bytes, std::span<std::byte> out);
 
 }  // namespace tendon::mcap

@@ -44,14 +44,14 @@ inline constexpr std::size_t kMagicSize = 8;
 inline constexpr std::size_t kRecordHeadSize = 9;
 /// Channel, sequence and two times.
 inline constexpr std::size_t kMessageHeadSize = 22;
-/// With its head.
+/// With the head of the record.
 inline constexpr std::size_t kDataEndSize = kRecordHeadSize + 4;
 inline constexpr std::size_t kFooterSize = kRecordHeadSize + 20;
 
-/// 0x10 to 0x7f are reserved for later versions of the format, 0x80 to 0xff are for anybody's
-/// use. Readers skip both.
+/// The values 0x10 to 0x7f are reserved for later versions of the format. The values 0x80 to 0xff
+/// are free for all programs. Readers skip both.
 enum class Opcode : std::uint8_t {
-  kNone = 0x00,  // is in no file
+  kNone = 0x00,  // occurs in no file
   kHeader = 0x01,
   kFooter = 0x02,
   kSchema = 0x03,
@@ -111,7 +111,7 @@ struct Message {
   Bytes data;  ///< not owned
 };
 
-/// All of a chunk except its records, which are the last field.
+/// The fields of a chunk except the last one, its records.
 struct ChunkHead {
   Timestamp message_start_time = 0;
   Timestamp message_end_time = 0;
@@ -142,7 +142,8 @@ struct ChunkIndex {
   Timestamp message_end_time = 0;
   std::uint64_t chunk_start_offset = 0;  ///< in the file
   std::uint64_t chunk_length = 0;        ///< of the record, with its head
-  /// The channels in the chunk, and where in the file their message indexes are. Empty: unknown.
+  /// The channels in the chunk, and the places of their message indexes in the file. Empty if
+  /// unknown.
   std::vector<std::pair<ChannelId, std::uint64_t>> message_index_offsets;
   std::uint64_t message_index_length = 0;  ///< of all message indexes behind the chunk
   std::string compression;
@@ -174,8 +175,8 @@ struct AttachmentIndex {
   bool operator==(const AttachmentIndex&) const = default;
 };
 
-/// The format protects metadata by the checksum of the whole data section alone, which
-/// Verify() checks: data that must not be read wrong belongs in an attachment.
+/// Metadata have no checksum of their own, only that of the whole data section, which Verify()
+/// checks. Therefore, important data belongs in an attachment.
 struct Metadata {
   std::string name;
   std::map<std::string, std::string> metadata;
@@ -219,9 +220,9 @@ struct DataEnd {
   bool operator==(const DataEnd&) const = default;
 };
 
-/// Appends a whole record, with its head. AppendChunkHead() and AppendAttachmentHead() write all
-/// that comes before the records or the data; the caller writes these behind it, and the
-/// attachment's checksum after them.
+/// Appends a whole record, with its head. AppendChunkHead() and AppendAttachmentHead() write only
+/// the part before the records or the data. Then the caller writes the records or the data and, for
+/// an attachment, the checksum.
 void Append(Buffer& out, const Header& header);
 void Append(Buffer& out, const Footer& footer);
 void Append(Buffer& out, const Schema& schema);
@@ -251,16 +252,16 @@ void PutNumber(std::byte* place, Number number) noexcept {
   }
 }
 
-/// How well the content of a record fits its kind.
+/// Says whether the content of a record fits its kind.
 enum class Fit : std::uint8_t {
   kMalformed,  ///< too short, or a length in it is wrong
   kLonger,     ///< a later version of the format may append fields
   kExact,
 };
 
-/// Reads the content of a record, which follows its head. Allocates no more than a small multiple
-/// of the content's size, whatever its lengths claim. A key that occurs twice in a map keeps its
-/// first value. After kMalformed, the struct has any content.
+/// Reads the content of a record, which follows its head. Allocates at most a small multiple of the
+/// content's size, even if a length in it is wrong. If a key occurs twice in a map, its first value
+/// is used. After kMalformed, the content of the struct is undefined.
 [[nodiscard]] Fit Parse(Bytes content, Header& header);
 [[nodiscard]] Fit Parse(Bytes content, Footer& footer);
 [[nodiscard]] Fit Parse(Bytes content, Schema& schema);
@@ -275,9 +276,9 @@ enum class Fit : std::uint8_t {
 [[nodiscard]] Fit Parse(Bytes content, SummaryOffset& offset);
 [[nodiscard]] Fit Parse(Bytes content, DataEnd& end);
 
-/// Reads the first fields of a chunk or an attachment, of whose content `begin` is the begin and
-/// `size` the size. Returns where in the content the records or the data begin; empty if they do
-/// not fit the size, or `begin` is too short. The data is not read.
+/// Reads the first fields of a chunk or an attachment. `begin` is the begin of its content, and
+/// `size` is the size of its content. Returns the place of the records or the data in the content.
+/// Returns nothing if they do not fit the size, or if `begin` is too short. Does not read the data.
 [[nodiscard]] std::optional<std::size_t> ParseChunkHead(Bytes begin, std::uint64_t size,
                                                         ChunkHead& chunk);
 [[nodiscard]] std::optional<std::size_t> ParseAttachmentHead(Bytes begin, std::uint64_t size,
@@ -287,20 +288,20 @@ enum class Fit : std::uint8_t {
 /// One record of a sequence in memory.
 struct RecordView {
   Opcode opcode = Opcode::kNone;
-  std::uint64_t offset = 0;  ///< of the head, in the sequence
+  std::uint64_t offset = 0;  ///< place of the head in the sequence
   Bytes content;
 };
 
-/// Goes through a sequence of records in memory.
+/// Iterates over a sequence of records in memory.
 class RecordSequence {
  public:
   explicit RecordSequence(Bytes records) : records_(records) {}
 
-  /// The next record; empty at the end, or when what follows is no record.
+  /// Returns the next record. Returns nothing at the end, or if the next bytes are not a record.
   std::optional<RecordView> Next();
-  /// True if something follows that is no record.
+  /// True if the next bytes are not a record.
   [[nodiscard]] bool is_malformed() const { return is_malformed_; }
-  /// Where the next record begins.
+  /// The place of the next record.
   [[nodiscard]] std::size_t offset() const { return offset_; }
 
  private:
@@ -311,7 +312,7 @@ class RecordSequence {
 
 struct RecordHead {
   Opcode opcode = Opcode::kNone;
-  std::uint64_t length = 0;  ///< of the content, as the file claims
+  std::uint64_t length = 0;  ///< length of the content, as the file states it
 };
 
 /// Reads the first kRecordHeadSize bytes.

@@ -8,17 +8,18 @@ namespace tendon::mcap {
 
 /// The result of Verify().
 struct Verification {
-  Statistics found;   ///< what is in the file, whatever its summary states
-  Problems problems;  ///< everything that is damaged or missing, also what opening the file showed
+  Statistics found;   ///< counts of the data in the file, independent of the summary
+  Problems problems;  ///< everything that is damaged or missing, including problems found when the
+                      ///< file was opened
 
   [[nodiscard]] bool is_intact() const { return problems.count() == 0; }
 };
 
-/// Reads the whole file and compares everything that the format has twice: the checksums of chunks,
+/// Reads the whole file and checks all redundant data of the format: the checksums of chunks,
 /// attachments, summary and data section, the message indexes, the times and the counts.
 ///
 /// Thread safety: that of the reader. Cost: reads the file twice and decompresses each chunk once.
-/// Throws nothing.
+/// Does not throw.
 Verification Verify(Reader& reader);
 
 }  // namespace tendon::mcap

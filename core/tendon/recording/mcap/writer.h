@@ -16,37 +16,38 @@
 
 namespace tendon::mcap {
 
-/// How a file is written.
+/// Options for writing a file.
 struct WriterOptions {
   std::string profile;  ///< for example "ros2"; see mcap.dev/spec/registry
   std::string library = "tendon";
   Compression compression = Compression::kZstd;
-  int level = 0;  ///< of the compression; 0: its default
-  /// A chunk is written when its messages have this many bytes before compression. A crash loses
-  /// at most one chunk, and a reader reads at least one. Limited to 4 KiB to 64 MiB.
+  int level = 0;  ///< level of the compression; 0: the default
+  /// A chunk is written when its messages have this many bytes before compression. After a crash,
+  /// at most one chunk is lost. A reader reads whole chunks. Limited to 4 KiB to 64 MiB.
   std::size_t chunk_size = std::size_t{1} << 20U;
-  /// Memory for the index of the file, in bytes: about 80 for each chunk and 16 for each channel
-  /// in it. Write() fails when it is used up.
+  /// Memory for the index of the file, in bytes: about 80 bytes for each chunk and 16 bytes for
+  /// each channel in a chunk. Write() fails when this memory is used up.
   std::size_t largest_index = std::size_t{256} << 20U;
 };
 
-/// The messages that were accepted, written or synced up to now.
+/// Counts of the messages that were accepted, written or synced.
 struct Progress {
   std::uint64_t messages = 0;
   std::uint64_t bytes = 0;      ///< of the file
-  Timestamp last_log_time = 0;  ///< of the latest message
+  Timestamp last_log_time = 0;  ///< log time of the latest message
 
   bool operator==(const Progress&) const = default;
 };
 
 /// Writes an MCAP file, chunk by chunk, and its index and summary at the end.
 ///
-/// A chunk begins with the schemas and channels that were new in the chunk before, and from time to
-/// time with all of them. So a reader without the summary loses only the chunk that is damaged.
+/// A chunk begins with the schemas and channels that were new in the previous chunk; some chunks
+/// begin with all of them. So if a chunk is damaged, a reader without the summary can still read
+/// all other chunks.
 ///
-/// The file is append-only: a complete chunk is never touched again, so after SIGKILL, a power cut
-/// or a full disk all chunks that were written (or, after a power cut, synced) can be read. Space
-/// for the summary is reserved ahead, so that Close() can also complete a file on a full disk.
+/// The file is append-only: a complete chunk never changes. So after SIGKILL or on a full disk, all
+/// written chunks can be read; after a power cut, all synced chunks. Space for the summary is
+/// reserved in advance, so that Close() can complete the file even if the disk is full.
 ///
 ///     auto writer = Writer::Create("run.mcap", {.profile = "ros2"});
 ///     const auto schema = (*writer)->AddSchema("arm/msg/JointState", "ros2msg", text);
@@ -56,25 +57,26 @@ struct Progress {
 ///     (*writer)->Sync();   // once a second
 ///     (*writer)->Close();
 ///
-/// Errors: after a failed write, every further call except Close() fails with the same sentence,
-/// which says how much is safe. A refused argument (kInvalid) changes nothing. No function throws.
+/// Errors: after a failed write, all later calls except Close() fail with the same error, which
+/// says how much is safe. A refused argument (kInvalid) changes nothing. No function throws.
 ///
-/// Memory: twice the chunk size, the largest message three times, a few MiB for the compression,
-/// and the index. Cost: Write() copies the message, 50 ns and 0.1 ns a byte; each full chunk is
-/// compressed and written within the call that fills it.
+/// Memory: twice the chunk size, three times the largest message, a few MiB for the compression,
+/// and the index. Cost: Write() copies the message, which takes 50 ns and 0.1 ns for each byte. The
+/// call that fills a chunk also compresses and writes it.
 ///
-/// Thread safety: one thread at a time. Not for a thread that must be real-time.
+/// Thread safety: one thread at a time. Not for real-time threads.
 class Writer {
  public:
-  /// The most bytes of one message, so that every reader can take its chunk in one piece.
+  /// The maximum size of a message in bytes. It ensures that each reader can load the chunk of the
+  /// message.
   static constexpr std::size_t kLargestMessage = std::size_t{128} << 20U;
-  /// The most bytes of a schema, the texts of a channel, or metadata.
+  /// The maximum size of a schema, of the texts of a channel, or of metadata, in bytes.
   static constexpr std::size_t kLargestText = std::size_t{16} << 20U;
-  /// The bytes of metadata that Close() can write to a full disk.
+  /// The maximum size of the metadata that Close() can write to a full disk, in bytes.
   static constexpr std::size_t kLastMetadata = std::size_t{4} << 10U;
 
-  /// Creates the file and writes its begin. kExists if there is a file of that name already, also
-  /// if another writer is writing it.
+  /// Creates the file and writes its begin. Fails with kExists if there is a file with this name,
+  /// even if another writer is writing it.
   static Result<std::unique_ptr<Writer>> Create(const std::filesystem::path& file,
                                                 const WriterOptions& options = {});
   /// Writes into an empty file that the caller has opened.
@@ -85,42 +87,44 @@ class Writer {
   /// Calls Close() and ignores its result.
   ~Writer();
 
-  /// Returns the id that the schema or channel has in this file; it can be used at once. kInvalid
-  /// if the schema is unknown, the text is too large, or the file has 65,535 of them.
+  /// Return the id of the schema or channel in this file, which can be used at once. They fail with
+  /// kInvalid if the schema is unknown, the text is too large, or the file already has 65,535
+  /// schemas or channels.
   Result<SchemaId> AddSchema(const std::string& name, const std::string& encoding,
                              const std::string& data);
   Result<ChannelId> AddChannel(SchemaId schema, const std::string& topic,
                                const std::string& message_encoding,
                                const std::map<std::string, std::string>& metadata = {});
 
-  /// Adds a message to the chunk. Times need not ascend. kInvalid if the channel is unknown or the
-  /// message is larger than kLargestMessage.
+  /// Adds a message to the present chunk. Times may be in any order. Fails with kInvalid if the
+  /// channel is unknown or the message is larger than kLargestMessage.
   Result<void> Write(const Message& message);
-  /// Writes an attachment behind the chunks before it, at once.
+  /// Writes an attachment to the file at once, after the complete chunks.
   Result<void> Write(const Attachment& attachment);
   Result<void> Write(const Metadata& metadata);
 
-  /// Writes the present chunk, if it has any record, and waits until all is on the disk.
+  /// Writes the present chunk, if it has any record, and waits until all data is on the disk.
   Result<void> Sync();
-  /// Writes the present chunk, and does not wait for the disk.
+  /// Writes the present chunk without waiting for the disk.
   Result<void> Flush();
-  /// Writes what is left, `last`, the index and the summary, and waits until all is on the disk.
-  /// After a failed write, completes the file with the chunks before it, and with up to
-  /// kLastMetadata bytes of `last`. If that fails, too, the file has no summary, which Recover()
-  /// makes. A second call returns the same result.
+  /// Writes the present chunk, `last`, the index and the summary, and waits until all data is on
+  /// the disk. After a failed write, completes the file with the earlier chunks and up to
+  /// kLastMetadata bytes of `last`. If this fails, too, the file has no summary; Recover() can make
+  /// one. A second call returns the same result.
   Result<void> Close(std::span<const Metadata> last = {});
 
-  /// Why the file is not continued; empty while there was no failed write.
+  /// The error of the first failed write; empty if there was none.
   [[nodiscard]] const std::optional<Error>& failure() const { return failure_; }
 
-  /// Everything that Write() has accepted.
+  /// Counts of all messages that Write() has accepted.
   [[nodiscard]] const Progress& accepted() const { return accepted_; }
-  /// Everything in complete chunks of the file, which is safe if the process is killed.
+  /// Counts of the messages in complete chunks of the file. They are safe if the process is killed.
   [[nodiscard]] const Progress& written() const { return written_; }
-  /// Everything that was on the disk after the last Sync(), which is safe if the power fails.
+  /// Counts of the messages that were on the disk after the last Sync(). They are safe if the power
+  /// fails.
   [[nodiscard]] const Progress& synced() const { return synced_; }
-  /// Memory that the index takes, in bytes. At half of WriterOptions::largest_index, it is time
-  /// for a next file.
+  /// The memory of the index, in bytes. When it reaches half of WriterOptions::largest_index, a new
+  /// file should begin.
   [[nodiscard]] std::size_t index_size() const { return index_size_; }
 
  private:
@@ -128,8 +132,8 @@ class Writer {
     Channel channel;
     std::uint64_t messages = 0;     // in the file
     std::size_t in_chunk = 0;       // in the present chunk
-    std::size_t index_place = 0;    // where in index_ its next entry goes, while that is made
-    std::uint64_t index_begin = 0;  // where in index_ its record begins
+    std::size_t index_place = 0;    // place of its next entry in index_, while index_ is made
+    std::uint64_t index_begin = 0;  // begin of its record in index_
   };
   struct ChunkEntry {
     ChannelId channel;
