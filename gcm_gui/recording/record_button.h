@@ -14,14 +14,14 @@ class RecordButton : public QWidget {
   Q_OBJECT
 
  public:
-  /// `menu` must outlive it.
+  /// `menu` must outlive this object.
   RecordButton(RecordingController& controller, QMenu& menu, QWidget* parent = nullptr);
 
-  /// Places both parts between two widgets of the same window in the order of the Tab key.
+  /// Places both parts between two widgets of the same window in the tab order.
   void setTabPlace(QWidget* before, QWidget* after);
-  /// Otherwise the button shows only its icon.
+  /// Shows or hides the text. Without the text, the button shows only its icon.
   void setTextShown(bool shown);
-  /// The part of the width that the text takes.
+  /// Returns the part of the button's width that the text takes, in pixels.
   [[nodiscard]] int textWidth() const;
 
  private:

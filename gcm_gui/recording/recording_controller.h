@@ -15,7 +15,7 @@
 
 namespace tendon::gui {
 
-/// What the next recording holds.
+/// The content of the next recording.
 enum class RecordingScope { kPlotted, kSelected, kEverything };
 
 /// The outcome of the latest recording, or the reason why there is none.
@@ -23,7 +23,7 @@ struct RecordingReport {
   enum class Kind {
     kDone,
     kNothingChosen,  ///< there is nothing to record
-    kFailed          ///< to begin, or to complete the file
+    kFailed          ///< the recording could not begin, or its file could not be completed
   };
   Kind kind = Kind::kDone;
   QString title;   ///< a few words
@@ -39,7 +39,7 @@ class RecordingController : public QObject {
 
  public:
   enum class State { kIdle, kStarting, kRecording, kStopping };
-  /// Functions that return the paths of what is plotted and of what is selected.
+  /// Functions that return the plotted paths and the selected paths.
   struct Sources {
     std::function<QStringList()> plotted;
     std::function<QStringList()> selected;
@@ -50,15 +50,15 @@ class RecordingController : public QObject {
 
   [[nodiscard]] RecordingScope scope() const { return scope_; }
   void setScope(RecordingScope scope);
-  /// For the files.
+  /// The folder of the files.
   [[nodiscard]] QString folder() const { return folder_; }
   void setFolder(const QString& folder);
-  /// Scope and folder, to be restored at the next start of the window.
+  /// The scope and the folder, which are restored at the next start of the window.
   [[nodiscard]] QByteArray choices() const;
   void restoreChoices(const QByteArray& choices);
 
   [[nodiscard]] State state() const { return state_; }
-  // Of the running recording.
+  // These functions describe the running recording.
   [[nodiscard]] QString subject() const { return subject_; }  ///< "3 plotted signals"
   [[nodiscard]] QStringList patterns() const { return patterns_; }
   [[nodiscard]] QString file() const { return file_; }
@@ -74,12 +74,12 @@ class RecordingController : public QObject {
   void toggle();
   void start();
   void stop();
-  /// Saves what the processes have kept of the last 30 s, as a recording that ends by itself. Does
-  /// nothing while there is a recording.
+  /// Saves the last 30 s that the processes have kept, as a recording that ends by itself. Does
+  /// nothing while a recording runs.
   void saveLast();
 
  Q_SIGNALS:
-  /// Anything above has changed.
+  /// A value that the functions above return has changed.
   void changed();
   /// One sentence for the user.
   void notice(const QString& text);
@@ -106,7 +106,7 @@ class RecordingController : public QObject {
   QString subject_;
   QStringList patterns_;
   std::chrono::seconds past_{0};  // 0 for a recording
-  QString file_;                  // before begun(): the wanted one
+  QString file_;                  // until begun(), the requested file
   RecordingProgress progress_;
   QStringList interruptions_;
   ActivityModel::Id action_ = 0;

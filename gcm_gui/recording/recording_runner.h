@@ -13,9 +13,9 @@ namespace tendon::gui {
 
 /// The content of a recording, and the place of its file.
 struct RecordingRequest {
-  std::vector<std::string> patterns;  ///< as for `gcm record`
+  std::vector<std::string> patterns;  ///< the patterns of `gcm record`
   QString folder;                     ///< created if missing
-  QString name;  ///< of the file, without suffix; gets a number if there is such a file
+  QString name;  ///< name of the file without suffix; a number is added if the file exists
   /// If above 0, nothing is recorded; the last seconds that the processes have kept are saved.
   std::chrono::seconds past{0};
 };
@@ -23,9 +23,9 @@ struct RecordingRequest {
 /// The state of a running recording.
 struct RecordingProgress {
   recording::RecorderStatus status;
-  double seconds = 0.0;  ///< since its begin
-  double rate = 0.0;     ///< of the file over the last seconds, bytes per second
-  /// The reasons why a saved past is not complete: a sentence for each process or table.
+  double seconds = 0.0;  ///< time since its begin
+  double rate = 0.0;     ///< growth of the file in the last seconds, in bytes per second
+  /// The reasons why a saved past is not complete: one sentence for each process or table.
   QStringList shortfalls{};
 };
 
@@ -36,16 +36,16 @@ class RecordingRunner : public QObject {
  public:
   using QObject::QObject;
 
-  /// Exactly one of begun() and refused() follows, and ended() after begun().
+  /// Starts a recording. Then either begun() or refused() is emitted; after begun(), also ended().
   virtual void start(const RecordingRequest& request) = 0;
-  /// Completes the file.
+  /// Ends the recording and completes the file.
   virtual void stop() = 0;
 
  Q_SIGNALS:
   void begun(const QString& file);
-  /// No file was made. `sentence` is empty if stop() was the reason.
+  /// No file was made. `sentence` is the reason; it is empty if stop() was called.
   void refused(const QString& sentence);
-  /// Several times a second.
+  /// Emitted several times a second.
   void progressed(const tendon::gui::RecordingProgress& progress);
   /// A process or the GCM was lost or came back; the recording goes on.
   void interrupted(const QString& sentence);

@@ -13,15 +13,15 @@ namespace tendon::gui {
 
 class StateLabel;
 
-/// A line across the window while it records: subject, figures and Stop. Afterwards it shows the
-/// outcome, until the user closes it. Hidden at other times.
+/// A line across the window. During a recording, it shows the subject, the figures and a Stop
+/// button. Afterwards, it shows the outcome until the user closes it. Otherwise, it is hidden.
 class RecordingStrip : public QFrame {
   Q_OBJECT
 
  public:
   explicit RecordingStrip(RecordingController& controller, QWidget* parent = nullptr);
 
-  /// Everything that it shows, for screen readers.
+  /// The whole text of the line, for screen readers.
   [[nodiscard]] QString text() const;
 
  Q_SIGNALS:
@@ -42,7 +42,7 @@ class RecordingStrip : public QFrame {
 
   RecordingController& controller_;
   QString message_;
-  QLabel* dot_;  // with title_ while it records; otherwise there is state_
+  QLabel* dot_;  // shown with title_ during a recording; otherwise state_ is shown
   QLabel* title_;
   StateLabel* state_;
   QLabel* message_label_;

@@ -11,24 +11,25 @@
 
 namespace tendon::gui {
 
-/// Records in a thread of its own, with the recorder of `gcm record`, so that neither the disk nor
-/// the network can delay the window.
+/// Records in its own thread, with the recorder of `gcm record`, so that the disk and the network
+/// cannot delay the window.
 class RecordingWorker final : public RecordingRunner {
   Q_OBJECT
 
  public:
-  /// How long the end of the window waits for the file.
+  /// When the window ends, it waits this long for the file.
   static constexpr std::chrono::seconds kPatience{15};
 
-  /// `options` are those of the window's client. Each recording connects as another viewer.
+  /// `options` are the options of the window's client. Each recording connects as a separate
+  /// viewer.
   RecordingWorker(std::shared_ptr<Middleware> middleware, GcmClient::Options options);
   /// Calls complete().
   ~RecordingWorker() override;
 
   void start(const RecordingRequest& request) override;
   void stop() override;
-  /// Stops the recording, and waits until its file is complete, at most `patience`; then reports
-  /// the incomplete file on stderr. For the end of the window.
+  /// Called at the end of the window. Stops the recording, and waits at most `patience` until its
+  /// file is complete. If it is still incomplete, reports this on stderr.
   void complete(std::chrono::milliseconds patience = kPatience);
 
  private:
@@ -37,7 +38,7 @@ class RecordingWorker final : public RecordingRunner {
   const std::shared_ptr<Middleware> middleware_;
   const GcmClient::Options options_;
   std::shared_ptr<GuiPoster> poster_;
-  std::shared_ptr<Run> run_;  // the latest one
+  std::shared_ptr<Run> run_;  // the latest run
   std::thread thread_;
 };
 

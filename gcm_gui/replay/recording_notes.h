@@ -10,19 +10,19 @@
 
 namespace tendon::gui {
 
-/// What a user keeps about recordings: those that were opened lately, and the marks in each. GUI
-/// thread.
+/// The user's notes about recordings: the files that were opened recently, and the marks in each
+/// file. GUI thread.
 class RecordingNotes {
  public:
   static constexpr qsizetype kMostRecent = 8;
 
-  /// `folder` is that of the window's saved state; if it is empty, nothing is kept.
+  /// `folder` is the folder of the window's saved state; if it is empty, nothing is saved.
   explicit RecordingNotes(const QString& folder);
 
-  /// The files, latest first; those that are gone are left out.
+  /// Returns the files, latest first, without those that do not exist any more.
   [[nodiscard]] QStringList recent() const;
   void addRecent(const QString& file);
-  /// Times in ns since 1970.
+  /// The times of the marks, in ns since 1970.
   [[nodiscard]] QList<std::int64_t> marks(const QString& file) const;
   void setMarks(const QString& file, const QList<std::int64_t>& marks);
 

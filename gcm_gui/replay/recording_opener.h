@@ -11,14 +11,14 @@ class QWidget;
 
 namespace tendon::gui {
 
-/// Opens recordings, each in a window of its own, which is another process of this program: see
-/// docs/decisions/025.
+/// Opens each recording in its own window, which is another process of this program
+/// (docs/decisions/025).
 class RecordingOpener : public QObject {
   Q_OBJECT
 
  public:
   /// `program` is this program with its options; if it is empty, recordings cannot be opened.
-  /// `folder` is that of the window's saved state. `window` must outlive it.
+  /// `folder` is the folder of the window's saved state. `window` must outlive this object.
   RecordingOpener(QStringList program, const QString& folder, QWidget& window);
 
   [[nodiscard]] RecordingNotes& notes() { return notes_; }
@@ -27,7 +27,7 @@ class RecordingOpener : public QObject {
   /// Lets the user choose a file.
   void ask();
   void open(const QString& file);
-  /// The recordings among dragged files.
+  /// Returns the recordings among the dragged files.
   [[nodiscard]] static QStringList recordingsIn(const QMimeData& data);
 
  Q_SIGNALS:

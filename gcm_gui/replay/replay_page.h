@@ -10,13 +10,13 @@ namespace tendon::gui {
 
 class ReplaySession;
 
-/// Replaces the graph while a recording has no components to show: it is being opened, cannot be
-/// opened, or holds none.
+/// Replaces the graph while a recording has no components to show: while it is being opened, if it
+/// cannot be opened, or if it contains none.
 class ReplayPage final : public QWidget {
   Q_OBJECT
 
  public:
-  /// `session` must outlive it.
+  /// `session` must outlive this object.
   explicit ReplayPage(ReplaySession& session, QWidget* parent = nullptr);
 
   [[nodiscard]] QString text() const;

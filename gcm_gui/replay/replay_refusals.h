@@ -16,7 +16,8 @@ namespace tendon::gui {
 /// run.mcap: nothing in it can be changed".
 [[nodiscard]] QString ReplayRefusal(const QString& file);
 
-/// Refuses all changes of a recorded system, and answers what its catalogue and its types can.
+/// Refuses all changes of a recorded system. Answers requests that need only its catalogue and its
+/// types.
 class ReplayRefusals final : public QObject,
                              public SystemActions,
                              public CommandCalls,
@@ -25,7 +26,7 @@ class ReplayRefusals final : public QObject,
   Q_OBJECT
 
  public:
-  /// `store` must outlive it.
+  /// `store` must outlive this object.
   ReplayRefusals(QString reason, const CatalogueStore& store)
       : reason_(std::move(reason)), store_(store) {}
 
@@ -48,7 +49,7 @@ class ReplayRefusals final : public QObject,
   void diagnose(const message::Wire& wire, DiagnosisHandler handler) override;
 
   void carryOut(Plan plan, AfterError after_error, Progress progress, Done done) override;
-  // Of PlanRunner: there is never a plan to stop.
+  // Functions of PlanRunner. There is never a plan to stop.
   void stop() override {}
 
  Q_SIGNALS:
@@ -63,7 +64,7 @@ class ReplayRefusals final : public QObject,
   std::map<Fingerprint, Schema> types_;
 };
 
-/// The log and the events of a recording, and no other reports.
+/// Reports only the log and the events of a recording; refuses all other requests.
 class ReplayReports final : public SystemReports {
   Q_OBJECT
 
@@ -88,7 +89,7 @@ class ReplayReports final : public SystemReports {
   const QString reason_;
 };
 
-/// Refuses to record a recording.
+/// Refuses all recordings, because this window shows a recording.
 class ReplayRecordings final : public RecordingRunner {
   Q_OBJECT
 

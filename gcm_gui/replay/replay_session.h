@@ -19,9 +19,9 @@
 
 namespace tendon::gui {
 
-/// A recording in the place of a running system: the same catalogue, rows, events and log, as of
-/// one moment, which the user moves. Sets the time that the whole program shows, so a program has
-/// at most one. GUI thread; no function waits.
+/// A recording in the place of a running system: its catalogue, rows, events and log at one moment,
+/// which the user chooses. It sets the time that the whole program shows, so a program has at most
+/// one. GUI thread; no function waits.
 class ReplaySession : public QObject {
   Q_OBJECT
 
@@ -42,14 +42,14 @@ class ReplaySession : public QObject {
 
   [[nodiscard]] const QString& file() const { return file_; }
   [[nodiscard]] QString fileName() const;
-  /// Why nothing can be changed.
+  /// The reason why nothing can be changed.
   [[nodiscard]] const QString& reason() const { return reason_; }
   [[nodiscard]] State state() const { return state_; }
-  /// Why the file cannot be shown.
+  /// The reason why the file cannot be shown.
   [[nodiscard]] const QString& refusal() const { return refusal_; }
   [[nodiscard]] const RecordingFacts& facts() const { return facts_; }
   [[nodiscard]] const PlaybackClock& clock() const { return clock_; }
-  /// The moment that is shown, ns since 1970.
+  /// The shown moment, in ns since 1970.
   [[nodiscard]] std::int64_t position() const { return position_; }
   /// True if the moment was reached by a jump, not by playing.
   [[nodiscard]] bool isSought() const { return is_sought_; }
@@ -64,7 +64,7 @@ class ReplaySession : public QObject {
 
   /// Sets the function that returns how much of the past the plots show, in ns.
   void setPastWanted(std::function<std::int64_t()> past) { past_wanted_ = std::move(past); }
-  /// Reads more of the past if the plots show more than there is.
+  /// Reads more of the past if the plots show more than was read.
   void followPast();
 
  public Q_SLOTS:
@@ -72,17 +72,17 @@ class ReplaySession : public QObject {
   void setSpeed(double speed);
   void setLooping(bool looping);
   void seek(std::int64_t time);
-  /// Goes to the next or previous row, event or loss; stops playing.
+  /// Stops playing, and goes to the next or previous row, event or loss.
   void goTo(tendon::gui::ReplayTarget target);
   /// Goes to the next event, loss or mark of the user (`direction` 1), or the previous one (-1).
   void goToMark(int direction);
-  /// Opens the file again at this moment, for what was written into it since.
+  /// Opens the file again, because it may have grown. Keeps the shown moment.
   void reload();
 
  Q_SIGNALS:
-  /// State, speed, marks or problems have changed.
+  /// The state, the speed, the marks or the problems have changed.
   void changed();
-  /// Another moment is shown.
+  /// The shown moment has changed.
   void moved();
   /// One sentence for the user.
   void notice(const QString& text);
@@ -92,7 +92,7 @@ class ReplaySession : public QObject {
   void onRefused(const QString& sentence);
   void onStep(const ReplayStep& step);
   void onFound(std::optional<std::int64_t> time);
-  /// Asks for what comes next, unless an answer is outstanding.
+  /// Requests the next step, unless an answer is still awaited.
   void advance();
   void startJump();
   void awaitFinds(int count);
@@ -118,19 +118,19 @@ class ReplaySession : public QObject {
   QList<std::int64_t> marks_;
   std::function<std::int64_t()> past_wanted_;
   std::int64_t position_ = 0;
-  std::int64_t past_read_ = 0;          // ns before the latest jump
-  std::int64_t read_from_ = 0;          // the earliest time of which there are rows
-  std::optional<std::int64_t> wanted_;  // the moment of the next jump
+  std::int64_t past_read_ = 0;          // length of the past that was read at the latest jump, ns
+  std::int64_t read_from_ = 0;          // earliest time with rows
+  std::optional<std::int64_t> wanted_;  // target of the next jump
   std::optional<std::int64_t> reopened_at_;
-  int pending_ = 0;  // answers of the reader
+  int pending_ = 0;  // number of awaited answers of the reader
   bool is_jumping_ = false;
   bool is_sought_ = false;
 
-  // Marks are searched for in two steps, because events and losses are in the file.
+  // The search for a mark has two steps, because events and losses must be read from the file.
   int mark_direction_ = 0;
   bool is_mark_wanted_ = false;
   int finds_awaited_ = 0;
-  bool is_find_overtaken_ = false;  // the user has chosen another moment since
+  bool is_find_overtaken_ = false;  // the user has chosen another moment during the search
   std::optional<std::int64_t> mark_found_;
 
   std::unique_ptr<ReplayReader> reader_;

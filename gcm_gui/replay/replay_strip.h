@@ -17,17 +17,17 @@ class ReplayStripe;
 class StateLabel;
 
 /// The head of a window that shows a recording: the stripe, the buttons and the slider for the
-/// moment and, if the file is not whole, a line that says what is missing.
+/// moment. If the file is not complete, a line says what is missing.
 class ReplayStrip final : public QFrame {
   Q_OBJECT
 
  public:
-  /// `session` must outlive it.
+  /// `session` must outlive this object.
   explicit ReplayStrip(ReplaySession& session, QWidget* parent = nullptr);
 
   [[nodiscard]] ReplayStripe& stripe() const { return *stripe_; }
   [[nodiscard]] TimeSlider& slider() const { return *slider_; }
-  /// What is missing in the file; empty if it is whole.
+  /// Says what is missing in the file; empty if it is complete.
   [[nodiscard]] QString warning() const { return warning_text_; }
 
  Q_SIGNALS:
@@ -39,7 +39,7 @@ class ReplayStrip final : public QFrame {
 
  private:
   [[nodiscard]] QWidget* buildControls();
-  /// The speed, and whether it begins again.
+  /// Shows the speed, and whether the recording is played in a loop.
   void setUpChoices();
   [[nodiscard]] QWidget* buildWarning();
   QToolButton* addButton(const QString& icon, const QString& name, const QString& text,

@@ -5,8 +5,8 @@
 
 namespace tendon::gui {
 
-/// A coloured line across the window with the word REPLAY, so that nobody takes a recording for a
-/// running system.
+/// A coloured line across the window with the word REPLAY, so that users do not mistake a recording
+/// for a running system.
 class ReplayStripe final : public QWidget {
   Q_OBJECT
 
@@ -15,7 +15,7 @@ class ReplayStripe final : public QWidget {
 
   /// `file` is a name, `about` more about it, `time` the time of day of the moment shown.
   void show(const QString& file, const QString& about, const QString& time);
-  /// Everything that it shows, for screen readers.
+  /// The whole text of the line, for screen readers.
   [[nodiscard]] QString text() const;
 
   [[nodiscard]] QSize minimumSizeHint() const override;

@@ -8,8 +8,9 @@
 
 namespace tendon::gui {
 
-/// The whole length of a recording as a line. It shows the present moment and where events, losses
-/// and marks are. The user clicks, drags or types to another moment. All times in ns.
+/// The whole length of a recording as a line. It shows the present moment and the places of events,
+/// losses and marks. The user goes to another moment with a click, by dragging, or with keys. All
+/// times are in ns.
 class TimeSlider final : public QAbstractSlider {
   Q_OBJECT
 
@@ -27,7 +28,7 @@ class TimeSlider final : public QAbstractSlider {
   void setMarks(std::vector<Span> spans);
   void setTime(std::int64_t time);
   [[nodiscard]] std::int64_t time() const { return time_; }
-  /// The time at a column of the widget, and the column of a time.
+  /// Return the time at a column of the widget, and the column of a time.
   [[nodiscard]] std::int64_t timeAt(double x) const;
   [[nodiscard]] double xOf(std::int64_t time) const;
 
@@ -35,9 +36,9 @@ class TimeSlider final : public QAbstractSlider {
   [[nodiscard]] QSize minimumSizeHint() const override { return {80, 32}; }
 
  Q_SIGNALS:
-  /// The user has chosen a moment, also while dragging.
+  /// The user has chosen a moment. Also emitted while dragging.
   void sought(qint64 time);
-  /// Left (-1) or right (1) was pressed.
+  /// The user has pressed the left (-1) or right (1) arrow key.
   void stepRequested(int direction);
 
  protected:
@@ -51,7 +52,7 @@ class TimeSlider final : public QAbstractSlider {
   void wheelEvent(QWheelEvent* event) override;
 
  private:
-  /// For each column of the widget, whether a span is there.
+  /// For each column of the widget: true if it shows a span.
   [[nodiscard]] std::vector<bool> columnsOf(const std::vector<Span>& spans) const;
   void findColumns();
   void seekTo(std::int64_t time);
@@ -68,7 +69,7 @@ class TimeSlider final : public QAbstractSlider {
   std::optional<double> hover_;
 };
 
-/// A moment of the recording, counted from its begin: "1:02.345", "1:02:05.120".
+/// Returns the time since the begin of the recording as text: "1:02.345", "1:02:05.120".
 [[nodiscard]] QString MomentText(std::int64_t since_begin_ns);
 
 }  // namespace tendon::gui

@@ -12,13 +12,13 @@ class RecordingNotes;
 class ReplaySession;
 class ReplayStrip;
 
-/// Joins a recording with the window that shows it: the strip, the keys, the plots, and what is
-/// kept about the file.
+/// Connects a recording with the window that shows it: the strip, the keys, the plots, and the
+/// user's notes about the file.
 class WindowReplay : public QObject {
   Q_OBJECT
 
  public:
-  /// All must outlive it. The caller places the strip and takes ownership.
+  /// All arguments must outlive this object. The caller places the strip and takes ownership of it.
   WindowReplay(ReplaySession& session, RecordingNotes& notes, QObject* parent);
   ~WindowReplay() override;
 
@@ -41,7 +41,7 @@ class WindowReplay : public QObject {
   ReplayStrip* strip_;
   PlotPanel* plots_ = nullptr;
   QTimer past_timer_;
-  bool is_known_ = false;  // the notes about the file were read
+  bool is_known_ = false;  // the notes about this file were read
 };
 
 }  // namespace tendon::gui

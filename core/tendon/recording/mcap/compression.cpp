@@ -72,8 +72,9 @@ std::string_view FormatNameOf(Compression compression) noexcept {
 Result<Compression> ParseFormatName(std::string_view name) {
   if (name.empty()) return Compression::kNone;
   if (name == NameOf(Compression::kNone)) {
-    return Error{ErrorCode::kInvalid,
-                 "the compression 'none' is an empty name in a file, and not 'none'"};
+    return Error{
+        ErrorCode::kInvalid,
+        "the compression is 'none'; a file without compression must leave this name empty"};
   }
   return ParseCompression(name);
 }
