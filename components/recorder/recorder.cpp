@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::chrono::milliseconds kPeriod{100};
 
-/// Throws ConfigurationError if the condition cannot be read, or `time` needs one that is empty.
+/// Throws ConfigurationError if the condition cannot be parsed, or if it is empty but `time` needs
+/// it.
 void RequireCondition(const std::string& field, const std::string& condition,
                       const std::string& time_field, double time) {
   if (condition.empty()) {

@@ -14,8 +14,8 @@ namespace recorder {
 /// Records the components of its own process into MCAP files, without the network. README.md
 /// describes its interfaces.
 ///
-/// Its cycle, at 10 Hz, only passes orders on and copies a state: a thread of its own does the
-/// work. The recorded components never wait for it.
+/// Its cycle, at 10 Hz, only forwards orders and copies a state. Another thread does the work. The
+/// recorded components never wait for it.
 class Recorder final : public tendon::PeriodicTask, public tendon::ManagerClient {
  public:
   using Configuration = RecorderConfiguration;

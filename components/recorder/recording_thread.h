@@ -16,7 +16,7 @@
 
 namespace recorder {
 
-/// What has become of an order, or of a recording.
+/// The outcome of an order or of a recording.
 struct Outcome {
   enum class Kind { kStarted, kStopped, kSaved, kDelayed, kFailed };
 
@@ -24,8 +24,8 @@ struct Outcome {
   std::string text;  ///< the file; for kDelayed and kFailed, a sentence
 };
 
-/// Makes recordings, one after the other, in a thread of its own: opening, closing and looking at
-/// the disk never delay the component.
+/// Makes recordings, one after the other, in its own thread, so that the disk never delays the
+/// component.
 ///
 /// Thread safety: all functions, from any thread. Only Finish() waits.
 class RecordingThread {
@@ -36,13 +36,14 @@ class RecordingThread {
   /// Calls Finish().
   ~RecordingThread();
 
-  /// Begins a recording, or to wait for its condition; kFailed if there is one already.
+  /// Begins a recording, or begins to wait for its condition. Fails with kFailed if there is
+  /// already a recording.
   void Start();
-  /// Ends the recording, and completes its file; kFailed if there is none.
+  /// Ends the recording and completes its file. Fails with kFailed if there is no recording.
   void Stop();
-  /// Saves what the process has kept of the last `seconds` into a file of its own.
+  /// Saves the last `seconds` that the process has kept into a separate file.
   void SaveLast(double seconds);
-  /// Ends the recording, if there is one, after all earlier orders, and waits for that.
+  /// Executes all earlier orders, ends the recording if there is one, and waits for this.
   void Finish();
 
   [[nodiscard]] RecorderState state() const;

@@ -43,10 +43,10 @@ class GrowthRate {
 
 /// One recording, shared by its thread and the worker.
 ///
-/// It has a GcmClient of its own and does not share the window's. A recorder asks its client for
-/// the log and for whole catalogues, which the window's listener would receive as well. Rows of a
-/// shared client pass through one thread, so that a recording of everything would delay the plots.
-/// And the file must be completed while the window and its session go away.
+/// It has a GcmClient of its own and does not share the window's. A recorder requests the log and
+/// whole catalogues, and the window's listener would receive them, too. Rows of a shared client
+/// pass through one thread, so a recording of everything would delay the plots. And the file must
+/// be completed while the window and its session end.
 class RecordingWorker::Run {
  public:
   Run(std::shared_ptr<Middleware> middleware, GcmClient::Options options, RecordingRequest request,

@@ -50,7 +50,7 @@ std::vector<TimeSlider::Span> SpansOf(const std::vector<recording::PlayedSpan>& 
   return spans;
 }
 
-/// The command that makes a whole file out of a damaged one.
+/// Returns the command that repairs a damaged file.
 QString RecoverCommand(const QString& file) {
   const QFileInfo info(file);
   const QString whole = info.path() + '/' + info.completeBaseName() + QStringLiteral("-whole.mcap");

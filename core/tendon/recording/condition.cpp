@@ -16,7 +16,7 @@ struct RelationSign {
   std::string_view sign;
   Relation relation;
 };
-/// A sign comes before those that it begins with.
+/// Longer signs come first, because "<=" begins with "<".
 constexpr auto kSigns = std::to_array<RelationSign>({{"<=", Relation::kLessOrEqual},
                                                      {">=", Relation::kGreaterOrEqual},
                                                      {"==", Relation::kEqual},

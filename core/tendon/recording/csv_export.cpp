@@ -41,7 +41,7 @@ std::string Cell(const std::string& text) {
   return quoted + '"';
 }
 
-/// A number as JSON, but words without quotes: nan, or the name of an enumerator.
+/// Returns a number as JSON, but words (nan, names of enumerators) without quotes.
 std::string NumberCell(const NumericField& field, std::span<const std::byte> body) {
   const auto value = ReadExactly(field, body);
   if (!value) return "";

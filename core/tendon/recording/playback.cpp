@@ -16,7 +16,8 @@ namespace {
 constexpr std::uint64_t kMostIndexed = std::uint64_t{16} << 20U;
 /// How many chunks are searched for the newest value of a column.
 constexpr std::size_t kMostSearched = 64;
-/// A day before the last time that fits in 64 bits with a sign, so that sums of times fit, too.
+/// A day before the latest time that fits in a signed 64-bit number, so that sums of times fit,
+/// too.
 constexpr mcap::Timestamp kLatestTime =
     static_cast<mcap::Timestamp>(std::numeric_limits<std::int64_t>::max()) - 86'400'000'000'000;
 
@@ -38,10 +39,11 @@ void Append(std::vector<mcap::ChannelId>& to, const std::vector<mcap::ChannelId>
   to.insert(to.end(), more.begin(), more.end());
 }
 
-/// Goes back through the file in pieces: calls `visit` with a stream of the messages of `channels`
-/// in the latest piece up to `until`, then in the piece before it, and so on, at most `most` times,
-/// until it returns true. `blocks` are sorted by their end, latest first. `visit` may remove some
-/// of `channels`, whose pieces are then neither read nor counted.
+/// Searches backwards through the file, in pieces. Calls `visit` with a stream of the messages of
+/// `channels` in the latest piece up to `until`, then in the piece before it, and so on, until
+/// `visit` returns true, but at most `most` times. `blocks` are sorted by their end, latest first.
+/// `visit` may remove some of `channels`; pieces that contain only these are then neither read nor
+/// counted.
 template <typename Visit>
 void SearchBack(mcap::Reader& reader, const std::vector<const mcap::MessageBlock*>& blocks,
                 mcap::Timestamp until, const std::vector<mcap::ChannelId>& channels,

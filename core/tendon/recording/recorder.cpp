@@ -26,7 +26,7 @@ std::int64_t WallMinusSteady() {
   return WallTime() - SteadyClock().Now().time_since_epoch().count();
 }
 
-/// Finds mistakes now, and not when the condition is true.
+/// Finds mistakes now, instead of when the condition becomes true.
 Result<void> CheckFree(const FileOptions& options) {
   const std::filesystem::path file = FileName(options, 1);
   const std::filesystem::path folder = file.parent_path();
@@ -221,9 +221,9 @@ void Recorder::NoteGoneProcesses(const Catalogue& catalogue) {
   }
 }
 
-/// True if a process does not have any more what is recorded of it. A new GCM knows no process
-/// until the processes join it, so a process that is only missing keeps its subscriptions: they
-/// recover by themselves, and count what they lose.
+/// Returns true if a process has ended. A new GCM does not know a process before the process has
+/// joined. Therefore, a process that is only missing in the catalogue keeps its subscriptions. They
+/// recover by themselves and count their losses.
 bool Recorder::IsEnded(const Catalogue& catalogue, const std::string& process) const {
   const ProcessEntry* entry = catalogue.FindProcess(process);
   if (entry != nullptr) return entry->process.state == ProcessState::kAlive;
@@ -289,8 +289,9 @@ bool Recorder::FollowEvents(const std::vector<EventSubscription>& wanted,
   return has_all;
 }
 
-/// Asks the process for those that are not known yet, unless it is gone and raises no event anyway.
-/// A process that does not answer in time is asked only once for each change of the catalogue.
+/// Requests unknown types from the process, unless the process is gone, because then it raises no
+/// events. A process that does not answer in time is asked only once for each change of the
+/// catalogue.
 std::map<Fingerprint, Schema> Recorder::TypesOf(const Catalogue& catalogue,
                                                 const EventSubscription& events,
                                                 const std::vector<Fingerprint>& types) {
@@ -472,7 +473,8 @@ void Recorder::StopIfDue(SteadyTime now) {
 
 /// Without those of the writer.
 Losses Recorder::LossesBeforeWriting() const {
-  // What is subtracted was counted by the queue before, so the queue is read under the lock.
+  // The queue is read under the lock, because it has already counted the losses that are subtracted
+  // here.
   const std::scoped_lock lock(mutex_);
   Losses losses = queue_->losses();
   for (const auto& [path, before] : losses_before_.rows) {

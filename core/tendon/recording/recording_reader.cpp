@@ -45,7 +45,7 @@ class RecordingReader::Lane {
     Advance();
   }
 
-  /// The ticks do not go on, but are those of the file again.
+  /// Begins again with the ticks of the file.
   virtual void ForgetTicks() {}
 
   /// The next item; null at the end.
@@ -57,7 +57,7 @@ class RecordingReader::Lane {
   }
 
  protected:
-  /// Makes the next item out of message(), if it can be read, and goes on to the next message.
+  /// Makes the next item from message(), if it can be read, and advances to the next message.
   virtual std::optional<RecordedItem> Make() = 0;
   virtual void BeginAgain() {}
   [[nodiscard]] virtual mcap::Timestamp TimeOf(const mcap::Message& message) const {

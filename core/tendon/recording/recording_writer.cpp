@@ -52,8 +52,8 @@ std::uint8_t RosLevelOf(LogLevel level) {
   return 40;
 }
 
-/// Channels of sources in one file, and so the most schemas: a file has at most 65,535 of each, and
-/// the recorder has some of its own.
+/// The maximum number of channels of sources in one file, and therefore of schemas. A file can have
+/// 65,535 of each, and the recorder itself uses some.
 constexpr std::size_t kMostChannels = 65'000;
 
 std::string LossText(const LostRows& lost) {
@@ -263,7 +263,7 @@ Result<std::unique_ptr<mcap::Writer>> RecordingWriter::CreateWriter(
   return mcap::Writer::Create(*std::move(file), options);
 }
 
-/// Leaves out numbers that an earlier recording has used, but never the first one.
+/// Skips numbers that an earlier recording has used, but never the first number.
 std::filesystem::path RecordingWriter::NextName() {
   ++number_;
   std::error_code ignored;

@@ -16,11 +16,11 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kBetweenPasses = 10ms;
-/// A replay that is later than this continues at its pace instead of hurrying after, because a
-/// burst of rows could overwrite rows that nobody has read yet. The tables keep a second.
+/// If a replay is later than this, it does not try to catch up, because a burst of rows could
+/// overwrite rows that nobody has read yet. The tables keep rows for one second.
 constexpr auto kMostLate = 100ms;
 
-// A recording is a file of others, so what it may take of this machine is limited.
+// A recording may come from others, so its use of this machine's resources is limited.
 constexpr std::size_t kMostTableBytes = std::size_t{1} << 30U;
 constexpr std::chrono::hours kLongest(24 * 365 * 10);  // so that no sum of times overflows
 

@@ -62,8 +62,8 @@ bool IsStateTable(const std::string& interface) {
   return interface == "state" || interface.starts_with("state-");
 }
 
-/// The only column of this type in a component, as described: the names of the table and the
-/// column. Empty if there is none, or several, of which one may not have been recorded.
+/// Returns the names of the table and the column if the description of the component has exactly
+/// one column of this type. This column may not be recorded.
 std::optional<std::pair<std::string, std::string>> OnlyColumnOf(
     const ComponentDescription& component, const Fingerprint& type) {
   std::optional<std::pair<std::string, std::string>> only;
@@ -77,7 +77,8 @@ std::optional<std::pair<std::string, std::string>> OnlyColumnOf(
   return only;
 }
 
-/// A read of the column that a read command probably returns; null if there is none.
+/// Returns a read of the column whose value the read command probably returns; null if there is no
+/// such column.
 std::unique_ptr<Offer> ReadOf(const MemberDescription& command,
                               const ComponentDescription& component,
                               const std::vector<const StateTable*>& tables) {

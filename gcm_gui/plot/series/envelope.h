@@ -25,7 +25,6 @@ struct TimeSlices {
 /// The extreme values of all samples are kept. The line is interrupted at gaps and at values that
 /// are not finite. All values are distances from a base: a double cannot distinguish large
 /// integers, but it can hold their distance from a base near them.
-/// integers.
 class Envelope {
  public:
   /// Builds the envelope; always pass the same ring. O(samples in the slices + slices). If the

@@ -61,7 +61,7 @@ class Handle {
   }
 
   [[nodiscard]] hid_t get() const { return id_; }
-  /// Throws if what is still to be written cannot be.
+  /// Throws if HDF5 cannot write the rest of the data.
   void Close() { Checked(close_(std::exchange(id_, H5I_INVALID_HID))); }
 
  private:
@@ -505,7 +505,8 @@ std::string GroupNameOf(const std::string& path) {
   return name.empty() ? "/topic" : name;
 }
 
-/// The datasets of a Column, or a few more. At least one, so that empty columns count, too.
+/// Returns the number of datasets of a column, or a little more. Returns at least 1, so that empty
+/// columns count, too.
 std::size_t DatasetsOf(const Schema& schema) {
   if (schema.kind() == Schema::Kind::kArray) return DatasetsOf(schema.element());
   std::size_t count = 1;
@@ -552,7 +553,7 @@ class Tables {
   [[nodiscard]] const std::vector<std::shared_ptr<Table>>& all() const { return named_; }
 
  private:
-  /// gcm cut keeps the channels that it leaves empty.
+  /// A channel may be empty, because `gcm cut` keeps all channels.
   static bool HasMessages(const mcap::Reader& reader, const mcap::Channel& channel) {
     const auto& statistics = reader.statistics();
     return !statistics || statistics->channel_message_counts.empty() ||
@@ -605,7 +606,8 @@ bool WriteTables(mcap::Reader& reader, const mcap::Query& query, const Tables& t
 
 Result<Hdf5Report> Export(mcap::Reader& reader, const mcap::Query& query,
                           const std::filesystem::path& file, const os::StopRequest& stop) {
-  // HDF5 would print its errors, and at the exit of the program try again to write what failed.
+  // Without these calls, HDF5 would print its errors, and at the exit of the program it would
+  // repeat failed writes.
   H5dont_atexit();
   H5open();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);

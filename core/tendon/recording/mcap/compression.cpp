@@ -23,7 +23,7 @@ Error WrongSize(std::uint64_t size, std::uint64_t expected) {
 }
 
 Result<void> DecompressZstd(Bytes bytes, std::span<std::byte> out) {
-  // In one call, which allocates no window: a frame may claim one of any size.
+  // A single call allocates no window. A frame could request a window of any size.
   const std::size_t size = ZSTD_decompress(out.data(), out.size(), bytes.data(), bytes.size());
   if (ZSTD_isError(size) != 0U) return Damaged("zstd", ZSTD_getErrorName(size));
   if (size != out.size()) return WrongSize(size, out.size());
@@ -137,8 +137,8 @@ Result<Bytes> Compressor::Compress(Bytes bytes, Compression& used) {
 }
 
 std::uint64_t LargestDecompressed(Compression compression, std::uint64_t size) noexcept {
-  // A block of zstd has at most 128 KiB, and takes at least 4 bytes. A byte of LZ4 stands for at
-  // most 255.
+  // A block of zstd has at most 128 KiB, and takes at least 4 bytes. A byte of LZ4 represents at
+  // most 255 bytes.
   constexpr std::uint64_t kZstd = (std::uint64_t{128} << 10U) / 4;
   constexpr std::uint64_t kLz4 = 255;
   std::uint64_t factor = 1;

@@ -154,7 +154,8 @@ std::string SummaryReader::ReadRecord(const RecordView& record) {
   return reason;
 }
 
-/// The record right before the summary. Its absence costs the checksum of the data section only.
+/// Reads the record before the summary. If it is missing, only the checksum of the data section is
+/// unknown.
 void SummaryReader::ReadDataEnd() {
   const std::uint64_t offset =
       footer_.summary_start - std::min<std::uint64_t>(footer_.summary_start, kDataEndSize);
@@ -212,8 +213,8 @@ std::string SummaryReader::CheckChunks() {
   return {};
 }
 
-/// The format allows a summary that leaves out what a reader needs. Then the file is read whole,
-/// which is not a problem of the file.
+/// The format allows a summary without data that a reader needs. Then the whole file is read, which
+/// is not a problem of the file.
 void SummaryReader::CheckSufficiency() {
   std::set<ChannelId> used;
   for (const MessageBlock& block : contents_.blocks) {

@@ -13,8 +13,8 @@ struct NewIds {
   std::map<ChannelId, ChannelId> channels;
 };
 
-/// True if the writer refused an argument, which changes nothing: the report tells it, and the copy
-/// goes on.
+/// Returns true if the writer has refused an argument. This has changed nothing, so the report
+/// mentions it and the copy continues.
 bool IsRefused(const Error& error, CopyReport& report) {
   if (error.code != ErrorCode::kInvalid) return false;
   report.problems.push_back({0, error.message});
@@ -64,7 +64,7 @@ Result<void> CopyMessages(Reader& reader, const Query& query, Writer& writer, Ne
   return {};
 }
 
-/// Adds the reader's problems, and those of what was skipped here.
+/// Adds the problems of the reader, and those of the messages that were skipped here.
 void AddProblems(const Reader& reader, CopyReport& report) {
   report.problem_count += report.problems.size() + reader.problems().count();
   report.problems.insert(report.problems.end(), reader.problems().first().begin(),

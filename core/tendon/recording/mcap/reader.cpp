@@ -105,7 +105,7 @@ const Channel* Reader::FindChannel(ChannelId id) const {
 
 MessageStream Reader::Messages(Query query) { return {*this, std::move(query)}; }
 
-/// The records of a block: from the cache, or from the file. Null if they are lost.
+/// Returns the records of a block, from the cache or from the file. Null if they are lost.
 std::shared_ptr<const RawBuffer> Reader::Load(const MessageBlock& block) {
   if (!cache_.empty() && cache_.back().first == &block) return cache_.back().second;
   const auto found =
@@ -165,7 +165,7 @@ Result<void> Reader::CheckAgainstIndex(const ChunkPlace& place, const ChunkIndex
                "the fields of the chunk differ from the index at the end of the file"};
 }
 
-/// The content of a record whose place an index states.
+/// Returns the content of a record. An index states its place.
 Result<Buffer> Reader::ReadRecord(std::uint64_t offset, std::uint64_t length, Opcode opcode,
                                   std::uint64_t most) {
   const auto head = exact_.HeadAt(offset);

@@ -51,7 +51,8 @@ void AppendMap(Buffer& out, const std::map<std::string, std::string>& map) {
   }
 }
 
-/// Reads fields one after the other. After the first that does not fit, all are 0 or empty.
+/// Reads fields one after the other. After a field that does not fit, all further fields are 0 or
+/// empty.
 class FieldReader {
  public:
   explicit FieldReader(Bytes content) : rest_(content) {}
@@ -150,7 +151,7 @@ void Append(Buffer& out, const Channel& channel) {
 }
 
 void Append(Buffer& out, const Message& message) {
-  // In one piece: this one is called for every message.
+  // The head is appended in one piece, because this function is called for every message.
   std::array<std::byte, kRecordHeadSize + kMessageHeadSize> head{};
   head[0] = static_cast<std::byte>(Opcode::kMessage);
   PutNumber(head.data() + 1, std::uint64_t{kMessageHeadSize + message.data.size()});

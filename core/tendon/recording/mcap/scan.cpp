@@ -15,15 +15,16 @@ constexpr std::uint64_t kLooseBlockSize = std::uint64_t{1} << 20U;  // bytes
 
 std::string Place(std::uint64_t offset) { return " at " + std::to_string(offset); }
 
-/// Goes through the data section. After a record whose length cannot be right, the next chunk is
-/// searched behind the last record that certainly was one: behind it, any length may be wrong.
+/// Reads the data section. If the length of a record is impossible, searches for the next chunk.
+/// The search begins after the last trusted record, because the lengths after it may be wrong.
 class DataScan {
  public:
-  /// `known` are the contents that the summary states, if its checksum is right.
+  /// `known` is the content of the summary, if its checksum is correct.
   DataScan(BufferedFile& file, const ReaderLimits& limits, Problems& problems,
            std::optional<Contents> known)
       : file_(file), limits_(limits), problems_(problems), known_(std::move(known)) {
-    // Candidates of a search that are no chunks may each be as long as the rest of the file.
+    // Limits the cost of a search: each false candidate for a chunk may be as long as the rest of
+    // the file.
     search_budget_ = 8 * file.size() + limits.chunk;
   }
 
@@ -101,7 +102,7 @@ void DataScan::Step() {
   const Fit fit = ReadRecord(*head);
   if (is_finished_) return;
   if (fit != Fit::kExact) {
-    // Its length is trusted only if a record can follow.
+    // The length is trusted only if another record can follow.
     const std::uint64_t here = std::exchange(offset_, offset_ + kRecordHeadSize + head->length);
     const auto next = file_.HeadAt(offset_);
     const bool can_follow = offset_ == file_.size() || (next && LengthFits(*next));
@@ -148,7 +149,7 @@ Fit DataScan::ReadRecord(const RecordHead& head) {
       is_finished_ = offset_ + kFooterSize + kMagicSize == file_.size();
       return Fit::kExact;
     default:
-      // Those of a summary are not here, unless the data end before it is damaged.
+      // Records of a summary occur here only if the DataEnd record before them is damaged.
       ++contents_.unknown_records;
       return Fit::kLonger;
   }
@@ -260,7 +261,7 @@ void DataScan::ReadChunkRecords(const LoadedChunk& chunk, MessageBlock& block) {
   std::ranges::sort(block.index.message_index_offsets);
 }
 
-/// Returns true if the channel is defined. If its definition is damaged, takes the one of the
+/// Returns true if the channel is defined. If its definition is damaged, uses the definition in the
 /// summary.
 bool DataScan::FindChannel(ChannelId id) {
   if (contents_.channels.contains(id)) return true;
@@ -348,8 +349,8 @@ Fit DataScan::ReadMetadata(const RecordHead& head, Bytes content) {
   return fit;
 }
 
-/// A writer of chunks puts all messages into them. Behind a chunk, another record whose opcode is
-/// damaged looks like a message, and no checksum tells the two apart: such messages are not read.
+/// In a file with chunks, all messages are in chunks. A message outside of them may be another
+/// record with a damaged opcode, and no checksum shows this. Therefore, such messages are skipped.
 Fit DataScan::ReadLooseMessage(const RecordHead& head) {
   if (has_chunks_) {
     ++contents_.lost_messages;
@@ -400,7 +401,7 @@ void DataScan::EndBlock() {
 void DataScan::Search() {
   EndBlock();
   const std::uint64_t broken = offset_;
-  // What begins at the end of the trusted records was read, and is no chunk.
+  // The record at the end of the trusted records was already read; it is not a chunk.
   const std::uint64_t found = FindPlausibleChunk(trusted_ + 1);
   if (found == file_.size()) {
     is_finished_ = true;
@@ -433,8 +434,8 @@ std::uint64_t DataScan::FindPlausibleChunk(std::uint64_t from) {
   return file_.size();
 }
 
-/// True for a chunk whose checksum is right. One without a checksum, or of a size above the limit,
-/// is not taken for a chunk here.
+/// Returns true if there is a chunk with a correct checksum. Returns false for a chunk without a
+/// checksum or above the size limit.
 bool DataScan::IsPlausibleChunk(std::uint64_t offset) {
   const auto place = FindChunk(file_, offset);
   if (!place || !place->is_exact || place->head.uncompressed_crc == 0) return false;

@@ -49,8 +49,8 @@ Writer::Writer(std::unique_ptr<os::WritableFile> file, const WriterOptions& opti
 
 Writer::~Writer() { static_cast<void>(Close()); }
 
-/// Converts the only exceptions that occur, those of exhausted memory. What was begun then is not
-/// continued: a chunk may be half built.
+/// Converts exceptions to an error; they occur only if memory is exhausted. After that, the file is
+/// not continued, because a chunk may be incomplete.
 template <typename Call>
 auto Writer::Guarded(const Call& call) -> decltype(call()) {
   if (failure_) return *failure_;
@@ -232,8 +232,9 @@ Result<void> Writer::Write(const Metadata& metadata) {
   });
 }
 
-/// Writes the present chunk if a record of `size` bytes would make it too large. A chunk without a
-/// message has no time, which confuses other programs: it waits for a message while it can.
+/// Writes the present chunk if a record of `size` bytes would make it too large. A chunk without
+/// messages has no time, which confuses other programs. Therefore, such a chunk is written only
+/// when it has reached the maximum size.
 Result<void> Writer::MakeRoom(std::size_t size) {
   const std::size_t most = entries_.empty() ? kLargestChunk : options_.chunk_size;
   if (!chunk_.empty() && chunk_.size() + size > most) {
@@ -244,7 +245,7 @@ Result<void> Writer::MakeRoom(std::size_t size) {
 }
 
 /// Repeats definitions, up to the size of a chunk: those that only one chunk contains, and all of
-/// them when the file has grown by much more than they take.
+/// them if the file has grown by much more than their size.
 void Writer::BeginChunk() {
   constexpr std::uint64_t kGrowth = 64;
   if (!chunk_.empty()) return;
@@ -412,8 +413,8 @@ Result<void> Writer::Close(std::span<const Metadata> last) {
   return *closed_;
 }
 
-/// Writes metadata also after a failed write: the room for them is reserved. The summary leaves out
-/// what cannot be written.
+/// Writes metadata, also after a failed write, because space is reserved for them. Metadata that
+/// cannot be written are left out of the summary.
 void Writer::WriteLast(std::span<const Metadata> last) {
   std::size_t size = 0;
   for (const Metadata& metadata : last) {
@@ -448,7 +449,8 @@ Result<void> Writer::WriteSummary() {
                                        " messages are in the file; to make an index: gcm recover"};
 }
 
-/// All from the first record of the summary to the end of the file. `start` is the offset of that.
+/// Returns the bytes from the first record of the summary to the end of the file. `start` is the
+/// offset of this record.
 Buffer Writer::Summary(std::uint64_t start) const {
   Buffer out;
   out.reserve(SummarySize());
@@ -499,7 +501,7 @@ Statistics Writer::MakeStatistics() const {
   return statistics;
 }
 
-/// At least the bytes that the summary takes once one more chunk is written.
+/// Returns the size of the summary after one more chunk, or a larger number.
 std::uint64_t Writer::SummarySize() const {
   constexpr std::size_t kStatistics = 128;
   constexpr std::size_t kOffsets = 6 * (kRecordHeadSize + 17);
