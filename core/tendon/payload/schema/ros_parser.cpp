@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMostText = std::size_t{1} << 20;  // as Schema::Parse()
 constexpr std::size_t kMostLevels = 64;                  // likewise
-constexpr std::size_t kShown = 100;                      // bytes of a text in a message
+constexpr std::size_t kMostInMessage = 100;              // bytes of a text in a message
 constexpr std::string_view kSpaces = " \t\r";
 
 std::string_view WithoutSpaces(std::string_view text) {
@@ -124,7 +124,7 @@ class RosParser {
   Result<void> Field(const std::string& owner, std::string_view line, std::size_t level,
                      std::vector<Schema::Field>& fields, std::size_t& size) {
     const std::size_t type_end = line.find_first_of(kSpaces);
-    if (type_end == line.npos) return Mistake(owner, Quoted(line, kShown) + " is no field");
+    if (type_end == line.npos) return Mistake(owner, Quoted(line, kMostInMessage) + " is no field");
     const std::string_view type = line.substr(0, type_end);
     const std::string_view rest = WithoutSpaces(line.substr(type_end));
     const std::string_view name = rest.substr(0, rest.find_first_of(" \t=#"));
@@ -143,7 +143,7 @@ class RosParser {
     auto element = Item(owner, type.substr(0, bracket), level);
     if (!element || bracket == type.npos) return element;
     std::string_view length = type.substr(bracket + 1);
-    if (!length.ends_with(']')) return Mistake(owner, Quoted(type, kShown) + " is no type");
+    if (!length.ends_with(']')) return Mistake(owner, Quoted(type, kMostInMessage) + " is no type");
     length.remove_suffix(1);
     const bool is_bounded = length.starts_with("<=");
     if (length.empty() || is_bounded) {
@@ -152,7 +152,7 @@ class RosParser {
     std::uint32_t count = 0;
     const auto [end, code] = std::from_chars(length.begin(), length.end(), count);
     if (code != std::errc{} || end != length.end()) {
-      return Mistake(owner, Quoted(type, kShown) + " is no type");
+      return Mistake(owner, Quoted(type, kMostInMessage) + " is no type");
     }
     return Parsed{Schema::Array(std::move(element->schema), count), element->size};
   }
@@ -165,7 +165,7 @@ class RosParser {
     }
     const std::string found = Resolve(owner, name);
     if (!found.empty()) return Message(found, level + 1);
-    return Mistake(owner, "the definition of " + Quoted(name, kShown) + " is missing");
+    return Mistake(owner, "the definition of " + Quoted(name, kMostInMessage) + " is missing");
   }
 
   /// A name without a package is of the same package, or the only one of this name.
@@ -184,7 +184,7 @@ class RosParser {
   }
 
   static Error Mistake(const std::string& message, const std::string& what) {
-    return {ErrorCode::kInvalid, "message " + Quoted(message, kShown) + ": " + what};
+    return {ErrorCode::kInvalid, "message " + Quoted(message, kMostInMessage) + ": " + what};
   }
 
   const std::string root_;
