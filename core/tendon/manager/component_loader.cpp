@@ -69,10 +69,11 @@ Result<fs::path> ComponentLoader::Find(const std::string& library) const {
     std::error_code ignored;
     if (fs::is_regular_file(file, ignored)) return file;
   }
-  return Error{ErrorCode::kNotFound, "no plug-in '" + library + "'" +
-                                         DidYouMean(library, Plugins(folders_)) + " (searched " +
-                                         Joined(folders_, ", ") +
-                                         "; set TENDON_COMPONENTS to add a folder)"};
+  return Error{ErrorCode::kNotFound,
+               "no plug-in '" + library + "'" + DidYouMean(library, Plugins(folders_)) +
+                   " (searched " +
+                   Joined(std::vector<std::string>(folders_.begin(), folders_.end()), ", ") +
+                   "; set TENDON_COMPONENTS to add a folder)"};
 }
 
 }  // namespace tendon
