@@ -92,14 +92,12 @@ class ObservedCallWriter final : public ArgumentWriter {
  public:
   ObservedCallWriter(const CallHeader& header, const In& in, const Out* out,
                      const std::string& client)
-      : header_(header), in_(in), out_(out), client_(client) {}
+      : header_(header), in_(in), out_(out != nullptr ? *out : kNoResult), client_(client) {}
 
   [[nodiscard]] std::size_t size() const override {
     std::size_t end = kEncodedSize<CallHeader>;
     if constexpr (kHasArgument) end = payload::EndOf(in_, end);
-    if constexpr (kHasResult) {
-      end = out_ != nullptr ? payload::EndOf(*out_, end) : payload::EndOf(Out{}, end);
-    }
+    if constexpr (kHasResult) end = payload::EndOf(out_, end);
     return payload::EndOf(client_, end);
   }
   [[nodiscard]] bool WriteTo(std::span<std::byte> place) const override {
@@ -107,9 +105,7 @@ class ObservedCallWriter final : public ArgumentWriter {
     payload::CdrWriter writer(place.data());
     payload::Write(writer, header_);
     if constexpr (kHasArgument) payload::Write(writer, in_);
-    if constexpr (kHasResult) {
-      out_ != nullptr ? payload::Write(writer, *out_) : payload::Write(writer, Out{});
-    }
+    if constexpr (kHasResult) payload::Write(writer, out_);
     payload::Write(writer, client_);
     return writer.position() == place.size();
   }
@@ -121,10 +117,11 @@ class ObservedCallWriter final : public ArgumentWriter {
  private:
   static constexpr bool kHasArgument = !std::is_same_v<In, None>;
   static constexpr bool kHasResult = !std::is_same_v<Out, None>;
+  static inline const Out kNoResult{};  // made before any call, which must not allocate
 
   const CallHeader& header_;
   const In& in_;
-  const Out* out_;
+  const Out& out_;
   const std::string& client_;
   mutable std::vector<std::byte> encoded_;
 };

@@ -232,7 +232,8 @@ class QueuedCommandProxy : public CommandBase, protected Mailbox::Entry {
   /// buffer, to save allocations.
   void FreeIfMany(std::size_t slot) noexcept {
     constexpr std::uint64_t kMostKept = std::uint64_t{64} << 20U;
-    if (grown_.value() - freed_.value() <= kMostKept) return;
+    const std::uint64_t freed = freed_.value();  // first, so that it is not above grown_
+    if (grown_.value() - freed <= kMostKept) return;
     freed_.Add(pool_[slot].capacity());
     Bytes().swap(pool_[slot]);
   }
@@ -359,7 +360,8 @@ class ObservedCallProxy final : public CommandBase, private Mailbox::Entry {
   /// hundreds of observers.
   void FreeIfMany(std::size_t slot) noexcept {
     constexpr std::uint64_t kMostKept = std::uint64_t{1} << 20U;
-    if (grown_.value() - freed_.value() <= kMostKept) return;
+    const std::uint64_t freed = freed_.value();  // first, so that it is not above grown_
+    if (grown_.value() - freed <= kMostKept) return;
     freed_.Add(large_[slot].capacity());
     Bytes().swap(large_[slot]);
   }

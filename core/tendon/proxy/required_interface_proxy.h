@@ -32,8 +32,7 @@ class RequiredInterfaceProxy final : public NetworkJob,
                                      private ExecutingCalls::Owner {
  public:
   /// How events are sent: as kEvents, or as kTimedEvents, which include the time when each event
-  /// was raised.
-  /// With kTimed, handlers also receive the calls of commands.
+  /// was raised. With kTimed, handlers also receive the calls of commands.
   enum class Events { kPlain, kTimed };
 
   /// Throws ConfigurationError if the description is invalid.

@@ -8,7 +8,8 @@ namespace tendon {
 
 /// While this object exists, calls and events of its thread wait for room in a full mailbox instead
 /// of being refused, at most kPatience in total. Used during Cleanup(), because a full mailbox must
-/// not refuse its last command, such as a stop. Cleanup() may wait, because it is
+/// not refuse its last command, such as a stop. Cleanup() may wait, because the cycles of its
+/// component have ended.
 class BlockWhenFull {
  public:
   static constexpr std::chrono::milliseconds kPatience{800};
