@@ -1,9 +1,9 @@
 #pragma once
 
 #include <gcm_gui/replay/replay_reader.h>
-#include <gcm_gui/session/signal_source.h>
+#include <gcm_gui/session/column_signals.h>
 
-#include <QSet>
+#include <QStringList>
 #include <map>
 #include <memory>
 #include <string>
@@ -12,16 +12,12 @@ namespace tendon::gui {
 
 /// The rows of a recording as data for plots and tables. Rows up to the shown moment are there at
 /// once, as soon as a signal is subscribed.
-class ReplaySignals final : public SignalSource {
+class ReplaySignals final : public ColumnSignals {
   Q_OBJECT
 
  public:
-  using SignalSource::SignalSource;
+  using ColumnSignals::ColumnSignals;
 
-  void subscribe(const QString& signal) override;
-  void release(const QString& signal) override;
-  void watch(const QObject* owner, const QSet<QString>& columns) override;
-  [[nodiscard]] RowLosses losses(const QString& signal) const override;
   void retry(const QString& /*column*/) override {}
 
   /// The used columns, with new feeds for a jump.
@@ -29,9 +25,11 @@ class ReplaySignals final : public SignalSource {
   /// The jump has ended: the new feeds replace the old ones, and what was delivered is out of date.
   void endJump();
   /// Delivers the rows that have arrived.
-  void deliver();
+  void deliver() { deliverRows(); }
   /// Delivers the newest values.
-  void deliverValues();
+  void deliverValues() { deliverNewest(); }
+  /// The subscribed signals.
+  [[nodiscard]] QStringList subscribed() const;
 
  Q_SIGNALS:
   /// A signal was subscribed, so its past is needed.
@@ -40,17 +38,10 @@ class ReplaySignals final : public SignalSource {
   void columnWanted(const std::string& path, const std::shared_ptr<tendon::gui::ColumnFeed>& feed);
 
  private:
-  struct Column {
-    std::shared_ptr<ColumnFeed> feed;
-    std::shared_ptr<ColumnFeed> next;                      // while there is a jump
-    std::map<QString, std::pair<int, std::string>> users;  // by signal: count, field
-    QSet<const QObject*> watchers;
-  };
+  bool begin(const QString& column, const std::shared_ptr<ColumnFeed>& feed) override;
+  void onSubscribed() override { Q_EMIT pastWanted(); }
 
-  Column* open(const QString& column);
-
-  std::map<QString, Column> columns_;
-  QSet<const QObject*> known_owners_;
+  std::map<QString, std::shared_ptr<ColumnFeed>> next_;  // by column, while there is a jump
 };
 
 }  // namespace tendon::gui
