@@ -18,6 +18,7 @@
 #include <gcm_gui/plot/plot_view.h>
 #include <gcm_gui/recording/window_recording.h>
 #include <gcm_gui/replay/recording_opener.h>
+#include <gcm_gui/replay/recording_overlay.h>
 #include <gcm_gui/replay/window_replay.h>
 #include <gcm_gui/system/system_files.h>
 #include <gcm_gui/theme/tendon_style.h>
@@ -223,6 +224,7 @@ void WindowCommands::addPlotCommands() {
   connect(&window_.plots(), &PlotPanel::pausedChanged, &pause, &QAction::setChecked);
   add(Words::tr("Follow &live data"), {}, [this] { window_.plots().currentPlot().goLive(); });
   add(Words::tr("Cursors &A and B"), {}, [this] { window_.plots().toggleCursors(); });
+  add(Words::tr("Add a curve of a recor&ding…"), {}, [this] { window_.overlay().ask(); });
   commands_->menu(Commands::Menu::kPlot).addSeparator();
   add(Words::tr("&Save the visible samples as CSV…"), QKeySequence(Qt::CTRL | Qt::Key_E),
       [this] { window_.plots().askForCsv(); });

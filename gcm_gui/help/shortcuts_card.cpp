@@ -63,6 +63,8 @@ std::vector<KeyGroup> OfViews() {
         {Words::tr("Left, Right"), Words::tr("Move in time")},
         {Words::tr("Alt+Left"), Words::tr("Back to the previous view")},
         {Words::tr("End"), Words::tr("Follow the data again")},
+        {Words::tr("Ctrl+Left, Ctrl+Right, T"),
+         Words::tr("Shift a recorded curve in time; to an exact value")},
         {Words::tr("A, B, Delete"), Words::tr("Place the cursors, remove them")}},
        "plotPanel"},
       {Words::tr("In a plot's legend"),

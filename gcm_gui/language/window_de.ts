@@ -3612,5 +3612,121 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <source>This window shows the recording %1. It is connected to no running system.</source>
         <translation>Dieses Fenster zeigt die Aufzeichnung %1. Es ist mit keinem laufenden System verbunden.</translation>
     </message>
+    <message>
+        <source>Add a curve of a recor&amp;ding…</source>
+        <translation>Eine Kurve einer Aufzeichnung &amp;dazunehmen…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Left, Ctrl+Right, T</source>
+        <translation>Strg+Links, Strg+Rechts, T</translation>
+    </message>
+    <message>
+        <source>Shift a recorded curve in time; to an exact value</source>
+        <translation>Eine aufgezeichnete Kurve in der Zeit verschieben; auf einen genauen Wert</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>Is added to all times of the recording: “-12.5” or “+2 h 03 min”</source>
+        <translation>Wird zu allen Zeiten der Aufzeichnung addiert: „-12.5“ oder „+2 h 03 min“</translation>
+    </message>
+    <message>
+        <source>Shift, scale, offset and axis…</source>
+        <translation>Verschiebung, Faktor, Versatz und Achse…</translation>
+    </message>
+    <message>
+        <source>Shift…</source>
+        <translation>Verschieben…</translation>
+    </message>
+    <message>
+        <source>Begin at the left edge</source>
+        <translation>Beginn an den linken Rand</translation>
+    </message>
+    <message>
+        <source>Remove its curves</source>
+        <translation>Ihre Kurven entfernen</translation>
+    </message>
+    <message>
+        <source>Add a curve of a recording…</source>
+        <translation>Eine Kurve einer Aufzeichnung dazunehmen…</translation>
+    </message>
+    <message>
+        <source>%1: &quot;recording&quot; must be a file, and &quot;shift_ns&quot; a whole number of ns up to 100 years</source>
+        <translation>%1: &quot;recording&quot; muss eine Datei sein, und &quot;shift_ns&quot; eine ganze Zahl von ns bis 100 Jahre</translation>
+    </message>
+    <message>
+        <source>%1 is shifted by %2; Alt+Left takes it back</source>
+        <translation>%1 ist um %2 verschoben; Alt+Links nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Recorded signals</source>
+        <translation>Aufgezeichnete Signale</translation>
+    </message>
+    <message>
+        <source>There is no such number in this recording.</source>
+        <translation>In dieser Aufzeichnung gibt es keine solche Zahl.</translation>
+    </message>
+    <message>
+        <source>The recording is being opened…</source>
+        <translation>Die Aufzeichnung wird geöffnet…</translation>
+    </message>
+    <message>
+        <source>Add to the plot</source>
+        <translation>In den Plot nehmen</translation>
+    </message>
+    <message>
+        <source>Add curves of %1</source>
+        <translation>Kurven von %1 dazunehmen</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Filter of the recorded signals</source>
+        <translation>Filter der aufgezeichneten Signale</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Select one or more of %1 signals</source>
+        <translation>Eines oder mehrere von %1 Signalen wählen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 selected</source>
+        <translation>%1 von %2 gewählt</translation>
+    </message>
+    <message>
+        <source>is being read</source>
+        <translation>wird gelesen</translation>
+    </message>
+    <message>
+        <source>the file is no longer there; what was read stays</source>
+        <translation>die Datei ist nicht mehr da; was gelesen wurde, bleibt</translation>
+    </message>
+    <message>
+        <source>%1 is damaged, and shown as far as it can be read: %2</source>
+        <translation>%1 ist beschädigt und wird so weit gezeigt, wie es lesbar ist: %2</translation>
+    </message>
+    <message>
+        <source>Add a curve of a recording</source>
+        <translation>Eine Kurve einer Aufzeichnung dazunehmen</translation>
+    </message>
+    <message>
+        <source>%1 is dashed: drag it in time with Ctrl, or press T to set its shift</source>
+        <translation>%1 ist gestrichelt: mit Strg in der Zeit ziehen, oder mit T die Verschiebung angeben</translation>
+    </message>
+    <message>
+        <source>The shift “%1” is not a time of at most 100 years: write -12.5 or +2 h 03 min</source>
+        <translation>Die Verschiebung „%1“ ist keine Zeit von höchstens 100 Jahren: -12.5 oder +2 h 03 min schreiben</translation>
+    </message>
+    <message>
+        <source>nothing recorded at this time</source>
+        <translation>zu dieser Zeit nichts aufgezeichnet</translation>
+    </message>
 </context>
 </TS>

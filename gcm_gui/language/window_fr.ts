@@ -1271,11 +1271,11 @@ Possède %1 des %2 commandes et événements requis.</translation>
     </message>
     <message>
         <source>Target %1: step %2 of %3</source>
-        <translation>Cible %1 : étape %2 sur %3</translation>
+        <translation>Cible %1&#xa0;: étape %2 sur %3</translation>
     </message>
     <message>
         <source>Target %1: %2 done, %3 failed, %4 left</source>
-        <translation>Cible %1 : %2 faites, %3 échouées, %4 restantes</translation>
+        <translation>Cible %1&#xa0;: %2 faites, %3 échouées, %4 restantes</translation>
     </message>
     <message>
         <source>the previous state</source>
@@ -2215,11 +2215,11 @@ Possède %1 des %2 commandes et événements requis.</translation>
     </message>
     <message>
         <source> cannot be plotted, because it is not a number; select a column or a value of a state table</source>
-        <translation> ne peut pas être tracé, car ce n&apos;est pas un nombre ; sélectionner une colonne ou une valeur d&apos;une table d&apos;état</translation>
+        <translation> ne peut pas être tracé, car ce n&apos;est pas un nombre&#xa0;; sélectionner une colonne ou une valeur d&apos;une table d&apos;état</translation>
     </message>
     <message>
         <source>The first %1 of %2 numbers are plotted; select fewer numbers</source>
-        <translation>Les %1 premiers nombres sur %2 sont tracés ; sélectionner moins de nombres</translation>
+        <translation>Les %1 premiers nombres sur %2 sont tracés&#xa0;; sélectionner moins de nombres</translation>
     </message>
     <message>
         <source>, and %1 more since the previous mark</source>
@@ -3234,7 +3234,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
     </message>
     <message>
         <source>The recording continues: %1</source>
-        <translation>L’enregistrement continue : %1</translation>
+        <translation>L’enregistrement continue&#xa0;: %1</translation>
     </message>
     <message>
         <source>The recording has stopped</source>
@@ -3310,15 +3310,15 @@ Possède %1 des %2 commandes et événements requis.</translation>
     </message>
     <message>
         <source>%1: rows lost: %2</source>
-        <translation>%1 : lignes perdues : %2</translation>
+        <translation>%1&#xa0;: lignes perdues&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1: events lost: %2</source>
-        <translation>%1 : événements perdus : %2</translation>
+        <translation>%1&#xa0;: événements perdus&#xa0;: %2</translation>
     </message>
     <message>
         <source>Records of the log lost: %1</source>
-        <translation>Entrées du journal perdues : %1</translation>
+        <translation>Entrées du journal perdues&#xa0;: %1</translation>
     </message>
     <message>
         <source>The disk is almost full.</source>
@@ -3330,7 +3330,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
     </message>
     <message>
         <source>the folder %1 cannot be created: %2</source>
-        <translation>le dossier %1 ne peut pas être créé : %2</translation>
+        <translation>le dossier %1 ne peut pas être créé&#xa0;: %2</translation>
     </message>
     <message>
         <source>&amp;Start recording</source>
@@ -3362,15 +3362,15 @@ Possède %1 des %2 commandes et événements requis.</translation>
     </message>
     <message>
         <source>What to record: &amp;plotted signals</source>
-        <translation>À enregistrer : signaux &amp;tracés</translation>
+        <translation>À enregistrer&#xa0;: signaux &amp;tracés</translation>
     </message>
     <message>
         <source>What to record: selected &amp;component</source>
-        <translation>À enregistrer : &amp;composant choisi</translation>
+        <translation>À enregistrer&#xa0;: &amp;composant choisi</translation>
     </message>
     <message>
         <source>What to record: &amp;everything</source>
-        <translation>À enregistrer : t&amp;out</translation>
+        <translation>À enregistrer&#xa0;: t&amp;out</translation>
     </message>
     <message>
         <source>&amp;Stop recording</source>
@@ -3386,7 +3386,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
     </message>
     <message>
         <source>No file manager could be started; the file is in %1</source>
-        <translation>Aucun gestionnaire de fichiers n’a pu démarrer ; le fichier est dans %1</translation>
+        <translation>Aucun gestionnaire de fichiers n’a pu démarrer&#xa0;; le fichier est dans %1</translation>
     </message>
     <message>
         <source>The path is in the clipboard</source>
@@ -3611,6 +3611,122 @@ Possède %1 des %2 commandes et événements requis.</translation>
     <message>
         <source>This window shows the recording %1. It is connected to no running system.</source>
         <translation>Cette fenêtre montre l’enregistrement %1. Elle n’est reliée à aucun système en marche.</translation>
+    </message>
+    <message>
+        <source>Add a curve of a recor&amp;ding…</source>
+        <translation>Ajouter une courbe &amp;d’un enregistrement…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Left, Ctrl+Right, T</source>
+        <translation>Ctrl+Gauche, Ctrl+Droite, T</translation>
+    </message>
+    <message>
+        <source>Shift a recorded curve in time; to an exact value</source>
+        <translation>Décaler une courbe enregistrée dans le temps&#xa0;; à une valeur exacte</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Décalage en temps</translation>
+    </message>
+    <message>
+        <source>Is added to all times of the recording: “-12.5” or “+2 h 03 min”</source>
+        <translation>S’ajoute à tous les temps de l’enregistrement&#xa0;: « -12.5 » ou « +2 h 03 min »</translation>
+    </message>
+    <message>
+        <source>Shift, scale, offset and axis…</source>
+        <translation>Décalage en temps, échelle, décalage et axe…</translation>
+    </message>
+    <message>
+        <source>Shift…</source>
+        <translation>Décaler…</translation>
+    </message>
+    <message>
+        <source>Begin at the left edge</source>
+        <translation>Début au bord gauche</translation>
+    </message>
+    <message>
+        <source>Remove its curves</source>
+        <translation>Retirer ses courbes</translation>
+    </message>
+    <message>
+        <source>Add a curve of a recording…</source>
+        <translation>Ajouter une courbe d’un enregistrement…</translation>
+    </message>
+    <message>
+        <source>%1: &quot;recording&quot; must be a file, and &quot;shift_ns&quot; a whole number of ns up to 100 years</source>
+        <translation>%1&#xa0;: &quot;recording&quot; doit être un fichier, et &quot;shift_ns&quot; un nombre entier de ns jusqu’à 100 ans</translation>
+    </message>
+    <message>
+        <source>%1 is shifted by %2; Alt+Left takes it back</source>
+        <translation>%1 est décalé de %2&#xa0;; Alt+Gauche l’annule</translation>
+    </message>
+    <message>
+        <source>Recorded signals</source>
+        <translation>Signaux enregistrés</translation>
+    </message>
+    <message>
+        <source>There is no such number in this recording.</source>
+        <translation>Il n’y a pas de tel nombre dans cet enregistrement.</translation>
+    </message>
+    <message>
+        <source>The recording is being opened…</source>
+        <translation>L’enregistrement s’ouvre…</translation>
+    </message>
+    <message>
+        <source>Add to the plot</source>
+        <translation>Ajouter au tracé</translation>
+    </message>
+    <message>
+        <source>Add curves of %1</source>
+        <translation>Ajouter des courbes de %1</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtre</translation>
+    </message>
+    <message>
+        <source>Filter of the recorded signals</source>
+        <translation>Filtre des signaux enregistrés</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Select one or more of %1 signals</source>
+        <translation>Choisir un ou plusieurs des %1 signaux</translation>
+    </message>
+    <message>
+        <source>%1 of %2 selected</source>
+        <translation>%1 sur %2 choisis</translation>
+    </message>
+    <message>
+        <source>is being read</source>
+        <translation>en cours de lecture</translation>
+    </message>
+    <message>
+        <source>the file is no longer there; what was read stays</source>
+        <translation>le fichier n’est plus là&#xa0;; ce qui a été lu reste</translation>
+    </message>
+    <message>
+        <source>%1 is damaged, and shown as far as it can be read: %2</source>
+        <translation>%1 est endommagé et montré autant qu’il est lisible&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Add a curve of a recording</source>
+        <translation>Ajouter une courbe d’un enregistrement</translation>
+    </message>
+    <message>
+        <source>%1 is dashed: drag it in time with Ctrl, or press T to set its shift</source>
+        <translation>%1 est en tirets&#xa0;: le faire glisser dans le temps avec Ctrl, ou donner son décalage avec T</translation>
+    </message>
+    <message>
+        <source>The shift “%1” is not a time of at most 100 years: write -12.5 or +2 h 03 min</source>
+        <translation>Le décalage « %1 » n’est pas un temps d’au plus 100 ans&#xa0;: écrire -12.5 ou +2 h 03 min</translation>
+    </message>
+    <message>
+        <source>nothing recorded at this time</source>
+        <translation>rien d’enregistré à ce moment</translation>
     </message>
 </context>
 </TS>

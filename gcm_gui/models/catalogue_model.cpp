@@ -139,7 +139,7 @@ QMimeData* CatalogueModel::mimeData(const QModelIndexList& indexes) const {
     if (index.column() == kName) keys.append(signalsBelow(itemFor(index).path));
   }
   auto* data = new QMimeData;
-  data->setData(kPathMimeType, EncodedPaths(keys));
+  SetPaths(*data, keys);
   return data;
 }
 

@@ -2,11 +2,13 @@
 #include <gcm_gui/plot/plot_layout.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
+#include <gcm_gui/plot/series/time_shift.h>
 
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <chrono>
+#include <cstdint>
 #include <vector>
 
 namespace tendon::gui {
@@ -19,6 +21,7 @@ constexpr double kNsPerSecond = 1e9;
 
 struct CurveLayout {
   CurveKey key;
+  std::int64_t shift_ns = 0;
   bool is_hidden = false;
   CurveLook look;
 };
@@ -36,7 +39,11 @@ struct PlotLayout {
 QJsonObject JsonOf(const PlotView& view, const QString& name, bool is_below) {
   QJsonArray curves;
   for (const auto& curve : view.curves().curves()) {
-    QJsonObject one{{"path", curve->path()}, {"unit", curve->unit()}};
+    QJsonObject one{{"path", SignalOf(curve->path())}, {"unit", curve->unit()}};
+    if (curve->isRecorded()) {
+      one["recording"] = curve->recording();
+      one["shift_ns"] = qint64{curve->shift()};
+    }
     if (!curve->isVisible()) one["hidden"] = true;
     const auto& [scaling, axis] = curve->look();
     if (scaling.factor != 1) one["scale"] = scaling.factor;
@@ -65,6 +72,18 @@ QString ReadCurve(const QJsonValue& json, CurveLayout& curve) {
   curve.is_hidden = json["hidden"].toBool();
   if (curve.key.path.isEmpty())
     return Words::tr("a curve has no path: give each curve a text \"path\"");
+  if (json["recording"].isString()) {
+    const QString recording = json["recording"].toString();
+    constexpr qint64 kNoShift = kLongestShift + 1;
+    curve.shift_ns = json["shift_ns"].toInteger(json["shift_ns"].isUndefined() ? 0 : kNoShift);
+    if (recording.isEmpty() || curve.shift_ns > kLongestShift || curve.shift_ns < -kLongestShift) {
+      return Words::tr(
+                 "%1: \"recording\" must be a file, and \"shift_ns\" a whole number of ns up "
+                 "to 100 years")
+          .arg(curve.key.path);
+    }
+    curve.key.path = RecordedPath(recording, curve.key.path);
+  }
   const auto factor = NumberOr(json["scale"], 1);
   const auto offset = NumberOr(json["offset"], 0);
   if (!factor || !offset) {
@@ -137,6 +156,8 @@ std::optional<QString> ShowLayout(PlotPanel& panel, const QByteArray& layout) {
     view.setScale(plot.is_logarithmic ? ValueScale::kLogarithmic : ValueScale::kLinear);
     if (!plot.is_below) panel.setName(view, plot.name);
     for (const CurveLayout& curve : plot.curves) {
+      const QString recording = RecordingOf(curve.key.path);
+      if (!recording.isEmpty()) view.setShift(recording, curve.shift_ns);
       panel.addSignal(curve.key.path, curve.key.unit);
       view.curve(curve.key.path)->setVisible(!curve.is_hidden);
       view.setLook(curve.key.path, curve.look);

@@ -10,8 +10,10 @@
 #include <gcm_gui/plot/plot_picture.h>
 #include <gcm_gui/plot/plot_view.h>
 #include <gcm_gui/plot/series/shown_time.h>
+#include <gcm_gui/plot/series/time_shift.h>
 
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QInputDialog>
 #include <QMenu>
 #include <QSet>
@@ -86,6 +88,10 @@ void PlotPanel::prepare(PlotView& given) {
   connect(view, &PlotView::curvesDropped, this, [this, view](const QList<CurveKey>& keys) {
     for (const CurveKey& key : keys) add(*view, key);
   });
+  connect(view, &PlotView::recordingMoved, this, [this](const QString& recording, qint64 shift_ns) {
+    Q_EMIT notice(Words::tr("%1 is shifted by %2; Alt+Left takes it back")
+                      .arg(QFileInfo(recording).fileName(), ShiftText(shift_ns)));
+  });
   connect(view, &PlotView::curvesMoved, this,
           [this, view](const QList<CurveKey>& keys, quint64 from) {
             for (const CurveKey& key : keys) move(key.path, from, *view);
@@ -115,7 +121,10 @@ void PlotPanel::add(PlotView& view, const CurveKey& key) {
   const ValueNamesPointer names = namesOf(key.path);
   view.addCurve(key);
   view.setNames(key.path, names);
-  if (losses_) view.curve(key.path)->setLossesBefore(losses_(key.path));
+  Curve& curve = *view.curve(key.path);
+  const auto time = recorded_times_.find(curve.recording());
+  if (time != recorded_times_.end()) curve.setRecordedEnd(time->second.to_ns);
+  if (losses_ && !curve.isRecorded()) curve.setLossesBefore(losses_(key.path));
   shareMemory();
   nameTab(view);
   updateHead();
@@ -141,13 +150,17 @@ ValueNamesPointer PlotPanel::namesOf(const QString& path) const {
   return nullptr;
 }
 
-bool PlotPanel::isPlotted(const QString& path) const { return paths().contains(path); }
+bool PlotPanel::isPlotted(const QString& path) const {
+  const std::vector<PlotView*> all = plots();
+  return std::any_of(all.begin(), all.end(),
+                     [&](const PlotView* view) { return view->curve(path) != nullptr; });
+}
 
 QStringList PlotPanel::paths() const {
   QStringList paths;
   for (PlotView* view : plots()) {
     for (const auto& curve : view->curves().curves()) {
-      if (!paths.contains(curve->path())) paths << curve->path();
+      if (!curve->isRecorded() && !paths.contains(curve->path())) paths << curve->path();
     }
   }
   return paths;
@@ -155,7 +168,11 @@ QStringList PlotPanel::paths() const {
 
 void PlotPanel::append(const QString& path, std::span<const Sample> samples) {
   for (PlotView* view : plots()) {
-    if (Curve* curve = view->curve(path)) curve->append(samples);
+    Curve* curve = view->curve(path);
+    if (curve == nullptr) continue;
+    curve->append(samples);
+    // Only the newest sample of a live curve makes a plot draw by itself.
+    if (curve->isRecorded()) view->curveStateChanged();
   }
 }
 
@@ -180,11 +197,40 @@ void PlotPanel::setMarksShown(bool shown) {
   Q_EMIT marksShownChanged(shown);
 }
 
-void PlotPanel::removeSamples() {
+void PlotPanel::removeSamples(const QString& recording) {
   for (PlotView* view : plots()) {
-    for (const auto& curve : view->curves().curves()) curve->removeSamples();
+    for (const auto& curve : view->curves().curves()) {
+      if (curve->recording() == recording) curve->removeSamples();
+    }
     view->curveStateChanged();
   }
+}
+
+void PlotPanel::setRecordedTime(const QString& recording, const TimeSpan& time) {
+  recorded_times_[recording] = time;
+  for (PlotView* view : plots()) {
+    for (const auto& curve : view->curves().curves()) {
+      if (curve->recording() == recording) curve->setRecordedEnd(time.to_ns);
+    }
+    view->curveStateChanged();
+  }
+}
+
+void PlotPanel::showBegin(PlotView& view, const QString& recording) {
+  const auto time = recorded_times_.find(recording);
+  if (time != recorded_times_.end()) {
+    view.align(recording, time->second.from_ns, PlotView::Edge::kLeft);
+  }
+}
+
+std::optional<TimeSpan> PlotPanel::seenOf(const QString& recording) const {
+  for (const PlotView* view : page(pages_->currentIndex()).views()) {
+    if (!view->recordings().contains(recording)) continue;
+    const std::int64_t back_ns = -view->shift(recording);
+    return TimeSpan{.from_ns = MovedTime(view->window().firstTime(), back_ns),
+                    .to_ns = MovedTime(view->window().lastTime(), back_ns)};
+  }
+  return std::nullopt;
 }
 
 void PlotPanel::beginEpoch(const QString& path) {
@@ -209,6 +255,7 @@ void PlotPanel::updateStandstills() {
   if (!standstills_) return;
   for (PlotView* view : plots()) {
     for (const auto& curve : view->curves().curves()) {
+      if (curve->isRecorded()) continue;
       const SampleRing& samples = curve->samples();
       const auto newest =
           samples.empty() ? std::nullopt : std::optional(samples.time(samples.endIndex() - 1));

@@ -4,6 +4,7 @@
 #include <gcm_gui/plot/series/mark_track.h>
 #include <gcm_gui/plot/series/sample_ring.h>
 #include <gcm_gui/plot/series/signal_path.h>
+#include <gcm_gui/plot/series/time_window.h>
 #include <gcm_gui/plot/series/value_names.h>
 
 #include <QTimer>
@@ -11,6 +12,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -45,13 +47,23 @@ class PlotPanel : public QWidget {
   /// Sets the names of a signal's values in all present and future plots; null if the values are
   /// plain numbers.
   void setNames(const QString& path, const ValueNamesPointer& names);
-  /// Empties all curves, because samples of another time follow.
-  void removeSamples();
+  /// Empties all curves of the shown system or of a recording, because samples of another time
+  /// follow.
+  void removeSamples(const QString& recording = {});
+  /// Sets the time of a recording, in ns of the plots' clock without its shift. Its curves have no
+  /// values outside of it.
+  void setRecordedTime(const QString& recording, const TimeSpan& time);
+  /// Shifts a recording, whose time is known, so that its begin is at the left edge of the plot.
+  void showBegin(PlotView& view, const QString& recording);
+  /// Returns the part of a recording that the current page shows, in ns of the plots' clock without
+  /// the recording's shift; nothing if it shows no curve of it.
+  [[nodiscard]] std::optional<TimeSpan> seenOf(const QString& recording) const;
   /// Called when the source was restarted, so that its ticks start again.
   void beginEpoch(const QString& path);
   /// Called when no samples will arrive until the next append(). With an empty `reason`, the curve
   /// shows the name of the source for which it waits.
   void setStale(const QString& path, const QString& reason = {});
+  /// The signals of the shown system that are plotted.
   [[nodiscard]] QStringList paths() const;
   /// Adds a mark to all plots.
   void addMark(Mark mark);
@@ -118,6 +130,8 @@ class PlotPanel : public QWidget {
  Q_SIGNALS:
   void subscriptionWanted(const QString& path);
   void subscriptionReleased(const QString& path);
+  /// The user wants to add curves of a recording to the current plot.
+  void recordingRequested();
   void pausedChanged(bool paused);
   void marksShownChanged(bool shown);
   /// Emitted with one sentence for the user.
@@ -148,6 +162,7 @@ class PlotPanel : public QWidget {
   [[nodiscard]] bool isPlotted(const QString& path) const;
   [[nodiscard]] ValueNamesPointer namesOf(const QString& path) const;
 
+  std::map<QString, TimeSpan> recorded_times_;  // by the file of the recording
   CsvExport csv_;
   FileReader* reader_;
   MarkTrack marks_;

@@ -12,6 +12,7 @@
 #include <gcm_gui/plot/controls/plot_overlay.h>
 #include <gcm_gui/plot/plot_view.h>
 #include <gcm_gui/plot/series/shown_time.h>
+#include <gcm_gui/plot/series/time_shift.h>
 #include <gcm_gui/theme/icon.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
@@ -120,6 +121,7 @@ void PlotView::takeTheme() {
 
 Curve& PlotView::addCurve(const CurveKey& key) {
   Curve& curve = curves_.add(key);
+  takeShifts();
   curvesChanged();
   return curve;
 }
@@ -131,7 +133,11 @@ std::unique_ptr<Curve> PlotView::takeCurve(const QString& path) {
 }
 
 void PlotView::adoptCurve(std::unique_ptr<Curve> curve) {
+  if (curve->isRecorded() && !isOnPage(curve->recording())) {
+    time_axis_->setShift(curve->recording(), curve->shift());
+  }
   curves_.adopt(std::move(curve));
+  takeShifts();
   curvesChanged();
 }
 
@@ -189,12 +195,28 @@ void PlotView::askForLook(const QString& path) {
   for (const UnitAxis& axis : curves_.axes()) {
     if (!axis.unit.isEmpty()) axes << axis.unit;
   }
-  auto* editor = new CurveEditor(ShortName(path), asked->unit(), asked->look(), axes, this);
+  const QString recording = asked->recording();
+  const QString name = asked->isRecorded()
+                           ? RecordingName(path) + QStringLiteral(" · ") + ShortName(path)
+                           : ShortName(path);
+  auto* editor = new CurveEditor(name, asked->unit(), asked->look(), axes, this);
+  if (asked->isRecorded()) editor->addShift(shift(recording));
   connect(editor, &CurveEditor::accepted, this,
           [this, path](const CurveLook& look) { setLook(path, look); });
+  connect(editor, &CurveEditor::shiftAccepted, this,
+          [this, recording](qint64 shift_ns) { setShift(recording, shift_ns); });
   const QPoint below = legend_->geometry().topLeft();
   editor->move(mapToGlobal(below - QPoint(0, editor->height() + kGrid)));
   editor->show();
+}
+
+bool PlotView::askForShift(const QString& recording) {
+  for (const auto& curve : curves_.curves()) {
+    if (!curve->isRecorded() || curve->recording() != recording) continue;
+    askForLook(curve->path());
+    return true;
+  }
+  return false;
 }
 
 void PlotView::setStatistics(bool shown) {
@@ -258,6 +280,7 @@ void PlotView::noticeChange() {
   if (time_axis_->revision() == seen_revision_) return;
   seen_revision_ = time_axis_->revision();
   dirty_ = true;
+  takeShifts();
   updateLive();
 }
 
@@ -294,8 +317,9 @@ void PlotView::noticeSamples() {
   const std::int64_t newest = curves_.newestTime();
   if (newest == newest_ns_) return;
   newest_ns_ = newest;
-  time_axis_->clock().update(newest, ShownTime());
   dirty_ = true;
+  const bool has_live_samples = newest != std::numeric_limits<std::int64_t>::min();
+  if (has_live_samples) time_axis_->clock().update(newest, ShownTime());
 }
 
 // Returns the visible part of the curves. In a sweeping window, this includes the end of the
@@ -387,8 +411,7 @@ void PlotView::updateLegend() {
     overlay_->setHairline({});
   }
   const TimeSpan seen{.from_ns = window_.firstTime(), .to_ns = window_.lastTime()};
-  legendBox().setEntries(
-      LegendEntriesOf(curves_, at, statistics_ ? std::optional(seen) : std::nullopt));
+  legendBox().setEntries(LegendEntriesOf(curves_, at, seen, statistics_));
 }
 
 void PlotView::showEvent(QShowEvent* event) {
@@ -424,7 +447,13 @@ void PlotView::dropEvent(QDropEvent* event) {
   if (keys.isEmpty()) return;
   event->acceptProposedAction();
   const QByteArray from = event->mimeData()->data(kPlotMimeType);
-  if (from.isEmpty()) {
+  if (from.isEmpty() || RecordedMomentIn(*event->mimeData())) {
+    // The moment that the other window shows is at the right edge there, so it is here, too.
+    const auto moment = RecordedMomentIn(*event->mimeData());
+    const QString recording = RecordingOf(keys.front().path);
+    if (moment && !isOnPage(recording)) {
+      align(recording, MovedTime(*moment, -WallOffset()), Edge::kRight);
+    }
     Q_EMIT curvesDropped(keys);
   } else if (from.toULongLong() != id_) {
     Q_EMIT curvesMoved(keys, from.toULongLong());
@@ -435,7 +464,7 @@ void PlotView::startDrag(const QString& path) {
   const Curve* dragged = curve(path);
   if (dragged == nullptr) return;
   auto* signal = new QMimeData;
-  signal->setData(kPathMimeType, EncodedPaths({{path, dragged->unit()}}));
+  SetPaths(*signal, {{path, dragged->unit()}});
   signal->setData(kPlotMimeType, QByteArray::number(qulonglong{id_}));
   auto* drag = new QDrag(this);
   drag->setMimeData(signal);
@@ -550,6 +579,73 @@ void PlotView::zoomTo(const QRect& rect) {
                   .high = all.low + part(rect.top()) * all.span()});
   }
   changed();
+}
+
+void PlotView::moveRecording(const QString& recording, double pixels) {
+  time_axis_->remember(SharedTimeAxis::Gesture::kShift);
+  const double by_ns = (window_.to() - window_.from()) * pixels / columns() * 1e9;
+  time_axis_->setShift(recording, MovedTime(shift(recording), std::llround(by_ns)));
+  changed();
+  Q_EMIT recordingMoved(recording, shift(recording));
+}
+
+void PlotView::setShift(const QString& recording, std::int64_t shift_ns) {
+  if (time_axis_->shift(recording) == shift_ns) return;
+  const bool is_shown = time_axis_->isShown(recording);
+  if (is_shown) time_axis_->remember(SharedTimeAxis::Gesture::kOnce);
+  time_axis_->setShift(recording, shift_ns);
+  changed();
+  if (is_shown) Q_EMIT recordingMoved(recording, shift(recording));
+}
+
+std::int64_t PlotView::shift(const QString& recording) const {
+  return time_axis_->shift(recording).value_or(0);
+}
+
+void PlotView::align(const QString& recording, std::int64_t time_ns, Edge edge) {
+  window_.follow(now(), columns() * devicePixelRatioF());
+  const std::int64_t place = edge == Edge::kLeft ? window_.firstTime() : window_.lastTime();
+  setShift(recording, MovedTime(place, -time_ns));
+}
+
+bool PlotView::isOnPage(const QString& recording) const { return time_axis_->isShown(recording); }
+
+QStringList PlotView::recordings() const {
+  QStringList recordings;
+  for (const auto& curve : curves_.curves()) {
+    if (curve->isRecorded() && !recordings.contains(curve->recording())) {
+      recordings << curve->recording();
+    }
+  }
+  return recordings;
+}
+
+QString PlotView::recordingAt(const QPointF& point) const {
+  const std::int64_t time = window_.shownAt(invTransform(QwtAxis::XBottom, point.x()));
+  const QwtScaleMap map = canvasMap(QwtAxis::YLeft);
+  QString nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& curve : curves_.curves()) {
+    if (!curve->isRecorded() || !curve->isVisible()) continue;
+    if (nearest.isEmpty()) nearest = curve->recording();
+    const auto value = curve->numberAt(time);
+    if (!value) continue;
+    const UnitAxis& axis = curves_.axisOf(*curve);
+    const double place = axis.frame.placeOf(value->nearest() - axis.frame.base, curves_.scale());
+    const double part = (place - axis.range.low) / axis.range.span();
+    const double distance = std::abs(map.p1() + part * (map.p2() - map.p1()) - point.y());
+    if (distance >= least) continue;
+    least = distance;
+    nearest = curve->recording();
+  }
+  return nearest;
+}
+
+// Moves the recorded curves to where the recordings are on this time axis.
+void PlotView::takeShifts() {
+  for (const auto& curve : curves_.curves()) {
+    if (curve->isRecorded()) curve->setShift(shift(curve->recording()));
+  }
 }
 
 void PlotView::endRun() { time_axis_->endRun(); }

@@ -87,6 +87,25 @@ class PlotView : public QwtPlot {
   /// Ends the present step of the history, so that the next gesture begins a new step; see
   /// SharedTimeAxis::Gesture.
   void endRun();
+  /// Moves the curves of a recording by `pixels`, to the right if they are above 0. The view stays
+  /// as it is.
+  void moveRecording(const QString& recording, double pixels);
+  /// Sets the time that is added to the times of a recording. This is a step of the history, unless
+  /// no curve of it is shown yet.
+  void setShift(const QString& recording, std::int64_t shift_ns);
+  [[nodiscard]] std::int64_t shift(const QString& recording) const;
+  enum class Edge { kLeft, kRight };
+  /// Sets the shift so that this time of the recording, on the plots' clock without its shift, is
+  /// at an edge of the view.
+  void align(const QString& recording, std::int64_t time_ns, Edge edge);
+  /// True if this plot, or another one with this time axis, shows a curve of the recording.
+  [[nodiscard]] bool isOnPage(const QString& recording) const;
+  /// The files of the recordings that this plot shows.
+  [[nodiscard]] QStringList recordings() const;
+  /// Returns the recording whose curve is nearest to this point of the canvas; empty if there is no
+  /// visible recorded curve.
+  [[nodiscard]] QString recordingAt(const QPointF& point) const;
+
   // For goBack() and goForward() see SharedTimeAxis.
   void goBack();
   void goForward();
@@ -127,8 +146,11 @@ class PlotView : public QwtPlot {
   void setLook(const QString& path, const CurveLook& look);
   /// Sets the names of an existing curve's values; null if the values are plain numbers.
   void setNames(const QString& path, const ValueNamesPointer& names);
-  /// Opens an editor in which the user changes the look of a curve.
+  /// Opens an editor in which the user changes the look of a curve and, if it is recorded, its
+  /// shift.
   void askForLook(const QString& path);
+  /// Opens the editor for a curve of this recording. Returns false if the plot shows none.
+  bool askForShift(const QString& recording);
   /// Shows statistics (minimum, maximum, mean, …) of the visible part of each curve in the legend.
   void setStatistics(bool shown);
   [[nodiscard]] bool hasStatistics() const { return statistics_; }
@@ -154,6 +176,8 @@ class PlotView : public QwtPlot {
   void sideRoomChanged();
   void cursorsChanged(bool shown);
   void curvesDropped(const QList<CurveKey>& keys);
+  /// Emitted when the user has moved a recording, with its new shift.
+  void recordingMoved(const QString& recording, qint64 shift_ns);
   /// Emitted when the user has dragged these curves here from the plot with the id `from`.
   void curvesMoved(const QList<CurveKey>& keys, quint64 from);
   void curveRemovalRequested(const QString& path);
@@ -184,6 +208,7 @@ class PlotView : public QwtPlot {
   void updateLive();
   void describeMarks();
   void curvesChanged();
+  void takeShifts();
   void choose(UnitAxis& axis, const AxisRange& range) const;
   [[nodiscard]] double columns() const;
   [[nodiscard]] bool isFitted() const;

@@ -1,3 +1,4 @@
+#include <gcm_gui/plot/series/time_shift.h>
 #include <gcm_gui/plot/shared_time_axis.h>
 
 #include <algorithm>
@@ -41,8 +42,25 @@ bool SharedTimeAxis::setHover(std::optional<int> column) {
   return true;
 }
 
+std::optional<std::int64_t> SharedTimeAxis::shift(const QString& recording) const {
+  const auto found = shifts_.find(recording);
+  return found == shifts_.end() ? std::nullopt : std::optional(found->second);
+}
+
+bool SharedTimeAxis::isShown(const QString& recording) const {
+  return std::any_of(sets_.begin(), sets_.end(), [&](const CurveSet* set) {
+    const auto& curves = set->curves();
+    return std::any_of(curves.begin(), curves.end(),
+                       [&](const auto& curve) { return curve->recording() == recording; });
+  });
+}
+
+void SharedTimeAxis::setShift(const QString& recording, std::int64_t shift_ns) {
+  shifts_[recording] = std::clamp(shift_ns, -kLongestShift, kLongestShift);
+}
+
 SharedTimeAxis::ViewState SharedTimeAxis::present() const {
-  ViewState state{.window = window_};
+  ViewState state{.window = window_, .shifts = shifts_, .axes = {}};
   for (CurveSet* set : sets_) state.axes.emplace_back(set, set->axes());
   return state;
 }
@@ -62,6 +80,8 @@ void SharedTimeAxis::go(std::vector<ViewState>& from, std::vector<ViewState>& to
   const ViewState state = std::move(from.back());
   from.pop_back();
   window_ = state.window;
+  // A recording that was added later stays where it is.
+  for (const auto& [recording, shift_ns] : state.shifts) shifts_[recording] = shift_ns;
   for (const auto& [set, axes] : state.axes) TakeOver(set->axes(), axes);
   endRun();
   touch();

@@ -5,8 +5,10 @@
 #include <gcm_gui/plot/series/live_clock.h>
 #include <gcm_gui/plot/series/time_window.h>
 
+#include <QString>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -14,7 +16,8 @@
 namespace tendon::gui {
 
 /// The state that the plots of one page share: the visible time, the present time of the sources,
-/// the cursors, the column under the mouse, and the history of views.
+/// the shifts of recordings against it, the cursors, the column under the mouse, and the history of
+/// views.
 ///
 /// A plot that changes something must call touch(). The other plots compare revision() to notice
 /// the change. GUI thread.
@@ -28,6 +31,7 @@ class SharedTimeAxis {
     kZoomTime,  ///< repeated gestures of this kind form one step, until another gesture or endRun()
     kZoomValues,
     kMove,
+    kShift,
   };
 
   /// Adds the curves' axes to the states in the history, until leave().
@@ -42,6 +46,14 @@ class SharedTimeAxis {
   [[nodiscard]] std::optional<int> hover() const { return hover_; }
   /// Sets the column under the mouse. Returns true if it has changed.
   bool setHover(std::optional<int> column);
+
+  /// The time that is added to the times of a recording; nothing if it was not set. All curves of a
+  /// recording have the same shift.
+  [[nodiscard]] std::optional<std::int64_t> shift(const QString& recording) const;
+  /// True if one of the plots shows a curve of this recording.
+  [[nodiscard]] bool isShown(const QString& recording) const;
+  /// Sets it to at most kLongestShift in both directions.
+  void setShift(const QString& recording, std::int64_t shift_ns);
 
   void touch() { ++revision_; }
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
@@ -58,6 +70,7 @@ class SharedTimeAxis {
  private:
   struct ViewState {
     TimeWindow window;
+    std::map<QString, std::int64_t> shifts;
     std::vector<std::pair<CurveSet*, std::vector<UnitAxis>>> axes;
   };
 
@@ -67,6 +80,7 @@ class SharedTimeAxis {
   TimeWindow window_;
   Cursors cursors_;
   LiveClock clock_;
+  std::map<QString, std::int64_t> shifts_;  // by the file of the recording
   std::optional<int> hover_;
   std::vector<CurveSet*> sets_;
   std::vector<ViewState> former_;

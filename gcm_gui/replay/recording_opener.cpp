@@ -15,15 +15,9 @@ RecordingOpener::RecordingOpener(QStringList program, const QString& folder, QWi
     : QObject(&window), program_(std::move(program)), notes_(folder), window_(window) {}
 
 void RecordingOpener::ask() {
-  auto* dialog = new QFileDialog(&window_, Words::tr("Open a recording"));
-  dialog->setObjectName(QStringLiteral("openRecording"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  dialog->setNameFilters({Words::tr("Recordings (*.mcap)"), Words::tr("All files (*)")});
-  const QStringList recent = notes_.recent();
-  if (!recent.isEmpty()) dialog->setDirectory(QFileInfo(recent.front()).path());
-  connect(dialog, &QFileDialog::fileSelected, this, &RecordingOpener::open);
-  dialog->open();
+  QFileDialog& dialog = ShowRecordingDialog(window_, notes_, Words::tr("Open a recording"),
+                                            QStringLiteral("openRecording"));
+  connect(&dialog, &QFileDialog::fileSelected, this, &RecordingOpener::open);
 }
 
 void RecordingOpener::open(const QString& file) {
@@ -47,6 +41,19 @@ QStringList RecordingOpener::recordingsIn(const QMimeData& data) {
     }
   }
   return files;
+}
+
+QFileDialog& ShowRecordingDialog(QWidget& window, const RecordingNotes& notes, const QString& title,
+                                 const QString& name) {
+  auto* dialog = new QFileDialog(&window, title);
+  dialog->setObjectName(name);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  dialog->setNameFilters({Words::tr("Recordings (*.mcap)"), Words::tr("All files (*)")});
+  const QStringList recent = notes.recent();
+  if (!recent.isEmpty()) dialog->setDirectory(QFileInfo(recent.front()).path());
+  dialog->open();
+  return *dialog;
 }
 
 }  // namespace tendon::gui

@@ -6,6 +6,7 @@
 #include <QString>
 #include <QStringList>
 
+class QFileDialog;
 class QMimeData;
 class QWidget;
 
@@ -39,5 +40,9 @@ class RecordingOpener : public QObject {
   RecordingNotes notes_;
   QWidget& window_;
 };
+
+/// Shows a dialog, with this name, in which the user chooses a recording. It deletes itself.
+QFileDialog& ShowRecordingDialog(QWidget& window, const RecordingNotes& notes, const QString& title,
+                                 const QString& name);
 
 }  // namespace tendon::gui

@@ -4,6 +4,7 @@
 #include <tendon/base/path.h>
 #include <tendon/payload/json.h>
 
+#include <QFileInfo>
 #include <algorithm>
 #include <exception>
 #include <utility>
@@ -136,6 +137,8 @@ class RowCollector {
 /// The open file. Used by the thread of the reader alone.
 class ReplayReader::Reel {
  public:
+  explicit Reel(Content content) : content_(content) {}
+
   Result<RecordingFacts> open(const QString& file) {
     auto reader = mcap::Reader::Open(file.toStdString());
     if (!reader) return reader.error();
@@ -149,6 +152,10 @@ class ReplayReader::Reel {
     facts.has_no_end = playback_->reader().was_scanned();
     facts.is_growing = facts.has_no_end && playback_->reader().is_being_written();
     facts.types = playback_->types();
+    for (const std::string& column : playback_->columns()) {
+      facts.columns.emplace(column, *playback_->FindSchema(column));
+    }
+    file_ = file;
     facts.events = playback_->Spans(Playback::Kind::kEvents);
     facts.losses = playback_->Spans(Playback::Kind::kLosses);
     facts.problems = SentencesOf(playback_->reader().problems());
@@ -159,7 +166,6 @@ class ReplayReader::Reel {
     playback_->Seek(static_cast<mcap::Timestamp>(time));
     ReplayStep step = begin(time);
     step.is_jump = true;
-    step.catalogue = playback_->CatalogueNow();
     columns_.clear();
     for (auto& [path, wanted] : columns) addCollector(path, std::move(wanted));
     choose();
@@ -174,9 +180,12 @@ class ReplayReader::Reel {
     playback_->Past(with_past, static_cast<mcap::Timestamp>(std::max(first, time - span)),
                     WithLosses::kYes, handler);
     playback_->Past(newest, static_cast<mcap::Timestamp>(time), WithLosses::kNo, handler);
-    playback_->LastEvents(kListed, handler);
-    playback_->LastLog(kListed, handler);
-    step.log.is_current = true;
+    if (content_ == Content::kAll) {
+      step.catalogue = playback_->CatalogueNow();
+      playback_->LastEvents(kListed, handler);
+      playback_->LastLog(kListed, handler);
+      step.log.is_current = true;
+    }
     end(step);
     return step;
   }
@@ -259,14 +268,16 @@ class ReplayReader::Reel {
     if (const auto* value = std::get_if<recording::PlayedValue>(&item.content)) {
       const auto found = columns_.find(value->channel->path);
       if (found != columns_.end()) found->second.add(*value, item.time);
-    } else if (const auto* event = std::get_if<recording::PlayedEvent>(&item.content)) {
-      step.events.push_back(RecordOf(*event, static_cast<std::int64_t>(item.time)));
-    } else if (const auto* log = std::get_if<recording::RosLog>(&item.content)) {
-      step.log.records.push_back(RecordOf(*log));
     } else if (const auto* loss = std::get_if<recording::Loss>(&item.content)) {
       for (auto& [path, collector] : columns_) {
         if (TableOf(path) == loss->path) collector.add(*loss);
       }
+    } else if (content_ == Content::kRows) {
+      return;
+    } else if (const auto* event = std::get_if<recording::PlayedEvent>(&item.content)) {
+      step.events.push_back(RecordOf(*event, static_cast<std::int64_t>(item.time)));
+    } else if (const auto* log = std::get_if<recording::RosLog>(&item.content)) {
+      step.log.records.push_back(RecordOf(*log));
     } else {
       step.changes.push_back(std::get<recording::PlayedChange>(item.content).change);
     }
@@ -279,16 +290,19 @@ class ReplayReader::Reel {
                         step.events.end() - static_cast<std::ptrdiff_t>(kListed));
     }
     step.problems = SentencesOf(playback_->reader().problems());
+    step.is_gone = !QFileInfo::exists(file_);
   }
 
+  const Content content_;
+  QString file_;
   std::unique_ptr<Playback> playback_;
   std::map<std::string, RowCollector> columns_;
 };
 
-ReplayReader::ReplayReader(QObject* parent)
+ReplayReader::ReplayReader(Content content, QObject* parent)
     : QObject(parent),
       poster_(std::make_shared<GuiPoster>(this)),
-      reel_(std::make_shared<Reel>()) {}
+      reel_(std::make_shared<Reel>(content)) {}
 
 ReplayReader::~ReplayReader() {
   poster_->detach();

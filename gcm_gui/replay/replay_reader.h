@@ -26,10 +26,11 @@ struct RecordingFacts {
   QString file;  ///< its path
   std::int64_t first = 0;
   std::int64_t last = 0;
-  QStringList problems;       ///< sentences about what is damaged or missing
-  bool has_no_end = false;    ///< cut off, or still being written
-  bool is_growing = false;    ///< another program still writes it
-  std::vector<Schema> types;  ///< of all columns and events
+  QStringList problems;                        ///< sentences about what is damaged or missing
+  bool has_no_end = false;                     ///< cut off, or still being written
+  bool is_growing = false;                     ///< another program still writes it
+  std::vector<Schema> types;                   ///< of all columns and events
+  std::map<std::string, Schema> columns = {};  ///< by path, with the type of the latest run
   std::vector<recording::PlayedSpan> events;
   std::vector<recording::PlayedSpan> losses;
 };
@@ -44,6 +45,7 @@ struct ReplayStep {
   LogBatch log;
   std::vector<EventRecord> events;
   QStringList problems;  ///< all that are known by now
+  bool is_gone = false;  ///< the file is no longer at its place
 };
 
 /// A column whose rows are wanted.
@@ -71,7 +73,10 @@ class ReplayReader : public QObject {
   /// How much is in the lists of events and log records after a jump.
   static constexpr std::size_t kListed = 1000;
 
-  explicit ReplayReader(QObject* parent = nullptr);
+  /// What is read: all, or only the rows of columns and their losses.
+  enum class Content { kAll, kRows };
+
+  explicit ReplayReader(Content content = Content::kAll, QObject* parent = nullptr);
   ~ReplayReader() override;
 
   /// Answered by opened() or refused(). Nothing else works before opened(), or after refused(),

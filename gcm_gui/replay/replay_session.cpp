@@ -145,8 +145,9 @@ void ReplaySession::onStep(const ReplayStep& step) {
   if (is_late && !wanted_) clock_.seek(step.position, now);
   position_ = step.position;
   is_sought_ = step.is_jump;
-  ShowMoment(
-      {.steady_ns = ReplayReader::SampleTime(position_, facts_.first), .wall_ns = position_});
+  ShowMoment({.steady_ns = ReplayReader::SampleTime(position_, facts_.first),
+              .wall_ns = position_,
+              .recording = file_});
   if (step.catalogue) {
     // A jump within a time without changes leaves the views of the catalogue alone.
     if (!(*step.catalogue == store_.catalogue())) store_.replace(*step.catalogue);

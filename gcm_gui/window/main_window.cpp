@@ -24,6 +24,7 @@
 #include <gcm_gui/recording/recording_strip.h>
 #include <gcm_gui/recording/window_recording.h>
 #include <gcm_gui/replay/recording_opener.h>
+#include <gcm_gui/replay/recording_overlay.h>
 #include <gcm_gui/replay/replay_page.h>
 #include <gcm_gui/replay/replay_session.h>
 #include <gcm_gui/replay/replay_strip.h>
@@ -227,7 +228,8 @@ QSplitter* MainWindow::buildCentre() {
   plots_ = new PlotPanel;
   plots_->setAutoFillBackground(true);
   plots_->setMinimumHeight(kLeastPlotsHeight);
-  binding_ = new PlotBinding(*plots_, parts_.source, catalogue_model_, this);
+  overlay_ = new RecordingOverlay(*plots_, opener_->notes(), *this);
+  binding_ = new PlotBinding(*plots_, parts_.source, overlay_->source(), catalogue_model_, this);
   ExceptionGuard::setName(*plots_, Words::tr("Plots"));
   ExceptionGuard::setName(*binding_, Words::tr("Plots"));
   if (replay_ != nullptr) replay_->setPlots(*plots_);
@@ -336,6 +338,7 @@ void MainWindow::connectViews() {
   connect(files_, &SystemFiles::titleChanged, this, &MainWindow::showLink);
   connect(recording_, &WindowRecording::notice, notice_, &NoticeLine::showNotice);
   connect(opener_, &RecordingOpener::notice, notice_, &NoticeLine::showNotice);
+  connect(overlay_, &RecordingOverlay::notice, notice_, &NoticeLine::showNotice);
   if (replay_ != nullptr) {
     connect(replay_, &WindowReplay::notice, notice_, &NoticeLine::showNotice);
     connect(parts_.replay, &ReplaySession::moved, this, [this] {

@@ -37,6 +37,7 @@ class NoticeLine;
 class PlotBinding;
 class PlotPanel;
 class RecordingOpener;
+class RecordingOverlay;
 class SystemFiles;
 class TabPanel;
 class TopBar;
@@ -68,6 +69,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] SystemFiles& files() const { return *files_; }
   [[nodiscard]] WindowRecording& recording() const { return *recording_; }
   [[nodiscard]] RecordingOpener& opener() const { return *opener_; }
+  [[nodiscard]] RecordingOverlay& overlay() const { return *overlay_; }
   /// Null unless the window shows a recording.
   [[nodiscard]] WindowReplay* replay() const { return replay_; }
   [[nodiscard]] TabPanel& centre() const { return *centre_; }
@@ -137,6 +139,7 @@ class MainWindow : public QMainWindow {
   LostBanner* lost_ = nullptr;
   WindowRecording* recording_ = nullptr;
   RecordingOpener* opener_ = nullptr;
+  RecordingOverlay* overlay_ = nullptr;
   WindowReplay* replay_ = nullptr;
   CataloguePanel* catalogue_ = nullptr;
   GraphScene* scene_ = nullptr;

@@ -11,24 +11,38 @@
 
 namespace tendon::gui {
 
-PlotBinding::PlotBinding(PlotPanel& panel, SignalSource& source, const CatalogueModel& model,
-                         QObject* parent)
-    : QObject(parent), panel_(panel), model_(model) {
-  connect(&panel, &PlotPanel::subscriptionWanted, &source, &SignalSource::subscribe);
-  connect(&panel, &PlotPanel::subscriptionReleased, &source, &SignalSource::release);
-  connect(&source, &SignalSource::namesLearned, &panel, Guarded(&panel, &PlotPanel::setNames));
-  connect(&source, &SignalSource::samplesArrived, &panel, Guarded(&panel, &PlotPanel::append));
-  connect(&source, &SignalSource::beganAgain, &panel, Guarded(&panel, &PlotPanel::removeSamples));
-  connect(&source, &SignalSource::epochBegan, &panel, Guarded(&panel, &PlotPanel::beginEpoch));
-  connect(&source, &SignalSource::wentStale, this, Guarded(this, &PlotBinding::showStale));
-  panel.setLosses([&source](const QString& path) { return source.losses(path); });
+PlotBinding::PlotBinding(PlotPanel& panel, SignalSource& source, SignalSource& recordings,
+                         const CatalogueModel& model, QObject* parent)
+    : QObject(parent), panel_(panel), source_(source), recordings_(recordings), model_(model) {
+  connect(&panel, &PlotPanel::subscriptionWanted, this,
+          [this](const QString& path) { sourceOf(path).subscribe(path); });
+  connect(&panel, &PlotPanel::subscriptionReleased, this,
+          [this](const QString& path) { sourceOf(path).release(path); });
+  connectSource(source);
+  connectSource(recordings);
+  connect(&source, &SignalSource::beganAgain, this, Guarded(this, &PlotBinding::beginAgain));
+  panel.setLosses([this](const QString& path) { return sourceOf(path).losses(path); });
   panel.setStandstills([this](const QString& path, std::optional<std::int64_t> newest_ns) {
     return standstillOf(path, newest_ns);
   });
   panel.setCandidates([this](const QString& path) { return candidatesFor(path); });
 }
 
+void PlotBinding::connectSource(SignalSource& source) {
+  connect(&source, &SignalSource::namesLearned, &panel_, Guarded(&panel_, &PlotPanel::setNames));
+  connect(&source, &SignalSource::samplesArrived, &panel_, Guarded(&panel_, &PlotPanel::append));
+  connect(&source, &SignalSource::epochBegan, &panel_, Guarded(&panel_, &PlotPanel::beginEpoch));
+  connect(&source, &SignalSource::wentStale, this, Guarded(this, &PlotBinding::showStale));
+}
+
+void PlotBinding::beginAgain() { panel_.removeSamples(); }
+
+SignalSource& PlotBinding::sourceOf(const QString& path) const {
+  return RecordingOf(path).isEmpty() ? source_ : recordings_;
+}
+
 void PlotBinding::showStale(const QString& path, const QString& reason) {
+  if (!RecordingOf(path).isEmpty()) return panel_.setStale(path, reason);
   const CatalogueItem* process = model_.item(model_.indexOf(path.section('/', 0, 0)));
   // If the process is lost, gives no reason. The loss is reported elsewhere, and the legend shows
   // the rows for which the curve waits.

@@ -13,7 +13,8 @@ namespace tendon::gui {
 class CatalogueModel;
 class PlotPanel;
 
-/// Subscribes to the rows that the plots ask for, and passes them to the plots.
+/// Subscribes to the rows that the plots ask for, and passes them to the plots: those of the shown
+/// system, and those of recordings.
 class PlotBinding : public QObject {
   Q_OBJECT
 
@@ -21,8 +22,8 @@ class PlotBinding : public QObject {
   /// The maximum number of curves that are added to a plot at once.
   static constexpr int kMostAtOnce = 16;
 
-  PlotBinding(PlotPanel& panel, SignalSource& source, const CatalogueModel& model,
-              QObject* parent = nullptr);
+  PlotBinding(PlotPanel& panel, SignalSource& source, SignalSource& recordings,
+              const CatalogueModel& model, QObject* parent = nullptr);
 
  public Q_SLOTS:
   /// Plots all numbers at and below a path of the catalogue.
@@ -34,12 +35,17 @@ class PlotBinding : public QObject {
   void notice(const QString& text);
 
  private:
+  void connectSource(SignalSource& source);
+  void beginAgain();
+  [[nodiscard]] SignalSource& sourceOf(const QString& path) const;
   [[nodiscard]] QList<CurveKey> candidatesFor(const QString& path) const;
   void showStale(const QString& path, const QString& reason);
   [[nodiscard]] QString standstillOf(const QString& path,
                                      std::optional<std::int64_t> newest_ns) const;
 
   PlotPanel& panel_;
+  SignalSource& source_;
+  SignalSource& recordings_;
   const CatalogueModel& model_;
 };
 

@@ -56,7 +56,9 @@ std::vector<CursorLines::Line> CursorLines::lines() const {
     const auto b = curve->numberAt(*cursors_.time(Cursor::kB));
     if (!curve->isVisible() || !a || !b) continue;
     if (lines.size() > kMostLines) break;
-    lines.push_back({ChangeText(*curve, *a, *b), theme.curve(curve->colorIndex())});
+    const QString of =
+        curve->isRecorded() ? QStringLiteral(" · ") + RecordingName(curve->path()) : QString();
+    lines.push_back({ChangeText(*curve, *a, *b) + of, theme.curve(curve->colorIndex())});
   }
   return lines;
 }

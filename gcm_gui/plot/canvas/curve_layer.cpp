@@ -1,5 +1,6 @@
 #include <gcm_gui/plot/canvas/curve_layer.h>
 #include <gcm_gui/plot/canvas/late_samples.h>
+#include <gcm_gui/plot/series/time_shift.h>
 #include <gcm_gui/theme/theme.h>
 #include <qwt_scale_map.h>
 
@@ -22,10 +23,24 @@ constexpr double kNearest = 3;
 // The distance between samples, in pixels, from which dots have their full size.
 constexpr double kDotDistance = 8;
 constexpr double kBeyond = 64;  // pixels outside the canvas; lines are cut off there
+constexpr double kDash = 7;     // logical pixels, of a recorded curve
+constexpr double kDashGap = 4;
 
 QwtScaleMap OnAxis(QwtScaleMap map, const AxisRange& range) {
   map.setScaleInterval(range.low, range.high);
   return map;
+}
+
+/// The dashes of a recorded curve. They belong to times, so that they move with the curve.
+Dashes DashesOf(const Curve& curve, const TimeSlices& slices, double ratio) {
+  const auto columns = static_cast<std::int64_t>(slices.count / SpanRaster::kSlicesPerColumn);
+  if (!curve.isRecorded() || columns == 0) return {};
+  const double width_ns =
+      static_cast<double>(slices.to_ns - slices.from_ns) / static_cast<double>(columns);
+  const auto from_ns = static_cast<double>(MovedTime(slices.from_ns, -curve.shift()));
+  return {.dash = static_cast<int>(std::lround(kDash * ratio)),
+          .gap = static_cast<int>(std::lround(kDashGap * ratio)),
+          .first = std::llround(from_ns / std::max(width_ns, 1.0))};
 }
 
 }  // namespace
@@ -68,7 +83,7 @@ void CurveLayer::draw(QPainter* painter, const QwtScaleMap& x_map, const QwtScal
                         .factor = axis.frame.factor(),
                         .values = curves_.scale()};
     raster_.draw(curve->envelope(slices, pass), rows, kThickness / 2 * ratio,
-                 Theme::instance().curve(curve->colorIndex()));
+                 Theme::instance().curve(curve->colorIndex()), DashesOf(*curve, slices, ratio));
   }
   if (!is_vector) raster_.paint(*painter, canvas_rect.topLeft(), ratio);
   for (const auto& curve : curves_.curves()) {
@@ -104,8 +119,13 @@ void CurveLayer::drawLines(QPainter& painter, const Curve& curve, const Envelope
   painter.save();
   painter.setClipRect(rect);
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(Theme::instance().curve(curve.colorIndex()), kThickness, Qt::SolidLine,
-                      Qt::RoundCap, Qt::RoundJoin));
+  QPen pen(Theme::instance().curve(curve.colorIndex()), kThickness, Qt::SolidLine, Qt::RoundCap,
+           Qt::RoundJoin);
+  if (curve.isRecorded()) {
+    pen.setCapStyle(Qt::FlatCap);
+    pen.setDashPattern({kDash / kThickness, kDashGap / kThickness});
+  }
+  painter.setPen(pen);
   painter.drawPath(path);
   painter.restore();
 }
@@ -137,13 +157,15 @@ void CurveLayer::drawDots(QPainter& painter, const Curve& curve, const QwtScaleM
   const QwtScaleMap map = OnAxis(y_map, axis.range);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
   const QColor color = Theme::instance().curve(curve.colorIndex());
+  // The dots of a recorded curve are rings.
+  painter.setPen(curve.isRecorded() ? QPen(color, 1) : QPen(Qt::NoPen));
+  const QColor inside = curve.isRecorded() ? Theme::instance().color(Token::kPanel) : color;
   for (std::uint64_t i = first; i < end; ++i) {
     const double from_base = curve.distanceOf(i);
     if (!std::isfinite(from_base)) continue;
     const bool is_late = IsLate(samples, i);
-    painter.setBrush(is_late ? Theme::instance().color(Token::kWarning) : color);
+    painter.setBrush(is_late ? Theme::instance().color(Token::kWarning) : inside);
     const double radius = is_late ? kLateRadius : DotRadius(distance);
     const double y = rowOf(from_base, axis.frame, map, rect);
     painter.drawEllipse(QPointF(x_of(i), y), radius, radius);

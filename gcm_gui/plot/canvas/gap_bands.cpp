@@ -39,6 +39,8 @@ void GapBands::draw(QPainter* painter, const QwtScaleMap& x_map, const QwtScaleM
   QSet<QString> sources;  // handled already; all columns of a table have the same gaps
   for (const auto& curve : curves_.curves()) {
     const QString source = SourceOf(curve->path());
+    // A band over the whole height would be taken for one of the live curves.
+    if (curve->isRecorded()) continue;
     if (curve->samples().empty() || !curve->isVisible() || sources.contains(source)) continue;
     sources << source;
     const std::vector<Band> bands = bandsOf(*curve, x_map, canvas_rect);

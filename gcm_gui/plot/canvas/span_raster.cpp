@@ -66,14 +66,14 @@ void SpanRaster::begin(QSize size) {
 }
 
 void SpanRaster::draw(const Envelope& envelope, const RowScale& rows, double radius,
-                      const QColor& color) {
+                      const QColor& color, const Dashes& dashes) {
   if (envelope.lowest() > envelope.highest()) return;
   margin_ = static_cast<std::size_t>(std::floor(radius * kSlices));
   mapBands(envelope, rows);
   widenBands(radius);
   const int columns = std::min(size_.width(), static_cast<int>(envelope.low().size() / kSlices));
   for (int x = 0; x < columns; ++x) {
-    drawColumn(x, color.rgb());
+    if (!dashes.isGap(x)) drawColumn(x, color.rgb());
   }
 }
 

@@ -29,6 +29,19 @@ struct RowScale {
   ValueScale values = ValueScale::kLinear;
 };
 
+/// The dashes of a line, in columns. A line without gaps has no dashes.
+struct Dashes {
+  int dash = 0;
+  int gap = 0;
+  std::int64_t first = 0;  ///< column of the pattern at the first column of the image
+
+  [[nodiscard]] bool isGap(int column) const {
+    if (gap == 0) return false;
+    const std::int64_t rest = (first + column) % (dash + gap);
+    return (rest < 0 ? rest + dash + gap : rest) >= dash;
+  }
+};
+
 /// Draws envelopes as smooth lines into an image, and then paints the image at once.
 ///
 /// Qt draws a line at a cost per point, and at a much higher cost if the line is thick or
@@ -43,7 +56,8 @@ class SpanRaster {
   void begin(QSize size);
   /// Draws on top of the image. The envelope must have kSlicesPerColumn slices per column; `radius`
   /// is half the line width in device pixels.
-  void draw(const Envelope& envelope, const RowScale& rows, double radius, const QColor& color);
+  void draw(const Envelope& envelope, const RowScale& rows, double radius, const QColor& color,
+            const Dashes& dashes = {});
   /// Paints the rows of the image that were drawn on; `top_left` is in logical pixels.
   void paint(QPainter& painter, const QPointF& top_left, double device_pixel_ratio) const;
   /// Returns the drawn picture. The result shares the memory of this object.

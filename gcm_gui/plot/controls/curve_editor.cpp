@@ -1,5 +1,6 @@
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/controls/curve_editor.h>
+#include <gcm_gui/plot/series/time_shift.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 
@@ -27,6 +28,7 @@ CurveEditor::CurveEditor(const QString& name, const QString& unit, const CurveLo
                          const QStringList& axes, QWidget* parent)
     : QFrame(parent, Qt::Popup),
       unit_(unit),
+      fields_(new QFormLayout),
       factor_(new QLineEdit),
       offset_(new QLineEdit),
       axis_(new QComboBox),
@@ -75,11 +77,10 @@ void CurveEditor::build(const QString& name) {
     axis_->setCurrentIndex(0);
     accept();
   });
-  auto* fields = new QFormLayout;
-  fields->setSpacing(2 * kGrid);
-  fields->addRow(Words::tr("Scale"), factor_);
-  fields->addRow(Words::tr("Offset"), offset_);
-  fields->addRow(Words::tr("Axis"), axis_);
+  fields_->setSpacing(2 * kGrid);
+  fields_->addRow(Words::tr("Scale"), factor_);
+  fields_->addRow(Words::tr("Offset"), offset_);
+  fields_->addRow(Words::tr("Axis"), axis_);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(plain);
   buttons->addStretch();
@@ -88,13 +89,34 @@ void CurveEditor::build(const QString& name) {
   column->setContentsMargins(kInset, kInset, kInset, kInset);
   column->setSpacing(2 * kGrid);
   column->addWidget(title);
-  column->addLayout(fields);
+  column->addLayout(fields_);
   column->addWidget(status_);
   column->addLayout(buttons);
   for (QLineEdit* field : {factor_, offset_}) field->setFont(Theme::instance().mono());
   factor_->setAccessibleName(Words::tr("Scale"));
   offset_->setAccessibleName(Words::tr("Offset"));
   axis_->setAccessibleName(Words::tr("Axis"));
+}
+
+void CurveEditor::addShift(std::int64_t shift_ns) {
+  shift_ = new QLineEdit(ShiftText(shift_ns));
+  shift_->setObjectName("curveEditor.shift");
+  shift_->setAccessibleName(Words::tr("Shift"));
+  shift_->setToolTip(Words::tr("Is added to all times of the recording: “-12.5” or “+2 h 03 min”"));
+  shift_->setFont(Theme::instance().mono());
+  fields_->insertRow(0, Words::tr("Shift"), shift_);
+  setTabOrder(shift_, factor_);
+  connect(shift_, &QLineEdit::textChanged, this, &CurveEditor::check);
+  shift_->setFocus();
+  shift_->selectAll();
+  check();
+}
+
+QString CurveEditor::refusalOfShift() const {
+  if (shift_ == nullptr || ShiftIn(shift_->text())) return {};
+  return Words::tr("The shift “%1” is not a time of at most 100 years: write -12.5 or +2 h 03 min")
+             .arg(shift_->text()) +
+         HintOn(shift_->text());
 }
 
 void CurveEditor::fill(const CurveLook& look, const QStringList& axes) {
@@ -110,6 +132,7 @@ void CurveEditor::fill(const CurveLook& look, const QStringList& axes) {
 }
 
 QString CurveEditor::read(CurveLook& look) const {
+  if (const QString refusal = refusalOfShift(); !refusal.isEmpty()) return refusal;
   const auto factor = NumberIn(factor_->text());
   if (!factor)
     return Words::tr("The scale “%1” is not a number").arg(factor_->text()) +
@@ -140,6 +163,7 @@ void CurveEditor::accept() {
   CurveLook look;
   if (!read(look).isEmpty()) return;
   Q_EMIT accepted(look);
+  if (shift_ != nullptr) Q_EMIT shiftAccepted(*ShiftIn(shift_->text()));
   close();
 }
 

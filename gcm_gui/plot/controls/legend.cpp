@@ -21,9 +21,11 @@ namespace {
 constexpr int kLegendRowHeight = 18;
 constexpr int kSwatchWidth = 12;
 constexpr int kSwatchHeight = 3;
+constexpr int kSwatchGap = 2;  // of a recorded curve
 constexpr int kSpace = 8;
 constexpr int kBetween = 12;  // between two rows side by side
 constexpr int kWidestName = 220;
+constexpr int kWidestFile = 140;
 constexpr double kHiddenOpacity = 0.45;
 
 // Stores a text with its layout. The legend paints the text in each frame of the plot, so the
@@ -49,16 +51,23 @@ void LegendRow::setEntry(const LegendEntry& entry) {
   if (entry == entry_) return;
   entry_ = entry;
   setObjectName("legend:" + entry.path);
-  setAccessibleName(QStringList{entry.name, entry.value, entry.unit}.join(' ').simplified());
-  setToolTip(isGrey() ? entry.path + '\n' + entry.name : entry.path);
+  setAccessibleName(
+      QStringList{entry.recording, entry.name, entry.value, entry.unit}.join(' ').simplified());
+  const QString path = FullName(entry.path);
+  setToolTip(isGrey() ? path + '\n' + entry.name : path);
   const QFontMetrics metrics(Theme::instance().small());
   // Shortens a name such as "arm.position[0] · suspended · 5 s old" in the middle of its path. The
   // ends of the path stay visible, because they distinguish the curves.
   const qsizetype reason = entry.name.indexOf(QStringLiteral(" · "));
   QString name = metrics.elidedText(entry.name.left(reason), Qt::ElideMiddle, kWidestName);
   if (reason >= 0) name += metrics.elidedText(entry.name.mid(reason), Qt::ElideRight, kWidestName);
+  if (!entry.recording.isEmpty()) {
+    const QString file = metrics.elidedText(entry.recording, Qt::ElideMiddle, kWidestFile);
+    name = file + QStringLiteral(" · ") + name;
+  }
   SetText(name_, name, Theme::instance().small());
-  SetText(value_, entry.stale ? Words::tr("remap…") : entry.value, Theme::instance().smallMono());
+  SetText(value_, isRemappable() ? Words::tr("remap…") : entry.value,
+          Theme::instance().smallMono());
   SetText(unit_, entry.unit, Theme::instance().small());
   SetText(figures_, entry.figures, Theme::instance().smallMono());
   update();
@@ -108,9 +117,15 @@ bool LegendRow::event(QEvent* event) {
 void LegendRow::paintMark(QPainter& painter) const {
   const Theme& theme = Theme::instance();
   if (isPointedAt()) return PaintIcon(painter, markRect(), "close", Token::kText);
-  // An old value keeps the colour of its curve.
-  const QColor color = entry_.stale ? theme.color(Token::kStale) : theme.curve(entry_.color_index);
-  painter.fillRect(0, (height() - kSwatchHeight) / 2, kSwatchWidth, kSwatchHeight, color);
+  // An old value keeps the colour of its curve, and so does a recorded one.
+  const QColor color =
+      isRemappable() ? theme.color(Token::kStale) : theme.curve(entry_.color_index);
+  const int top = (height() - kSwatchHeight) / 2;
+  if (entry_.recording.isEmpty())
+    return painter.fillRect(0, top, kSwatchWidth, kSwatchHeight, color);
+  const int dash = (kSwatchWidth - kSwatchGap) / 2;
+  painter.fillRect(0, top, dash, kSwatchHeight, color);
+  painter.fillRect(kSwatchWidth - dash, top, dash, kSwatchHeight, color);
 }
 
 void LegendRow::paintEvent(QPaintEvent*) {
@@ -128,7 +143,7 @@ void LegendRow::paintEvent(QPaintEvent*) {
   const int value_right = name_left + name_width_ + kSpace + value_width_;
   paint(name_left, name_, theme.small(), token);
   paint(value_right - WidthOf(value_), value_, theme.smallMono(),
-        entry_.stale ? Token::kAccent : token);
+        isRemappable() ? Token::kAccent : token);
   paint(value_right + kSpace / 2, unit_, theme.small(), Token::kDim);
   paint(value_right + kSpace / 2 + unit_width_ + 2 * kSpace, figures_, theme.smallMono(),
         Token::kDim);
@@ -155,7 +170,7 @@ void LegendRow::mouseReleaseEvent(QMouseEvent* event) {
   pressed_.reset();
   if (markRect().contains(event->pos())) {
     Q_EMIT removeRequested(entry_.path);
-  } else if (entry_.stale && valueRect().contains(event->pos())) {
+  } else if (isRemappable() && valueRect().contains(event->pos())) {
     Q_EMIT remapRequested(entry_.path);
   } else {
     Q_EMIT toggled(entry_.path);
@@ -173,6 +188,7 @@ void LegendRow::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Space:
       return Q_EMIT toggled(entry_.path);
     case Qt::Key_R:
+      if (!entry_.recording.isEmpty()) return;
       return Q_EMIT remapRequested(entry_.path);
     case Qt::Key_Return:
     case Qt::Key_Enter:
@@ -189,9 +205,14 @@ void LegendRow::contextMenuEvent(QContextMenuEvent* event) {
   const auto add = [&](const QString& text, Qt::Key key, void (LegendRow::*wish)(const QString&)) {
     menu->addAction(text, this, [this, wish] { (this->*wish)(entry_.path); })->setShortcut(key);
   };
-  add(Words::tr("Scale, offset and axis…"), Qt::Key_Return, &LegendRow::lookRequested);
+  const bool is_recorded = !entry_.recording.isEmpty();
+  add(is_recorded ? Words::tr("Shift, scale, offset and axis…")
+                  : Words::tr("Scale, offset and axis…"),
+      Qt::Key_Return, &LegendRow::lookRequested);
   add(entry_.shown ? Words::tr("Hide") : Words::tr("Show"), Qt::Key_Space, &LegendRow::toggled);
-  add(Words::tr("Show another signal…"), Qt::Key_R, &LegendRow::remapRequested);
+  if (!is_recorded) {
+    add(Words::tr("Show another signal…"), Qt::Key_R, &LegendRow::remapRequested);
+  }
   add(Words::tr("Remove"), Qt::Key_Delete, &LegendRow::removeRequested);
   menu->popup(event->globalPos());
 }

@@ -18,8 +18,9 @@ namespace tendon::gui {
 /// The contents of one row of a legend.
 struct LegendEntry {
   QString path;
-  QString name;
-  QString value;  ///< already formatted
+  QString recording = {};  ///< name of its file; empty if the curve is not recorded
+  QString name;            ///< of a recorded curve, with its shift
+  QString value;           ///< already formatted
   QString unit;
   int color_index = 0;
   bool stale = false;  ///< the curve waits for its source: grey; `name` contains the source
@@ -33,8 +34,9 @@ struct LegendEntry {
 /// The row of one curve: colour, name, value, unit, and a cross that removes the curve. The cross
 /// is visible while the row is under the mouse or has the focus. A click or Space hides and shows
 /// the curve, Delete removes it, Enter opens scale, offset and axis, and dragging the row moves the
-/// signal to another plot. If the curve waits for its source, the row shows "remap…" (R) instead of
-/// the value. All these functions are also in a menu.
+/// signal to another plot. A recorded curve has a dashed colour and the name of its file. If the
+/// curve waits for its source, the row shows "remap…" (R) instead of the value. All these functions
+/// are also in a menu.
 class LegendRow : public QWidget {
   Q_OBJECT
 
@@ -73,6 +75,8 @@ class LegendRow : public QWidget {
   [[nodiscard]] QRect valueRect() const;
   void paintMark(QPainter& painter) const;
   [[nodiscard]] bool isGrey() const { return entry_.stale || entry_.old; }
+  /// True if another signal is offered in place of the value.
+  [[nodiscard]] bool isRemappable() const { return entry_.stale && entry_.recording.isEmpty(); }
   [[nodiscard]] bool isPointedAt() const { return underMouse() || hasFocus(); }
 
   LegendEntry entry_;

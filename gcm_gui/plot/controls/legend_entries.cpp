@@ -2,6 +2,7 @@
 #include <gcm_gui/plot/controls/legend_entries.h>
 #include <gcm_gui/plot/controls/rate_badge.h>
 #include <gcm_gui/plot/series/statistics.h>
+#include <gcm_gui/plot/series/time_shift.h>
 
 #include <QString>
 #include <QStringList>
@@ -57,26 +58,32 @@ QString NumberOf(const ExactNumber& number, const Curve& curve, const CurveSet& 
 }
 
 std::vector<LegendEntry> LegendEntriesOf(const CurveSet& curves, std::optional<std::int64_t> at_ns,
-                                         std::optional<TimeSpan> statistics) {
+                                         const TimeSpan& seen, bool statistics) {
   std::vector<LegendEntry> entries;
   for (const auto& curve : curves.curves()) {
-    const auto value = at_ns ? curve->numberAt(*at_ns) : curve->latestNumber();
+    // What a recording holds beyond the visible time was read in advance.
+    const auto value = at_ns                 ? curve->numberAt(*at_ns)
+                       : curve->isRecorded() ? curve->numberAt(seen.to_ns)
+                                             : curve->latestNumber();
     const bool stale = curve->isStale() && !at_ns;
     const bool old = curve->isStandingStill() && !at_ns;
     const bool is_waited_for = stale && (!old || curve->samples().empty());
     const QString why = is_waited_for ? curve->staleReason()
                         : old         ? curve->standstill()
                                       : QString();
-    entries.push_back(
-        {.path = curve->path(),
-         .name = why.isEmpty() ? ShortName(curve->path()) : ShortName(curve->path()) + " · " + why,
-         .value = value && !stale ? NumberOf(*value, *curve, curves) : QString(),
-         .unit = stale || curve->names() != nullptr ? QString() : curve->shownUnit(),
-         .color_index = curve->colorIndex(),
-         .stale = stale,
-         .old = old,
-         .shown = curve->isVisible(),
-         .figures = statistics ? FiguresOf(curves, *curve, *statistics) : QString()});
+    QStringList name{ShortName(curve->path())};
+    if (curve->isRecorded()) name << RoundedShiftText(curve->shift());
+    if (!why.isEmpty()) name << why;
+    entries.push_back({.path = curve->path(),
+                       .recording = RecordingName(curve->path()),
+                       .name = name.join(QStringLiteral(" · ")),
+                       .value = value && !stale ? NumberOf(*value, *curve, curves) : QString(),
+                       .unit = stale || curve->names() != nullptr ? QString() : curve->shownUnit(),
+                       .color_index = curve->colorIndex(),
+                       .stale = stale,
+                       .old = old,
+                       .shown = curve->isVisible(),
+                       .figures = statistics ? FiguresOf(curves, *curve, seen) : QString()});
   }
   return entries;
 }

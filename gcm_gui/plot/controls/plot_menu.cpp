@@ -5,10 +5,29 @@
 #include <gcm_gui/plot/plot_view.h>
 
 #include <QActionGroup>
+#include <QFileInfo>
 #include <QMenu>
 #include <utility>
 
 namespace tendon::gui {
+namespace {
+
+void AddRecording(QMenu& menu, PlotPanel& panel, PlotView& view, const QString& recording) {
+  QMenu& one = *menu.addMenu(QFileInfo(recording).fileName());
+  one.addAction(Words::tr("Shift…"), &view, [&view, recording] { view.askForShift(recording); })
+      ->setShortcut(Qt::Key_T);
+  one.addAction(Words::tr("Begin at the left edge"), &panel,
+                [&panel, &view, recording] { panel.showBegin(view, recording); });
+  one.addAction(Words::tr("Remove its curves"), &view, [&view, recording] {
+    QStringList paths;
+    for (const auto& curve : view.curves().curves()) {
+      if (curve->recording() == recording) paths << curve->path();
+    }
+    for (const QString& path : paths) Q_EMIT view.curveRemovalRequested(path);
+  });
+}
+
+}  // namespace
 
 void FillPlotMenu(QMenu& menu, PlotPanel& panel, PlotView& view) {
   QMenu& fits = *menu.addMenu(Words::tr("Values"));
@@ -51,6 +70,9 @@ void FillPlotMenu(QMenu& menu, PlotPanel& panel, PlotView& view) {
       ->setEnabled(view.hasFormerView());
   menu.addAction(Words::tr("Forward again"), &view, &PlotView::goForward)
       ->setEnabled(view.hasLaterView());
+  menu.addSeparator();
+  menu.addAction(Words::tr("Add a curve of a recording…"), &panel, &PlotPanel::recordingRequested);
+  for (const QString& recording : view.recordings()) AddRecording(menu, panel, view, recording);
   menu.addSeparator();
   menu.addAction(Words::tr("A plot below"), &panel, [&panel] { panel.splitPlot(); });
   menu.addAction(Words::tr("Close this plot"), &panel, [&panel, &view] { panel.closePlot(view); });

@@ -17,6 +17,7 @@ namespace {
 constexpr double kNotch = 120;        // one step of a wheel, in eighths of a degree
 constexpr double kNotchFactor = 0.8;  // the window changes by this factor per step of the wheel
 constexpr double kKeyPan = 0.1;       // fraction of the canvas per key press
+constexpr double kKeyShift = 0.01;    // likewise, for recordings
 constexpr int kSmallestBand = 5;      // pixels; a smaller rectangle counts as a click
 constexpr int kPanThreshold = 12;     // pixels up or down before a drag also moves the values
 
@@ -71,6 +72,13 @@ bool PlotNavigator::press(const QMouseEvent& event) {
     drag_ = Drag::kCursor;
     cursor_ = *cursor;
   }
+  recording_ =
+      event.modifiers().testFlag(Qt::ControlModifier) ? view_.recordingAt(event.pos()) : QString();
+  if (drag_ == Drag::kZoom && !recording_.isEmpty()) {
+    drag_ = Drag::kShift;
+    view_.endRun();
+    view_.canvas()->setCursor(Qt::SizeHorCursor);
+  }
   if (drag_ == Drag::kPan) {
     view_.endRun();
     view_.canvas()->setCursor(Qt::ClosedHandCursor);
@@ -86,6 +94,9 @@ bool PlotNavigator::move(const QMouseEvent& event) {
     view_.overlay().setRubberBand(band);
   } else if (drag_ == Drag::kCursor) {
     view_.placeCursor(cursor_, position.x());
+  } else if (drag_ == Drag::kShift) {
+    view_.moveRecording(recording_, position.x() - last_.x());
+    last_ = position;
   } else if (drag_ == Drag::kNone) {
     showGrip(position.x());
   } else {
@@ -108,6 +119,7 @@ bool PlotNavigator::release(const QMouseEvent& event) {
 }
 
 void PlotNavigator::endDrag() {
+  if (drag_ == Drag::kShift) view_.endRun();
   drag_ = Drag::kNone;
   view_.overlay().setRubberBand({});
   view_.canvas()->unsetCursor();
@@ -141,10 +153,14 @@ bool PlotNavigator::help(const QHelpEvent& event) {
   return true;
 }
 
-bool PlotNavigator::plainKey(int key) {
+// Returns the position of the mouse; while it is elsewhere, the centre of the canvas.
+QPoint PlotNavigator::mouse() const {
   const QPoint mouse = view_.canvas()->mapFromGlobal(QCursor::pos());
-  const bool over = view_.canvas()->rect().contains(mouse);
-  const int x = over ? mouse.x() : view_.canvas()->width() / 2;
+  return view_.canvas()->rect().contains(mouse) ? mouse : view_.canvas()->rect().center();
+}
+
+bool PlotNavigator::plainKey(int key) {
+  const int x = mouse().x();
   switch (key) {
     case Qt::Key_A:
       view_.placeCursor(Cursor::kA, x);
@@ -152,6 +168,8 @@ bool PlotNavigator::plainKey(int key) {
     case Qt::Key_B:
       view_.placeCursor(Cursor::kB, x);
       return true;
+    case Qt::Key_T:
+      return view_.askForShift(view_.recordingAt(mouse()));
     case Qt::Key_Delete:
       view_.showCursors(false);
       return true;
@@ -172,8 +190,20 @@ bool PlotNavigator::plainKey(int key) {
   }
 }
 
+bool PlotNavigator::shiftKey(const QKeyEvent& event) {
+  const bool is_arrow = event.key() == Qt::Key_Left || event.key() == Qt::Key_Right;
+  const Qt::KeyboardModifiers held = event.modifiers() & ~Qt::KeypadModifier;
+  if (!is_arrow || held != Qt::ControlModifier) return false;
+  const QString recording = view_.recordingAt(mouse());
+  if (recording.isEmpty()) return false;
+  const double step = kKeyShift * view_.canvas()->width();
+  view_.moveRecording(recording, event.key() == Qt::Key_Left ? -step : step);
+  return true;
+}
+
 bool PlotNavigator::key(const QKeyEvent& event) {
   if (event.modifiers() == Qt::NoModifier && plainKey(event.key())) return true;
+  if (shiftKey(event)) return true;
   const double width = view_.canvas()->width();
   const QPoint centre = view_.canvas()->rect().center();
   const bool values = event.modifiers().testFlag(Qt::ControlModifier);

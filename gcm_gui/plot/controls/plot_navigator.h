@@ -19,6 +19,8 @@ class PlotView;
 /// - wheel: zoom in time around the mouse; Ctrl+wheel: zoom in values; horizontal wheel: move in
 /// time
 /// - drag: zoom to the rectangle, Escape cancels; Shift+drag: move
+/// - Ctrl+drag, Ctrl+Left, Ctrl+Right: move the nearest recording in time
+/// - T: edit the shift of the nearest recording
 /// - double click, End: live again
 /// - Alt+Left, Alt+Right, or the "back" and "forward" buttons of the mouse: history of views
 /// - Left, Right, + and -: move and zoom in time; Ctrl with + and -: zoom in values
@@ -36,7 +38,7 @@ class PlotNavigator : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  enum class Drag { kNone, kZoom, kPan, kCursor };
+  enum class Drag { kNone, kZoom, kPan, kCursor, kShift };
 
   bool press(const QMouseEvent& event);
   bool move(const QMouseEvent& event);
@@ -45,6 +47,8 @@ class PlotNavigator : public QObject {
   /// Shows the marks at the mouse position.
   bool help(const QHelpEvent& event);
   bool key(const QKeyEvent& event);
+  bool shiftKey(const QKeyEvent& event);
+  [[nodiscard]] QPoint mouse() const;
   bool plainKey(int key);
   void showGrip(int x);
   void endDrag();
@@ -54,6 +58,7 @@ class PlotNavigator : public QObject {
   QPoint pressed_;
   QPoint last_;
   Cursor cursor_ = Cursor::kA;  // the cursor that is being dragged
+  QString recording_;           // the recording that is being dragged
   bool moves_values_ = false;
 };
 

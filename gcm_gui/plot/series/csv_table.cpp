@@ -72,12 +72,23 @@ class Writer {
       const QString unit = curve.unit.isEmpty() ? QString() : " [" + curve.unit + ']';
       const QString scaled = TextOf(curve.plotted);
       const QString plotted = scaled.isEmpty() ? QString() : " (raw; plotted " + scaled + ')';
-      text_.append(',').append(CsvField(curve.path + unit + plotted));
+      text_.append(',').append(CsvField(FullName(curve.path) + unit + ShiftOf(curve) + plotted));
     }
     for (const QString& source : sources_) {
-      text_.append(',').append(CsvField(source + " rows lost before"));
+      text_.append(',').append(CsvField(FullName(source) + " rows lost before"));
     }
     text_.append('\n');
+  }
+
+  // The table has one time for all curves, that of the plot. So the header of a recorded one says
+  // how to get its own.
+  static QString ShiftOf(const CsvTable::Curve& curve) {
+    if (RecordingOf(curve.path).isEmpty()) return {};
+    QByteArray seconds(curve.shift_ns < 0 ? "-" : "+");
+    const std::int64_t size = curve.shift_ns < 0 ? -curve.shift_ns : curve.shift_ns;
+    AppendNumber(seconds, size / kSecond);
+    AppendFraction(seconds, size % kSecond, 9);
+    return " (recorded; utc_estimated = recorded utc " + seconds + " s)";
   }
 
   [[nodiscard]] std::int64_t NextTime() const {
@@ -182,6 +193,7 @@ CsvTable CsvTableOf(const CurveSet& curves, std::int64_t from_ns, std::int64_t t
     copy.path = curve->path();
     copy.unit = curve->unit();
     copy.plotted = curve->scaling();
+    copy.shift_ns = curve->shift();
     copy.kind = samples.kind();
     copy.names = curve->allNames();
     const std::uint64_t first = samples.lowerBound(from_ns);

@@ -19,7 +19,8 @@ struct CsvTable {
   struct Curve {
     QString path;
     QString unit;
-    Scaling plotted = {};  ///< the scaling in the plot; the values in the table are not scaled
+    Scaling plotted = {};       ///< the scaling in the plot; the values in the table are not scaled
+    std::int64_t shift_ns = 0;  ///< of a recorded signal; already added to the times
     std::vector<std::int64_t> times;  ///< ns, on the source's steady clock
     ExactNumber::Kind kind = ExactNumber::Kind::kReal;
     std::vector<std::uint64_t> words;  ///< values of `kind`: see ExactNumber
@@ -45,7 +46,8 @@ struct CsvFigures {
 /// of the source's clock; UTC; one column for each curve, empty if it has no sample at that time;
 /// and for each state table the number of rows lost directly before, or "restart". Numbers are
 /// exact and not scaled; states are written by name. The header of the file names the scaling in
-/// the plot. Returns no value if writing to the device fails.
+/// the plot and, for a recorded signal, its shift in time, which all times in the table
+/// contain. Returns no value if writing to the device fails.
 [[nodiscard]] std::optional<CsvFigures> WriteCsv(const CsvTable& table, QIODevice& device);
 
 }  // namespace tendon::gui

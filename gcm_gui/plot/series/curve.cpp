@@ -1,8 +1,10 @@
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/series/curve.h>
+#include <gcm_gui/plot/series/time_shift.h>
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace tendon::gui {
 namespace {
@@ -11,15 +13,34 @@ constexpr std::int64_t kSecondNs = 1'000'000'000;
 
 }  // namespace
 
-QString WaitingFor(const QString& path) { return Words::tr("waiting for ") + SourceOf(path); }
+QString WaitingFor(const QString& path) {
+  if (!RecordingOf(path).isEmpty()) return Words::tr("nothing recorded at this time");
+  return Words::tr("waiting for ") + SourceOf(path);
+}
 
 Curve::Curve(CurveKey key, int color_index)
-    : key_(std::move(key)), color_index_(color_index), stale_reason_(WaitingFor(key_.path)) {}
+    : key_(std::move(key)),
+      recording_(RecordingOf(key_.path)),
+      color_index_(color_index),
+      stale_reason_(WaitingFor(key_.path)) {}
+
+void Curve::setShift(std::int64_t shift_ns) {
+  if (shift_ns == shift_ns_) return;
+  samples_.move(shift_ns - shift_ns_);
+  shift_ns_ = shift_ns;
+  drawn_ = {};
+}
 
 void Curve::append(std::span<const Sample> samples) {
   if (samples.empty()) return;
-  samples_.append(samples);
   history_.append(samples);
+  if (shift_ns_ == 0) {
+    samples_.append(samples);
+  } else {
+    std::vector<Sample> moved(samples.begin(), samples.end());
+    for (Sample& sample : moved) sample.time_ns = MovedTime(sample.time_ns, shift_ns_);
+    samples_.append(moved);
+  }
   stale_reason_.clear();
 }
 
@@ -59,15 +80,17 @@ bool Curve::isThinned() const { return samples_.firstIndex() > 0 && !samples_.em
 // Adds the part before the oldest sample to the envelope.
 void Curve::showHistory(Envelope& envelope, const TimeSlices& slices, double base) const {
   if (!isThinned()) return;
-  const std::int64_t until = samples_.time(samples_.firstIndex());
+  const std::int64_t until = MovedTime(samples_.time(samples_.firstIndex()), -shift_ns_);
+  const std::int64_t from = MovedTime(slices.from_ns, -shift_ns_) - CoarseHistory::kWidthNs;
   const auto& buckets = history_.buckets();
   const DistanceFrom distance(history_.kind(), base);
   const auto first = std::upper_bound(
-      buckets.begin(), buckets.end(), slices.from_ns - CoarseHistory::kWidthNs,
+      buckets.begin(), buckets.end(), from,
       [](std::int64_t time_ns, const auto& bucket) { return time_ns < bucket.from_ns; });
   for (auto each = first; each != buckets.end() && each->from_ns < until; ++each) {
     const std::int64_t end = std::min(each->from_ns + CoarseHistory::kWidthNs, until);
-    envelope.widen(each->from_ns, end, distance(each->low), distance(each->high));
+    envelope.widen(MovedTime(each->from_ns, shift_ns_), MovedTime(end, shift_ns_),
+                   distance(each->low), distance(each->high));
   }
 }
 
@@ -84,6 +107,7 @@ double Curve::distanceOf(std::uint64_t index) const {
 std::optional<ExactNumber> Curve::numberAt(std::int64_t time_ns) const {
   const std::uint64_t next = samples_.lowerBound(time_ns + 1);
   if (next == samples_.firstIndex()) return {};
+  if (time_ns > MovedTime(recorded_end_ns_, shift_ns_)) return {};
   const auto& gaps = samples_.gaps();
   const bool in_gap = std::any_of(gaps.begin(), gaps.end(), [&](const Gap& gap) {
     return gap.from_ns < time_ns && time_ns < gap.to_ns;

@@ -10,6 +10,7 @@
 #include <QString>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -20,16 +21,26 @@ namespace tendon::gui {
 /// only the present pass.
 enum class Pass { kPresent, kFormer };
 
-/// One signal in one plot: its samples, its look, and the state of its source. GUI thread.
+/// One signal in one plot: its samples, its look, and the state of its source. A curve of a
+/// recording is shifted in time: all its times are those of the plot. GUI thread.
 class Curve {
  public:
   Curve(CurveKey key, int color_index);
 
   [[nodiscard]] const QString& path() const { return key_.path; }
   [[nodiscard]] const QString& unit() const { return key_.unit; }
+  /// The file of the recording that the curve shows; empty if it shows the same system as the plot.
+  [[nodiscard]] const QString& recording() const { return recording_; }
+  [[nodiscard]] bool isRecorded() const { return !recording_.isEmpty(); }
   /// The index of the colour in Theme::curve().
   [[nodiscard]] int colorIndex() const { return color_index_; }
   void setColorIndex(int index) { color_index_ = index; }
+
+  /// Sets the time that is added to the times of samples, also of those that are there. O(samples).
+  void setShift(std::int64_t shift_ns);
+  [[nodiscard]] std::int64_t shift() const { return shift_ns_; }
+  /// Sets the end of the recording, without the shift. There are no values after it.
+  void setRecordedEnd(std::int64_t time_ns) { recorded_end_ns_ = time_ns; }
 
   /// Appends samples. The curve then no longer counts as stale.
   void append(std::span<const Sample> samples);
@@ -121,6 +132,9 @@ class Curve {
   [[nodiscard]] ExactNumber shown(std::uint64_t index) const;
 
   CurveKey key_;
+  QString recording_;
+  std::int64_t shift_ns_ = 0;
+  std::int64_t recorded_end_ns_ = std::numeric_limits<std::int64_t>::max();
   int color_index_;
   CurveLook look_;
   ValueNamesPointer names_;
@@ -130,11 +144,12 @@ class Curve {
   QString standstill_;
   RowLosses losses_before_;
   SampleRing samples_;
-  CoarseHistory history_;
+  CoarseHistory history_;                       // without the shift
   mutable std::array<DrawnEnvelope, 2> drawn_;  // by pass
 };
 
-/// Returns the text for a curve without samples: "waiting for robot/arm/state".
+/// Returns the text for a curve without samples: "waiting for robot/arm/state"; for a curve of a
+/// recording, that there are none in the visible time.
 [[nodiscard]] QString WaitingFor(const QString& path);
 
 }  // namespace tendon::gui

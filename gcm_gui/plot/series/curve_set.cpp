@@ -49,7 +49,7 @@ double PresentRate(const Curve& curve, std::int64_t now_ns) {
 
 Curve& CurveSet::add(const CurveKey& key) {
   if (Curve* there = find(key.path)) return *there;
-  curves_.push_back(std::make_unique<Curve>(key, freeColor()));
+  curves_.push_back(std::make_unique<Curve>(key, colorFor(key.path)));
   updateAxes();
   return *curves_.back();
 }
@@ -72,7 +72,7 @@ std::unique_ptr<Curve> CurveSet::take(const QString& path) {
 }
 
 Curve& CurveSet::adopt(std::unique_ptr<Curve> curve) {
-  curve->setColorIndex(freeColor());
+  curve->setColorIndex(colorFor(curve->path()));
   curves_.push_back(std::move(curve));
   updateAxes();
   return *curves_.back();
@@ -139,8 +139,17 @@ void CurveSet::setFrame(UnitAxis& axis, const AxisFrame& frame) {
   showBases();
 }
 
-// Returns the first free colour. If there are more curves than colours, colours repeat.
-int CurveSet::freeColor() const {
+// Returns the colour of the live curve for the recorded one of the same signal, and the other way
+// round; otherwise the first free colour. If there are more curves than colours, colours repeat.
+int CurveSet::colorFor(const QString& path) const {
+  std::vector<const Curve*> twins;
+  for (const auto& curve : curves_) {
+    const bool is_twin = curve->path() != path && SignalOf(curve->path()) == SignalOf(path);
+    if (is_twin) twins.push_back(curve.get());
+  }
+  if (twins.size() == 1 && twins.front()->isRecorded() == RecordingOf(path).isEmpty()) {
+    return twins.front()->colorIndex();
+  }
   int color = 0;
   const auto taken = [&](const auto& curve) { return curve->colorIndex() == color; };
   while (std::any_of(curves_.begin(), curves_.end(), taken)) ++color;
@@ -302,7 +311,8 @@ std::int64_t CurveSet::newestTime() const {
   std::int64_t newest = std::numeric_limits<std::int64_t>::min();
   for (const auto& curve : curves_) {
     const SampleRing& samples = curve->samples();
-    if (!samples.empty()) newest = std::max(newest, samples.time(samples.endIndex() - 1));
+    if (curve->isRecorded() || samples.empty()) continue;
+    newest = std::max(newest, samples.time(samples.endIndex() - 1));
   }
   return newest;
 }
@@ -310,6 +320,7 @@ std::int64_t CurveSet::newestTime() const {
 std::vector<SourceFigures> CurveSet::figures(std::int64_t now_ns) const {
   std::vector<SourceFigures> figures;
   for (const auto& curve : curves_) {
+    if (curve->isRecorded()) continue;
     const QString source = SourceOf(curve->path());
     auto each = std::find_if(figures.begin(), figures.end(),
                              [&](const SourceFigures& there) { return there.source == source; });

@@ -58,7 +58,8 @@ struct SourceFigures {
 /// and use the whole height.
 class CurveSet {
  public:
-  /// Adds a curve. Returns the existing curve if the path is already in the set.
+  /// Adds a curve. Returns the existing curve if the path is already in the set. The live
+  /// curve of a signal and the first recorded one have the same colour.
   Curve& add(const CurveKey& key);
   /// Removes a curve. Returns false if the path is not in the set.
   bool remove(const QString& path);
@@ -96,9 +97,11 @@ class CurveSet {
   /// axis: such a curve would flatten the others. beyondAxes() returns the ignored curves.
   void fitAxes(std::span<const SeenSlices> seen);
   [[nodiscard]] const QStringList& beyondAxes() const { return beyond_; }
-  /// Returns the time of the newest sample of all curves; INT64_MIN if there are no samples.
+  /// Returns the time of the newest sample of all curves that are not recorded; INT64_MIN if there
+  /// are no samples.
   [[nodiscard]] std::int64_t newestTime() const;
-  /// Returns one entry for each source, even if several of its columns are plotted. The rate is 0
+  /// Returns one entry for each source that is not recorded, even if several of its columns are
+  /// plotted. The rate is 0
   /// if the last row is older than one second and older than two periods at `now_ns`.
   [[nodiscard]] std::vector<SourceFigures> figures(std::int64_t now_ns) const;
 
@@ -120,7 +123,7 @@ class CurveSet {
   [[nodiscard]] std::vector<Extremes> extremesOn(const UnitAxis& axis,
                                                  std::span<const SeenSlices> seen) const;
   [[nodiscard]] AxisRange extremesOf(const Curve& curve, const SeenSlices& seen) const;
-  [[nodiscard]] int freeColor() const;
+  [[nodiscard]] int colorFor(const QString& path) const;
 
   std::vector<std::unique_ptr<Curve>> curves_;
   std::vector<UnitAxis> axes_;

@@ -1,4 +1,5 @@
 #include <gcm_gui/plot/series/sample_ring.h>
+#include <gcm_gui/plot/series/time_shift.h>
 
 #include <algorithm>
 #include <bit>
@@ -122,6 +123,17 @@ void SampleRing::forgetUntil(std::uint64_t index) {
     base_index_ = gaps_.front().index;
     base_tick_ = gaps_.front().tick;
     gaps_.pop_front();
+  }
+}
+
+void SampleRing::move(std::int64_t by_ns) {
+  for (std::uint64_t index = first_; index < end_; ++index) {
+    std::int64_t& time_ns = times_[index & mask()];
+    time_ns = MovedTime(time_ns, by_ns);
+  }
+  for (Gap& gap : gaps_) {
+    gap.from_ns = MovedTime(gap.from_ns, by_ns);
+    gap.to_ns = MovedTime(gap.to_ns, by_ns);
   }
 }
 

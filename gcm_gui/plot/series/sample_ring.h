@@ -92,6 +92,8 @@ class SampleRing {
   /// Called when the source runs again. The next sample ends the standstill, and the samples after
   /// it follow without a gap.
   void endStandstill() { standstill_ends_ = stands_still_; }
+  /// Moves all samples and gaps in time. O(samples).
+  void move(std::int64_t by_ns);
   /// Begins again with an empty ring, as if it were new.
   void clear() { *this = SampleRing(limit_); }
   /// Sets the maximum number of samples, rounded down to a power of two. Drops the oldest samples

@@ -26,6 +26,15 @@ std::int64_t ShownWallTime() {
   return Moment() ? Moment()->wall_ns : NowOn<std::chrono::system_clock>();
 }
 
+std::int64_t WallOffset() {
+  if (Moment()) return Moment()->wall_ns - Moment()->steady_ns;
+  static const std::int64_t offset =
+      NowOn<std::chrono::system_clock>() - NowOn<std::chrono::steady_clock>();
+  return offset;
+}
+
+QString ShownRecording() { return Moment() ? Moment()->recording : QString(); }
+
 void ShowMoment(const ShownMoment& moment) { Moment() = moment; }
 
 void ShowPresent() { Moment().reset(); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QString>
 #include <cstdint>
 
 /// The present time of the system that this program shows. Everything that compares the time of a
@@ -10,6 +11,7 @@ namespace tendon::gui {
 struct ShownMoment {
   std::int64_t steady_ns = 0;  ///< the clock of samples
   std::int64_t wall_ns = 0;    ///< since 1970
+  QString recording = {};      ///< its file
 };
 
 /// Returns the time on this machine's steady clock, in ns; in a program that shows a recording, the
@@ -17,6 +19,11 @@ struct ShownMoment {
 [[nodiscard]] std::int64_t ShownTime();
 /// Likewise the time in ns since 1970.
 [[nodiscard]] std::int64_t ShownWallTime();
+/// Returns the time since 1970 minus the time of ShownTime(), in ns. It is always the same, also if
+/// the clock of the machine is set.
+[[nodiscard]] std::int64_t WallOffset();
+/// Returns the file of the recording that this program shows; empty if it shows none.
+[[nodiscard]] QString ShownRecording();
 /// From now on, the present is this moment of a recording, until the next call. GUI thread.
 void ShowMoment(const ShownMoment& moment);
 /// From now on, the present is that of this machine. GUI thread.

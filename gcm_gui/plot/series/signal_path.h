@@ -2,12 +2,15 @@
 
 #include <QList>
 #include <QString>
+#include <cstdint>
+#include <optional>
 
 class QMimeData;
 
 namespace tendon::gui {
 
-/// The signal of a curve: a path such as `robot/arm/state.Joints.position[0]`, and its unit.
+/// The signal of a curve: a path such as `robot/arm/state.Joints.position[0]`, and its unit. If the
+/// curve shows a recording beside the shown system, the path is a RecordedPath().
 struct CurveKey {
   QString path;
   QString unit;
@@ -15,10 +18,23 @@ struct CurveKey {
   bool operator==(const CurveKey&) const = default;
 };
 
+/// Returns the path of a signal in a recording: `/home/ann/run.mcap//robot/arm/state.Joints`. No
+/// path of a signal contains `//`.
+[[nodiscard]] QString RecordedPath(const QString& file, const QString& signal);
+/// Returns the absolute path of the file of a recorded signal; empty for a signal of the shown
+/// system.
+[[nodiscard]] QString RecordingOf(const QString& path);
+/// Returns the name of that file: `run.mcap`.
+[[nodiscard]] QString RecordingName(const QString& path);
+/// Returns the path without the recording: `robot/arm/state.Joints`.
+[[nodiscard]] QString SignalOf(const QString& path);
+
 /// Returns the state table of a signal: `robot/arm/state`.
 [[nodiscard]] QString SourceOf(const QString& path);
-/// Returns the name of a signal in a legend: `arm.Joints.position[0]`.
+/// Returns the name of a signal in a legend, without its recording: `arm.Joints.position[0]`.
 [[nodiscard]] QString ShortName(const QString& path);
+/// Returns a path for people: `run.mcap · robot/arm/state.Joints.position[0]`.
+[[nodiscard]] QString FullName(const QString& path);
 /// Returns the column of a signal: `Joints`.
 [[nodiscard]] QString ColumnOf(const QString& path);
 
@@ -26,8 +42,17 @@ struct CurveKey {
 inline constexpr auto kPathMimeType = "application/x-tendon-path";
 /// The MIME type for the id of a plot, in digits. A drag has it if the values come from a plot.
 inline constexpr auto kPlotMimeType = "application/x-tendon-plot";
+/// The MIME type for the recording of dragged values: the moment that it shows, in ns since 1970,
+/// and the file, on a line each. Drags from a window that shows a recording have it.
+inline constexpr auto kRecordingMimeType = "application/x-tendon-recording";
 [[nodiscard]] QByteArray EncodedPaths(const QList<CurveKey>& keys);
-/// Returns the dragged values; empty if there are none. Lines without a path are skipped.
+/// Makes `data` a drag of these values of the shown system.
+void SetPaths(QMimeData& data, const QList<CurveKey>& keys);
+/// Returns the dragged values; empty if there are none. Lines without a path are skipped. Values
+/// that come from the window of another recording have recorded paths.
 [[nodiscard]] QList<CurveKey> PathsIn(const QMimeData& data);
+/// Returns the moment that the window of another recording shows, in ns since 1970, if the dragged
+/// values come from there.
+[[nodiscard]] std::optional<std::int64_t> RecordedMomentIn(const QMimeData& data);
 
 }  // namespace tendon::gui

@@ -5,6 +5,14 @@
 
 namespace tendon::gui {
 
+/// A time span in ns, both ends included.
+struct TimeSpan {
+  std::int64_t from_ns = 0;
+  std::int64_t to_ns = 0;
+
+  bool operator==(const TimeSpan&) const = default;
+};
+
 /// The span of time that a plot shows. A live window shows the last seconds, with the present at
 /// the right edge. A held window shows a span chosen by the user, while further samples arrive.
 ///

@@ -233,7 +233,7 @@ TEST(AnyNumber, AppearsInLegendCursorsAndStatistics) {
     set.fitAxes(kAllTime);
 
     const auto entries =
-        LegendEntriesOf(set, std::nullopt, TimeSpan{.from_ns = 0, .to_ns = kSecond});
+        LegendEntriesOf(set, std::nullopt, TimeSpan{.from_ns = 0, .to_ns = kSecond}, true);
     if (!curve.samples().empty()) RC_ASSERT(!entries.front().value.isEmpty());
     const auto statistics = StatisticsOf(curve.samples(), 0, kSecond);
     if (!statistics) return;
@@ -259,7 +259,7 @@ TEST(AnyNumber, IntegersReadBackFromLegendAndCsv) {
     curve.append(RowsOf(values));
     set.fitAxes(kAllTime);
 
-    const QString shown = LegendEntriesOf(set, std::nullopt, std::nullopt).front().value;
+    const QString shown = LegendEntriesOf(set, std::nullopt, {}, false).front().value;
     RC_ASSERT(shown == values.back().text());
 
     QBuffer text;

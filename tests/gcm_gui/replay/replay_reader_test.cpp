@@ -77,5 +77,34 @@ TEST_F(ReplayReading, EachLossIsCountedOnce) {
   EXPECT_EQ(plotted->losses().table, 50U);
 }
 
+TEST_F(ReplayReading, OnlyRowsAreReadForAPlotOfAnotherSystem) {
+  WriteRun(file_);
+  ReplayReader rows(ReplayReader::Content::kRows);
+  QSignalSpy opened(&rows, &ReplayReader::opened);
+  QSignalSpy stepped(&rows, &ReplayReader::stepped);
+  rows.open(file_);
+  ASSERT_TRUE(opened.wait(kReaderPatience));
+  const auto facts = opened[0][0].value<RecordingFacts>();
+  EXPECT_EQ(facts.columns.size(), 2U);
+  EXPECT_EQ(facts.columns.count(kColumn), 1U);
+
+  const auto feed = Feed();
+  rows.jump(kRunBegin + 6 * kSecond, kSecond, {{kColumn, {feed, true}}});
+  ASSERT_TRUE(stepped.wait(kReaderPatience));
+  rows.play(kRunBegin + 17 * kSecond);
+  ASSERT_TRUE(stepped.wait(kReaderPatience));
+
+  for (const QList<QVariant>& arguments : stepped) {
+    const auto step = arguments[0].value<ReplayStep>();
+    EXPECT_TRUE(step.events.empty());
+    EXPECT_TRUE(step.log.records.empty());
+    EXPECT_FALSE(step.catalogue);
+    EXPECT_TRUE(step.changes.empty());
+    EXPECT_FALSE(step.is_gone);
+  }
+  EXPECT_EQ(feed->losses().table, 50U);
+  EXPECT_FALSE(feed->take(kField).runs.empty());
+}
+
 }  // namespace
 }  // namespace tendon::gui

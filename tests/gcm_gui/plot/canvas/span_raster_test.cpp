@@ -109,5 +109,29 @@ TEST(SpanRaster, DrawsLaterCurvesOnTop) {
   EXPECT_EQ(QColor(raster.image().pixel(200, 100)), QColor(Qt::red));
 }
 
+TEST(SpanRaster, ADashedLineHasGapsInItsColumns) {
+  SpanRaster raster = Drawn([](double) { return 300.0; });
+  SampleRing ring;
+  ring.append(std::vector<Sample>{{.time_ns = 0, .tick = 0, .value = 100},
+                                  {.time_ns = kSecond, .tick = 1, .value = 100}});
+  Envelope envelope;
+  envelope.build(ring, kSlices);
+
+  raster.draw(envelope, {}, 1, Qt::red, {.dash = 3, .gap = 2, .first = 4});
+
+  const QImage image = raster.image();
+  for (int x = 20; x < 25; ++x) {
+    const bool is_gap = (x + 4) % 5 >= 3;
+    EXPECT_EQ(qAlpha(image.pixel(x, 100)) == 0, is_gap) << x;
+  }
+}
+
+TEST(Dashes, ThePatternGoesOnBeforeTheBeginOfTime) {
+  const Dashes dashes{.dash = 3, .gap = 2, .first = -7};
+
+  for (int x = 0; x < 10; ++x) EXPECT_EQ(dashes.isGap(x), (x + 3) % 5 >= 3) << x;
+  EXPECT_FALSE(Dashes{}.isGap(4));
+}
+
 }  // namespace
 }  // namespace tendon::gui

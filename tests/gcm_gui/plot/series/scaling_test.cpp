@@ -126,7 +126,7 @@ TEST_F(ScaledCurveTest, TheLegendShowsTheScaling) {
   const std::vector<SeenSlices> seen{{.slices = slices_}};
   curves_.fitAxes(seen);
 
-  const auto entries = LegendEntriesOf(curves_, {}, TimeSpan{.from_ns = 0, .to_ns = kSecond});
+  const auto entries = LegendEntriesOf(curves_, {}, TimeSpan{.from_ns = 0, .to_ns = kSecond}, true);
 
   EXPECT_EQ(entries[0].unit, "rad ×-1000 +2");
   EXPECT_EQ(entries[0].value, "-998");

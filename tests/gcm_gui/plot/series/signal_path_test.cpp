@@ -41,5 +41,31 @@ TEST(SignalPath, IgnoresLinesWithoutAPath) {
   EXPECT_EQ(PathsIn(data), (QList<CurveKey>{{"a/b/c.d", ""}}));
 }
 
+TEST(SignalPath, ARecordedSignalHasAFileAndASignal) {
+  const QString signal = "robot/arm/state.Joints.position[0]";
+  const QString path = RecordedPath("/home/ann//a.b/run 1.mcap", signal);
+
+  EXPECT_EQ(RecordingOf(path), "/home/ann/a.b/run 1.mcap");
+  EXPECT_EQ(RecordingName(path), "run 1.mcap");
+  EXPECT_EQ(SignalOf(path), signal);
+  EXPECT_EQ(ShortName(path), "arm.Joints.position[0]");
+  EXPECT_EQ(ColumnOf(path), "Joints");
+  EXPECT_EQ(FullName(path), QString("run 1.mcap · ") + signal);
+  EXPECT_EQ(RecordingOf(signal), "");
+  EXPECT_EQ(SignalOf(signal), signal);
+  EXPECT_EQ(FullName(signal), signal);
+}
+
+TEST(SignalPath, ADragOfBrokenOriginIsOneOfTheShownSystem) {
+  for (const char* origin : {"", "12", "12\n", "x\n/run.mcap", "\n/run.mcap"}) {
+    QMimeData data;
+    data.setData(kPathMimeType, "a/b/c.d\trad");
+    data.setData(kRecordingMimeType, origin);
+
+    EXPECT_EQ(PathsIn(data), (QList<CurveKey>{{"a/b/c.d", "rad"}})) << origin;
+    EXPECT_EQ(RecordedMomentIn(data), std::nullopt) << origin;
+  }
+}
+
 }  // namespace
 }  // namespace tendon::gui
