@@ -75,7 +75,8 @@ class EventHistory::Handler final : public CommandBase, private Mailbox::Entry {
  private:
   template <typename Write>
   Status Post(std::size_t size, Write write) {
-    std::byte* const slot = size <= room_ ? mailbox_.Claim() : nullptr;
+    // A component never waits for its history.
+    std::byte* const slot = size <= room_ ? mailbox_.ClaimAtOnce() : nullptr;
     if (slot == nullptr) {
       missed_.Add();
       return Status::kQueued;
@@ -111,14 +112,20 @@ class EventHistory::Handler final : public CommandBase, private Mailbox::Entry {
 };
 
 EventHistory::EventHistory(std::string component, ProvidedInterface& provided,
-                           HistoryMemory& memory, std::chrono::nanoseconds span,
-                           std::function<void()> on_filling)
+                           HistoryMemory& memory, std::chrono::nanoseconds span)
     : component_(std::move(component)),
       interface_(provided.name()),
       provided_(provided),
       memory_(memory),
       epoch_(os::RandomNumber()),
-      ring_(memory, span) {
+      ring_(memory, span) {}
+
+/// If there is no memory for a later step, the destructor undoes the earlier steps, because it also
+/// runs if a constructor fails that has called another one.
+EventHistory::EventHistory(std::string component, ProvidedInterface& provided,
+                           HistoryMemory& memory, std::chrono::nanoseconds span,
+                           const std::function<void()>& on_filling)
+    : EventHistory(std::move(component), provided, memory, span) {
   const ProvidedDescription description = provided_.description();
   std::size_t room = 0;
   for (const MemberDescription& event : description.events) {
@@ -133,6 +140,7 @@ EventHistory::EventHistory(std::string component, ProvidedInterface& provided,
   reserved_ = capacity * slot;
   inbox_.SetAccepting(true);
   Mailbox& mailbox = inbox_.Open(capacity, shape, provided_.raisers(), &event_time_);
+  handlers_.reserve(events_.size());  // a handler that has subscribed must not be freed
   for (std::uint32_t i = 0; i < events_.size(); ++i) {
     handlers_.push_back(std::make_unique<Handler>(*this, i, *provided_.FindEvent(events_[i]),
                                                   mailbox, room, on_filling));

@@ -28,7 +28,7 @@ class EventHistory {
 
   /// A thread that raises an event calls `on_filling` if Gather() should be called soon.
   EventHistory(std::string component, ProvidedInterface& provided, HistoryMemory& memory,
-               std::chrono::nanoseconds span, std::function<void()> on_filling);
+               std::chrono::nanoseconds span, const std::function<void()>& on_filling);
   EventHistory(const EventHistory&) = delete;
   EventHistory& operator=(const EventHistory&) = delete;
   ~EventHistory();
@@ -54,6 +54,9 @@ class EventHistory {
  private:
   class Handler;
 
+  /// Keeps nothing yet.
+  EventHistory(std::string component, ProvidedInterface& provided, HistoryMemory& memory,
+               std::chrono::nanoseconds span);
   void Keep(std::uint32_t event, std::span<const std::byte> value);
 
   const std::string component_;

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 #include <support/allocation_guard.h>
+#include <support/machine/scarce_memory.h>
+#include <tendon/interface/execution/block_when_full.h>
 #include <tendon/interface/provided_interface.h>
 #include <tendon/payload/codec.h>
 #include <tendon/process/history/event_history.h>
@@ -7,6 +9,8 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <functional>
+#include <new>
 #include <string>
 #include <thread>
 #include <vector>
@@ -102,6 +106,20 @@ TEST_F(EventHistoryTest, EventsThatComeTooFastAreCountedButNotAsLostByTheCompone
   EXPECT_EQ(control.passed.lost(), 0U);
 }
 
+TEST_F(EventHistoryTest, NeverLetsAComponentWait) {
+  bool is_in_time = false;
+  std::uint64_t raised = 0;
+  for (int round = 0; round < 5 && !is_in_time; ++round) {  // the machine may stall in one of them
+    const BlockWhenFull block;
+    for (int i = 0; i < 1'000; ++i) control.passed(++raised);
+    is_in_time = SteadyClock().Now() < BlockWhenFull::deadline();
+  }
+
+  EXPECT_TRUE(is_in_time);
+  EXPECT_EQ(Records().size() + history.missed(), raised);
+  EXPECT_GT(history.missed(), 0U);
+}
+
 TEST_F(EventHistoryTest, AsksToBeEmptiedWhenTheQueueIsHalfFull) {
   control.passed(1);
   EXPECT_EQ(filling, 0) << "an event usually makes no system call";
@@ -153,6 +171,43 @@ TEST(EventHistory, KeepsNothingIfThereIsNoMemoryForItsQueue) {
 
   EXPECT_FALSE(history.has_memory());
   EXPECT_TRUE(history.ring().empty());
+  EXPECT_EQ(memory.used(), 0U);
+}
+
+TEST(EventHistory, GivesItsMemoryBackIfItCannotAllocateItsQueue) {
+  Control control;
+  HistoryMemory memory(std::size_t{1} << 20U);
+  {
+    const ScarceMemory scarce(4'000);
+    EXPECT_THROW(EventHistory("arm", control.provided, memory, 30s, [] {}), std::bad_alloc);
+  }
+
+  EXPECT_EQ(memory.used(), 0U);
+}
+
+/// A function whose second copy fails.
+struct CopiedOnce {
+  explicit CopiedOnce(int& copies) : copies(copies) {}
+  CopiedOnce(CopiedOnce&&) = default;
+  CopiedOnce(const CopiedOnce& other) : copies(other.copies) {
+    if (++copies > 1) throw std::bad_alloc();
+  }
+  void operator()() const {}
+
+  int& copies;
+};
+
+TEST(EventHistory, HearsNothingIfItIsNotComplete) {
+  Control control;
+  HistoryMemory memory(std::size_t{1} << 20U);
+  int copies = 0;
+  EXPECT_THROW(
+      EventHistory("arm", control.provided, memory, 30s, std::function<void()>(CopiedOnce(copies))),
+      std::bad_alloc);
+  ASSERT_EQ(copies, 2) << "one event has a handler";
+
+  control.stopped();
+
   EXPECT_EQ(memory.used(), 0U);
 }
 
