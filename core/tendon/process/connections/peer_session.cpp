@@ -40,9 +40,7 @@ void PeerSession::OnAllowedRequest(const SharedChannel& channel, const FrameHead
   if (type == message::kReadRows) return ReadRows(body, std::move(responder));
   if (type == message::kReadEvents) return ReadEvents(body, std::move(responder));
   if (type == message::kReadLog) return ReadLog(body, std::move(responder));
-  if (type == message::kGetProcessHistory) {
-    return responder.Answer(Result(services_.history.state()));
-  }
+  if (type == message::kGetProcessHistory) return GetProcessHistory(body, std::move(responder));
   if (type == message::kMirror) return Mirror(channel, body, std::move(responder));
   ChannelHandler::OnRequest(channel, header, body, std::move(responder));
 }
@@ -129,7 +127,7 @@ void PeerSession::Listen(Body body, Responder responder) {
       });
 }
 
-/// Serves a request on the worker, because the request may have to wait for the manager's lock.
+/// Serves a request on the worker, because the request may have to wait for a lock.
 /// Reserves room in the quota before it decodes the request, because decoding needs more memory.
 template <typename Wanted>
 void PeerSession::Post(
@@ -214,6 +212,13 @@ void PeerSession::ReadLog(Body body, Responder responder) {
                          [&history = services_.history](const auto& wanted, const auto& answer) {
                            answer->Answer(history.ReadLog(wanted));
                          });
+}
+
+void PeerSession::GetProcessHistory(Body body, Responder responder) {
+  Post<None>(body, std::move(responder),
+             [&history = services_.history](const auto& /*wanted*/, const auto& answer) {
+               answer->Answer(Result(history.state()));
+             });
 }
 
 void PeerSession::Mirror(const SharedChannel& channel, Body body, Responder responder) {

@@ -93,6 +93,7 @@ class PeerSession final : public GuardedHandler {
   void ReadRows(Body body, Responder responder);
   void ReadEvents(Body body, Responder responder);
   void ReadLog(Body body, Responder responder);
+  void GetProcessHistory(Body body, Responder responder);
   void Mirror(const SharedChannel& channel, Body body, Responder responder);
 
   Services& services_;
