@@ -75,7 +75,7 @@ struct ProcessHistoryState {
   /// All rows, events and log records that are younger than this are kept. At most `age` and
   /// `span`.
   std::chrono::nanoseconds reach{0};
-  std::uint64_t missed_rows = 0;    ///< rows that were overwritten before they could be copied
+  std::uint64_t missed_rows = 0;    ///< rows that could not be copied; usually overwritten before
   std::uint64_t missed_events = 0;  ///< events that came too fast or were too large
 };
 

@@ -63,8 +63,7 @@ bool HistoryRing::Append(const HistoryRecord& record) {
     return record.number == last.first + last.count && needed <= last.capacity - last.used;
   };
   if (!fits() && !AddChunk(record, needed)) {
-    ++dropped_;
-    last_dropped_ = record.time;
+    CountDropped(record.time);
     return false;
   }
   Chunk& chunk = chunks_.back();
@@ -76,6 +75,11 @@ bool HistoryRing::Append(const HistoryRecord& record) {
   ++chunk.count;
   chunk.last_time = record.time;
   return true;
+}
+
+void HistoryRing::CountDropped(std::int64_t time) {
+  ++dropped_;
+  last_dropped_ = time;
 }
 
 bool HistoryRing::AddChunk(const HistoryRecord& record, std::size_t needed) {

@@ -77,6 +77,8 @@ class HistoryRing {
   /// Adds a copy of the record. If there is no memory for it, counts it as dropped and returns
   /// false.
   bool Append(const HistoryRecord& record);
+  /// Counts a record of this time as dropped, instead of Append().
+  void CountDropped(std::int64_t time);
   /// Frees chunks whose records are all older than `time`.
   void DropBefore(std::int64_t time);
 

@@ -121,13 +121,13 @@ void ProcessHistory::Run() {
   nanoseconds pause = kShortestGap;
   while (!is_stopping()) {
     const bool is_urgent = is_urgent_.Get();
-    is_urgent_.Set(false);
+    if (is_urgent) is_urgent_.Set(false);  // a flag that was set since then stays set
     const nanoseconds before = os::ThreadCpuTime();
     nanoseconds patience = kLongestGap;
     try {
       patience = Gather();
     } catch (const std::bad_alloc&) {
-      // What is not copied now is copied later, or counted as missed.
+      // What is not copied now is copied later, or counted as missed or dropped.
     }
     pause = std::clamp(is_urgent ? kShortestGap : 2 * pause, kShortestGap,
                        std::clamp(patience, kShortestGap, kLongestGap));
@@ -174,12 +174,15 @@ bool ProcessHistory::GatherTables(SteadyTime now) {
   return has_more;
 }
 
+/// Takes and adds records under one lock, so that they stay in order, and so that another thread
+/// that finds the queue empty also finds the records. Takes few records at once, because meanwhile
+/// Log() waits in all threads.
 void ProcessHistory::GatherLog(SteadyTime now) {
-  constexpr std::size_t kAtOnce = 256;
+  constexpr std::size_t kAtOnce = 16;
   while (log_queue_.has_news()) {
+    const std::scoped_lock lock(mutex_);
     const auto records = log_queue_.Take(kAtOnce, now);
     if (records.empty()) return;  // suppressed records, which are reported later
-    const std::scoped_lock lock(mutex_);
     for (const message::LogRecord& record : records) AddRecord(record);
     log_.DropBefore(InNanoseconds(now - options_.span));
   }
@@ -188,11 +191,16 @@ void ProcessHistory::GatherLog(SteadyTime now) {
 /// The wall clock may have been set since the record was made. Therefore, its steady time is kept
 /// between that of the last record and the present.
 void ProcessHistory::AddRecord(const message::LogRecord& record) {
-  std::vector<std::byte> body;
-  Encode(record, body);
   const std::int64_t now = InNanoseconds(SteadyClock().Now());
   last_record_time_ = std::clamp(record.time - WallMinusSteady(), last_record_time_, now);
-  log_.Append({.number = next_record_++, .time = last_record_time_, .tag = 0, .body = body});
+  const std::uint64_t number = next_record_++;
+  try {
+    std::vector<std::byte> body;
+    Encode(record, body);
+    log_.Append({.number = number, .time = last_record_time_, .tag = 0, .body = body});
+  } catch (const std::bad_alloc&) {
+    log_.CountDropped(last_record_time_);
+  }
 }
 
 std::int64_t ProcessHistory::CompleteSince(const HistoryRing& ring, SteadyTime now) const {

@@ -33,8 +33,10 @@ namespace tendon {
 /// uses at most half a core; rows and events that it therefore misses are counted. The only cost
 /// for a component is the copy of the value of each event that it raises.
 ///
-/// Thread safety: all functions, from any thread. A thread waits at most while another thread
-/// copies about 128 KiB.
+/// Thread safety: all functions, from any thread. Wake() never waits, and AddLog() waits at most
+/// while another thread takes a few records. The other functions wait while another thread adds or
+/// removes a component, uses a LockedTable, empties the queues of the events, or copies about
+/// 128 KiB.
 class ProcessHistory {
  public:
   ProcessHistory(std::string process, HistoryOptions options);

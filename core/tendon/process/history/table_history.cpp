@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <new>
 #include <utility>
 
 namespace tendon {
@@ -28,8 +29,12 @@ bool TableHistory::Gather(SteadyTime now) {
     const std::uint64_t tick = rows_->next_tick();
     std::int64_t time = 0;
     if (!rows_->Read(time)) continue;
-    Encode();
-    ring_.Append({.number = tick, .time = time, .tag = 0, .body = body_});
+    try {
+      Encode();
+      ring_.Append({.number = tick, .time = time, .tag = 0, .body = body_});
+    } catch (const std::bad_alloc&) {
+      ++missed_;
+    }
     bytes += body_.size();
   }
   missed_ += rows_->TakeLost();

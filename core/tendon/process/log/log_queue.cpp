@@ -34,6 +34,7 @@ std::vector<message::LogRecord> LogQueue::Take(std::size_t most, SteadyTime now)
     Push({.record = RecordOf(level, source, text), .stands_for = count});
   }
   std::vector<message::LogRecord> taken;
+  taken.reserve(std::min(most, records_.size()) + 1);  // no record is lost if this throws
   if (lost_ > 0) {
     taken.push_back(RecordOf(LogLevel::kWarning, "log",
                              std::to_string(std::exchange(lost_, 0)) +

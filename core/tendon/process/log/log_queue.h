@@ -20,7 +20,8 @@ namespace tendon {
 /// A full queue keeps the newest records. Additional records report how many records were
 /// suppressed or lost.
 ///
-/// Thread-safe. A thread waits for another thread at most for the time of copying one record.
+/// Thread-safe. A thread waits for another thread at most for the time in which one record is
+/// added or the records of one Take() are moved.
 class LogQueue {
  public:
   static constexpr std::size_t kCapacity = 1024;

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <support/machine/scarce_memory.h>
 #include <support/wait.h>
 #include <tendon/middleware/loopback.h>
 #include <tendon/process/history/kept_rows.h>
@@ -109,10 +110,13 @@ TEST(ProcessHistory, AnswersWithEventsPageByPage) {
     EXPECT_GE(first->past[i].time, first->past[i - 1].time);
   }
   wanted.epoch = first->epoch;
-  wanted.first = first->next;
-  const auto next = manager.history().ReadEvents(wanted);
-  ASSERT_TRUE(next);
-  EXPECT_EQ(next->next, first->end);
+  for (wanted.first = first->next; wanted.first < first->end;) {
+    const auto next = manager.history().ReadEvents(wanted);
+    ASSERT_TRUE(next);
+    ASSERT_GT(next->next, wanted.first);
+    wanted.first = next->next;
+  }
+  EXPECT_EQ(wanted.first, first->end);
   wanted.first = UINT64_MAX;
   const auto after_all = manager.history().ReadEvents(wanted);
   ASSERT_TRUE(after_all);
@@ -137,6 +141,34 @@ TEST(ProcessHistory, KeepsTheLog) {
   EXPECT_EQ(page->records[1].source, "hand");
   EXPECT_LE(page->since, page->records[0].time);
   EXPECT_EQ(page->next, page->end);
+}
+
+TEST(ProcessHistory, TheLogHasEachRecordThatWasAddedBefore) {
+  KeptManager manager;
+  for (std::uint64_t i = 1; i <= 5'000; ++i) {
+    manager.history().Wake();  // its thread takes records at the same time
+    manager.history().AddLog(LogLevel::kInfo, "arm" + std::to_string(i % 50), "record");
+
+    const auto page = manager.history().ReadLog({});
+
+    ASSERT_TRUE(page);
+    ASSERT_EQ(page->end, i);
+  }
+}
+
+TEST(ProcessHistory, ALogRecordWithoutMemoryIsCountedAsDropped) {
+  KeptManager manager;
+  const std::string text(960, 'x');
+  {
+    const ScarceMemory scarce(980);  // enough for the text, but not for the encoded record
+    manager.history().AddLog(LogLevel::kInfo, "arm", text);
+    EXPECT_EQ(manager.history().ReadLog({})->end, 1U);
+  }
+
+  const auto state = manager.history().state();
+
+  EXPECT_LT(state.reach, state.age);
+  EXPECT_TRUE(manager.history().ReadLog({.last = 1h})->records.empty());
 }
 
 TEST(ProcessHistory, NeverUsesMoreMemoryThanItsLimit) {

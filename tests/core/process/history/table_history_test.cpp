@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <support/machine/scarce_memory.h>
 #include <tendon/payload/codec.h>
 #include <tendon/process/history/kept_rows.h>
 #include <tendon/process/history/table_history.h>
@@ -108,6 +109,23 @@ TEST_F(TableHistoryTest, RowsThatWereOverwrittenBeforeTheyWereCopiedAreCounted) 
   const auto rest = Sequence(oldest, 5100);
   expected.insert(expected.end(), rest.begin(), rest.end());
   EXPECT_EQ(ReadSince(begin), expected);
+}
+
+TEST_F(TableHistoryTest, ARowWithoutMemoryIsCounted) {
+  Write(1);
+  Gather();
+  text.assign(50, 'x');  // the copy of this row needs more memory
+  now += 1ms;
+  table.Advance(now);
+  {
+    const ScarceMemory scarce(32);
+    Gather();
+  }
+  Write(1);
+  Gather();
+
+  EXPECT_EQ(history.missed(), 1U);
+  EXPECT_EQ(history.ring().From(1).Next()->number, 2U);
 }
 
 TEST_F(TableHistoryTest, ATickThatTheWriterLeavesOutCostsNoOtherRow) {
