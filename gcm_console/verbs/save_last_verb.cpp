@@ -21,6 +21,7 @@ namespace {
 
 using nlohmann::ordered_json;
 using tendon::recording::IsToldByProcess;
+using tendon::recording::LossesOf;
 using tendon::recording::SavedEvents;
 using tendon::recording::SavedTable;
 using tendon::recording::SaveLastReport;
@@ -83,6 +84,9 @@ void PrintReport(Context& context, const SaveLastReport& report, double wanted) 
     if (reach.empty()) continue;
     context.err() << "gcm: " << Plain(process.process) << " reached back " << Plain(reach) << '\n';
   }
+  for (const std::string& loss : LossesOf(report)) {
+    context.err() << "gcm: " << Plain(loss) << '\n';
+  }
 }
 
 /// Adds the losses and the failure of a reading.
@@ -117,6 +121,7 @@ void PrintJsonReport(Context& context, const SaveLastReport& report, double want
                      {"processes", std::move(processes)},
                      {"tables", std::move(tables)},
                      {"events", std::move(events)},
+                     {"losses", LossesOf(report)},
                      {"rows", report.counts.rows},
                      {"event_count", report.counts.events},
                      {"log_records", report.counts.log},
@@ -136,6 +141,7 @@ Result<ExitCode> SaveLastSeconds(Context& context, const SaveLastWords& words) {
   context.settings().json ? PrintJsonReport(context, *report, words.seconds)
                           : PrintReport(context, *report, words.seconds);
   const bool is_whole =
+      LossesOf(*report).empty() &&
       std::ranges::none_of(report->tables,
                            [](const SavedTable& one) { return one.past.failure.has_value(); }) &&
       std::ranges::none_of(report->events, [&](const SavedEvents& one) {

@@ -8,7 +8,9 @@
 #include <deque>
 #include <future>
 #include <iterator>
+#include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -48,27 +50,36 @@ class PastWriter {
     return SavedEvents{ToString(events.provided), *std::move(past)};
   }
 
-  /// Reads the log that the process has kept itself. If the process does not answer, the file gets
-  /// only those of its log records that the GCM has.
-  void ReadLog(const std::string& process) {
-    if (skipped_.contains(process)) return;
+  /// Reads the log that the process has kept itself. Returns the reason if it does not send all of
+  /// it. Then the file gets those of the other records that the GCM has.
+  std::optional<Error> ReadLog(const std::string& process) {
+    const auto skipped = skipped_.find(process);
+    if (skipped != skipped_.end()) return skipped->second;
     constexpr int kMostPages = 1024;  // 128 MiB, if the process is not malicious
+    std::vector<ReceivedLog>& received = received_log_[process];
     message::ReadLog wanted{.last = options_.last};
     std::uint64_t end = 0;
     for (int pages = 0; pages < kMostPages; ++pages) {
       auto page = system_.ReadLog(process, wanted);
-      if (!page) return;
-      if (wanted.first == 0) {
-        end = page->end;
-        log_since_[process] = page->since;
+      if (!page) return page.error();
+      if (pages == 0) end = page->end;
+      // The process may have dropped records since the last page.
+      if (received.empty() || page->since > received.back().until) {
+        received.push_back({page->since, page->since});
       }
       for (message::LogRecord& record : page->records) {
+        received.back().until = std::max(received.back().until, record.time);
         record.process = process;
         log_.push_back(std::move(record));
       }
-      if (page->next <= wanted.first || page->next >= end) return;
+      if (page->next >= end) {
+        received.back().until = std::numeric_limits<std::int64_t>::max();
+        return {};
+      }
+      if (page->next <= wanted.first) break;
       wanted.first = page->next;
     }
+    return Error{ErrorCode::kInvalid, "process '" + process + "' sent a log without an end"};
   }
 
   /// Writes the log records of all processes, including those that only the GCM has, by time.
@@ -76,8 +87,9 @@ class PastWriter {
     auto has_all = WriteUntil([this] { return queue_->has_past_log(); });
     if (!has_all) return has_all.error();
     std::erase_if(log_of_gcm_, [this](const message::LogRecord& record) {
-      const auto since = log_since_.find(record.process);
-      return since != log_since_.end() && record.time >= since->second;
+      return std::ranges::any_of(received_log_[record.process], [&](const ReceivedLog& received) {
+        return record.time > received.since && record.time <= received.until;
+      });
     });
     return WriteLog();
   }
@@ -89,6 +101,12 @@ class PastWriter {
   }
 
  private:
+  /// The times, in ns since 1970, between which a process has sent all its log records.
+  struct ReceivedLog {
+    std::int64_t since = 0;  // a record of this time may be missing
+    std::int64_t until = 0;
+  };
+
   /// Nothing more is read from this process, because each reading would wait in vain.
   void Skip(const std::string& process, const Error& reason) { skipped_.emplace(process, reason); }
 
@@ -184,28 +202,46 @@ class PastWriter {
   const std::shared_ptr<RecordingQueue> queue_;
   RecordingWriter& writer_;
   const SaveLastOptions& options_;
-  std::vector<message::LogRecord> log_;            // records that the processes have kept
-  std::vector<message::LogRecord> log_of_gcm_;     // records that the GCM has sent
-  std::map<std::string, std::int64_t> log_since_;  // ReadLogReply::since, by process
-  std::map<std::string, Error> skipped_;           // processes that do not answer
+  std::vector<message::LogRecord> log_;         // records that the processes have kept
+  std::vector<message::LogRecord> log_of_gcm_;  // records that the GCM has sent
+  std::map<std::string, std::vector<ReceivedLog>> received_log_;  // by process
+  std::map<std::string, Error> skipped_;                          // processes that do not answer
 };
 
 }  // namespace
 
 std::string ReachText(const SavedProcess& process, std::chrono::nanoseconds wanted) {
   if (process.history) return HistoryReachText(*process.history, wanted);
-  if (process.failure.code == ErrorCode::kDenied) {
-    return "only what its state tables held: its version keeps no history yet";
-  }
   return "not known: " + process.failure.message;
 }
 
 bool IsToldByProcess(const SavedEvents& events, const SaveLastReport& report) {
   return events.past.failure && std::ranges::any_of(report.processes, [&](const auto& process) {
-           const bool has_none = process.history ? process.history->limit == 0
-                                                 : process.failure.code == ErrorCode::kDenied;
+           const bool has_none = process.history && process.history->limit == 0;
            return has_none && events.path.starts_with(process.process + "/");
          });
+}
+
+std::vector<std::string> LossesOf(const SaveLastReport& report) {
+  std::vector<std::string> all;
+  for (const SavedProcess& process : report.processes) {
+    const bool has_log = process.history && process.history->limit > 0;  // ReachText() tells others
+    if (!has_log || !process.log_failure) continue;
+    all.push_back(process.process +
+                  ": its log could not be read completely: " + process.log_failure->message);
+  }
+  const auto add = [&all](const std::string& what) {
+    all.push_back(what + " sent, but not written into the file");
+  };
+  for (const auto& [path, lost] : report.losses.rows) {
+    const std::uint64_t unwritten = lost.network + lost.viewer;  // PastRows::lost has the others
+    if (unwritten > 0) add(path + ": " + Counted(unwritten, "row", "rows"));
+  }
+  for (const auto& [path, lost] : report.losses.events) {
+    if (lost > 0) add(path + ": " + Counted(lost, "event", "events"));
+  }
+  if (report.losses.log > 0) add(Counted(report.losses.log, "log record", "log records"));
+  return all;
 }
 
 std::vector<std::string> ShortfallsOf(const SaveLastReport& report,
@@ -226,6 +262,7 @@ std::vector<std::string> ShortfallsOf(const SaveLastReport& report,
       all.push_back(path + ": " + past.failure->message);
     }
   }
+  std::ranges::move(LossesOf(report), std::back_inserter(all));
   return all;
 }
 
@@ -272,7 +309,9 @@ Result<SaveLastReport> SaveLast(RecordedSystem& system,
     report.events.push_back(*std::move(saved));
   }
   if (options.has_log) {
-    for (const std::string& process : processes) past_writer.ReadLog(process);
+    for (SavedProcess& saved : report.processes) {
+      saved.log_failure = past_writer.ReadLog(saved.process);
+    }
     if (auto saved = past_writer.SaveLog(); !saved) return close_after(saved.error());
   }
   report.losses = queue->losses();

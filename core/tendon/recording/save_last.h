@@ -40,7 +40,8 @@ struct SavedEvents {
 struct SavedProcess {
   std::string process;
   std::optional<message::ProcessHistoryState> history{};
-  Error failure{};  ///< the reason if `history` is empty
+  Error failure{};                     ///< the reason if `history` is empty
+  std::optional<Error> log_failure{};  ///< the reason why not all of its log could be read
 };
 /// Returns how far back the process could be saved and why not further, for example "12.3 s: it has
 /// run no longer". Returns an empty string if all of `wanted` could be saved.
@@ -59,8 +60,11 @@ struct SaveLastReport {
 /// Returns true if the events could not be saved because their process keeps no history, which
 /// ReachText() says.
 [[nodiscard]] bool IsToldByProcess(const SavedEvents& events, const SaveLastReport& report);
-/// Returns a sentence for each process that reaches back less than `wanted`, and for each table and
-/// interface that could not be saved completely.
+/// Returns a sentence for each log that could not be read completely, and for each table, event and
+/// log with entries that were sent, but are not in the file.
+[[nodiscard]] std::vector<std::string> LossesOf(const SaveLastReport& report);
+/// Returns the sentences of LossesOf(), and a sentence for each process that reaches back less than
+/// `wanted`, and for each table and interface that could not be saved completely.
 [[nodiscard]] std::vector<std::string> ShortfallsOf(const SaveLastReport& report,
                                                     std::chrono::nanoseconds wanted);
 

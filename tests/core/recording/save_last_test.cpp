@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <tendon/gcm/text.h>
 #include <tendon/recording/save_last.h>
 
 #include <chrono>
@@ -19,7 +20,10 @@ namespace tendon::recording {
 namespace {
 
 using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
+using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
 
 /// Has a table of 256 rows, which is written at 1 kHz, and raises an event at 100 Hz.
 class FastTask final : public PeriodicTask {
@@ -240,7 +244,7 @@ class PastTelemetry final : public TelemetryClient {
 };
 
 /// The processes "bad" and "good" with a table and an event each. "bad" answers each request with
-/// kInvalid, except that its log never ends if `has_endless_log` is true.
+/// kInvalid, except those that a test allows.
 class OneBadProcess final : public RecordedSystem {
  public:
   OneBadProcess() {
@@ -275,22 +279,24 @@ class OneBadProcess final : public RecordedSystem {
       ++questions;
       return done({.failure = Invalid()});
     }
-    sink->OnListening({{.name = "Stopped", .signature = {.in = Schema().fingerprint()}}});
+    const Schema type = has_unknown_type ? SchemaOf<std::uint64_t>() : Schema();
+    sink->OnListening({{.name = "Stopped", .signature = {.in = type.fingerprint()}}});
     sink->OnEvent(0, {}, {.raised = SteadyClock().Now()});
     done({.events = 1});
   }
   Result<message::ReadLogReply> ReadLog(const std::string& process,
                                         const message::ReadLog& wanted) override {
     if (process == "bad") ++questions;
+    if (process == "bad" && wanted.first < log_of_bad.size()) return log_of_bad[wanted.first];
     if (process == "bad" && !has_endless_log) return Invalid();
     message::ReadLogReply reply{.next = 1, .end = 1};
     if (process == "bad") reply.end = UINT64_MAX;
     if (process == "bad") reply.next = wanted.first + 1;
-    reply.records.push_back({.text = "a record"});
+    reply.records.push_back({.time = WallTime(), .text = "a record"});
     return reply;
   }
   Result<message::ProcessHistoryState> GetProcessHistory(const std::string& process) override {
-    if (process == "bad") return Invalid();
+    if (process == "bad" && log_of_bad.empty()) return Invalid();
     return message::ProcessHistoryState{.limit = 1, .span = 30s, .age = 30s, .reach = 30s};
   }
   Result<Schema> FindSchema(const std::string& /*process*/, Fingerprint /*type*/) override {
@@ -300,6 +306,8 @@ class OneBadProcess final : public RecordedSystem {
   void WatchLog() override {}
 
   bool has_endless_log = false;
+  bool has_unknown_type = false;                  // that of the event of "good"
+  std::vector<message::ReadLogReply> log_of_bad;  // its pages; the page after these is an error
   PastTelemetry past_telemetry;
   int questions = 0;  // about past events and the log of "bad"
 
@@ -312,12 +320,42 @@ class OneBadProcess final : public RecordedSystem {
 class SaveLastOfOneBadProcess : public testing::Test {
  protected:
   Result<SaveLastReport> Save() {
-    return SaveLast(system_, std::make_shared<RecordingQueue>(),
+    return SaveLast(system_, queue_,
                     {.patterns = {"**"}, .files = {.file = file_}, .last = 30s, .timeout = 100ms});
+  }
+
+  /// A log record of "bad". Its text is its time in ns since `begin_`.
+  [[nodiscard]] message::LogRecord RecordAt(int time) const {
+    return {.time = begin_ + time, .process = "bad", .text = std::to_string(time)};
+  }
+  /// Lets the GCM send the log records of these times.
+  void SendLog(const std::vector<int>& times) {
+    LogBatch batch{.is_current = true};
+    for (const int time : times) batch.records.push_back(RecordAt(time));
+    queue_->OnLog(batch);
+  }
+  /// Returns a page of the log of "bad", which has 5 records.
+  [[nodiscard]] message::ReadLogReply Page(std::uint64_t next, int since, int time) const {
+    return {.next = next, .end = 5, .since = begin_ + since, .records = {RecordAt(time)}};
+  }
+  /// Returns the texts of the log of "bad" in the file.
+  [[nodiscard]] std::vector<std::string> LogInFile() const {
+    std::vector<std::string> texts;
+    const auto reader = mcap::Reader::Open(file_);
+    EXPECT_TRUE(reader) << reader.error().message;
+    if (!reader) return texts;
+    for (const auto& message : mcap::ReadAll(**reader, {.order = mcap::Query::Order::kFile})) {
+      if (message.topic != "rosout") continue;
+      const auto record = ValueOf<RosLog>(message);
+      if (record.name == "bad") texts.push_back(record.msg);
+    }
+    return texts;
   }
 
   const test::Folder folder_;
   const std::filesystem::path file_ = folder_.path() / "last.mcap";
+  const std::shared_ptr<RecordingQueue> queue_ = std::make_shared<RecordingQueue>();
+  const std::int64_t begin_ = WallTime();
   OneBadProcess system_;
 };
 
@@ -364,6 +402,62 @@ TEST_F(SaveLastOfOneBadProcess, ALogWithoutEndIsCut) {
   EXPECT_EQ(saved->counts.rows, 1U);
 }
 
+TEST_F(SaveLastOfOneBadProcess, TheLogThatTheProcessDoesNotSendComesFromTheGcm) {
+  system_.log_of_bad = {Page(1, 10, 20)};
+  SendLog({5, 20, 30, 40});
+
+  const auto saved = Save();
+
+  ASSERT_TRUE(saved) << saved.error().message;
+  EXPECT_EQ(LogInFile(), (std::vector<std::string>{"5", "20", "30", "40"}));
+  EXPECT_THAT(ShortfallsOf(*saved, 30s),
+              Contains("bad: its log could not be read completely: the answer is invalid"));
+}
+
+TEST_F(SaveLastOfOneBadProcess, TheLogThatTheProcessDropsBetweenTwoPagesComesFromTheGcm) {
+  system_.log_of_bad = {Page(1, 10, 20), Page(5, 30, 40)};
+  SendLog({15, 20, 30, 40});
+
+  const auto saved = Save();
+
+  ASSERT_TRUE(saved) << saved.error().message;
+  EXPECT_EQ(LogInFile(), (std::vector<std::string>{"20", "30", "40"})) << "it has kept none at 15";
+  EXPECT_THAT(ShortfallsOf(*saved, 30s), Not(Contains(StartsWith("bad: its log"))));
+}
+
+TEST_F(SaveLastOfOneBadProcess, SaysThatEventsOfAnUnknownTypeAreNotInTheFile) {
+  system_.has_unknown_type = true;
+
+  const auto saved = Save();
+
+  ASSERT_TRUE(saved) << saved.error().message;
+  EXPECT_EQ(saved->counts.events, 0U);
+  EXPECT_EQ(LossesOf(*saved),
+            (std::vector<std::string>{
+                "good/arm/Control.Stopped: 1 event sent, but not written into the file"}));
+}
+
+TEST(LossesOf, NamesEachLossThatNoTableAndNoInterfaceCounts) {
+  SaveLastReport report;
+  report.processes.push_back({.process = "off",
+                              .history = message::ProcessHistoryState{},
+                              .log_failure = Error{ErrorCode::kFailed, "it keeps no history"}});
+  report.processes.push_back({.process = "robot",
+                              .history = message::ProcessHistoryState{.limit = 1},
+                              .log_failure = Error{ErrorCode::kFailed, "it has ended"}});
+  report.losses.rows["robot/arm/state"] = {.table = 2, .network = 0, .viewer = 1};
+  report.losses.rows["robot/leg/state"] = {.table = 2, .network = 0, .viewer = 0};
+  report.losses.events["robot/arm/Control.Stopped"] = 3;
+  report.losses.log = 4;
+
+  EXPECT_EQ(LossesOf(report),
+            (std::vector<std::string>{
+                "robot: its log could not be read completely: it has ended",
+                "robot/arm/state: 1 row sent, but not written into the file",
+                "robot/arm/Control.Stopped: 3 events sent, but not written into the file",
+                "4 log records sent, but not written into the file"}));
+}
+
 TEST(ShortfallsOf, NamesWhatIsMissing) {
   const message::ProcessHistoryState off{};
   SaveLastReport report;
@@ -373,11 +467,13 @@ TEST(ShortfallsOf, NamesWhatIsMissing) {
       {"robot/arm/Control", {.failure = Error{ErrorCode::kFailed, "it keeps no history"}}});
   report.events.push_back(
       {"desk/pad/Control", {.failure = Error{ErrorCode::kTimeout, "it sent nothing"}}});
+  report.losses.log = 2;
 
   EXPECT_EQ(ShortfallsOf(report, 30s),
             (std::vector<std::string>{
                 "robot: only what its state tables held: its history is off (--history-memory)",
-                "robot/arm/state: 2 rows lost", "desk/pad/Control: it sent nothing"}));
+                "robot/arm/state: 2 rows lost", "desk/pad/Control: it sent nothing",
+                "2 log records sent, but not written into the file"}));
 }
 
 TEST(ReachText, NamesTheReason) {
@@ -398,8 +494,6 @@ TEST(ReachText, NamesTheReason) {
                                .limit = 1, .span = 30s, .age = 1h, .reach = 30s}},
                       60s),
             "30.0 s: it keeps no more than that");
-  EXPECT_EQ(ReachText({.process = "robot", .failure = {ErrorCode::kDenied, "message 538"}}, 30s),
-            "only what its state tables held: its version keeps no history yet");
 }
 
 }  // namespace

@@ -295,6 +295,7 @@ TEST_F(RecordTest, SaveLastWritesWhatTheProcessesHaveKeptAndSaysHowFarItReaches)
   const json report = json::parse(saved.out);
   EXPECT_EQ(report["tables"][0]["path"], "robot/odometer/state");
   EXPECT_GT(report["tables"][0]["seconds"].get<double>(), 0.5);
+  EXPECT_EQ(report["losses"], json::array());
   const auto rows = Read(file)["robot/odometer/state/Count"];
   EXPECT_EQ(rows.size(), report["tables"][0]["rows"].get<std::size_t>());
   EXPECT_GE(rows.size(), 100U);
@@ -310,7 +311,7 @@ TEST_F(RecordTest, SaveLastSaysWhyAProcessReachesBackLess) {
     return std::stoull(Gcm({"get", "robot/odometer/state.Count"}).out) > 20;
   }));
 
-  const Outcome young = Gcm({"save-last", "1h", "robot", "-o", file});
+  const Outcome young = Gcm({"save-last", "60min", "robot", "-o", file});
 
   ASSERT_EQ(young.exit_code, program::kOk) << young.err;
   EXPECT_THAT(young.err, HasSubstr("gcm: robot reached back "));
