@@ -152,17 +152,11 @@ void RecordingThread::SaveLastNow(double seconds) {
   options.files.split_time = {};
   options.last =
       std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(seconds));
+  const std::chrono::nanoseconds last = options.last;
   const auto saved = tendon::recording::SaveLast(system, queue, std::move(options));
   if (!saved) return Tell(Outcome::Kind::kFailed, saved.error().message);
-  for (const auto& table : saved->tables) {
-    if (table.past.failure) {
-      Tell(Outcome::Kind::kFailed, table.path + ": " + table.past.failure->message);
-    }
-  }
-  for (const auto& events : saved->events) {
-    if (events.past.failure) {
-      Tell(Outcome::Kind::kFailed, events.path + ": " + events.past.failure->message);
-    }
+  for (const auto& text : tendon::recording::ShortfallsOf(*saved, last)) {
+    Tell(Outcome::Kind::kFailed, text);
   }
   Tell(Outcome::Kind::kSaved, saved->file.string());
 }

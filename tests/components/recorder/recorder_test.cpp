@@ -71,6 +71,12 @@ class Operator final : public tendon::Component {
 
 class RecorderTest : public testing::Test {
  protected:
+  explicit RecorderTest(tendon::HistoryOptions history = {})
+      : process_("robot",
+                 tendon::ProcessOptions{.middleware = std::make_shared<tendon::LoopbackMiddleware>(
+                                            std::make_shared<tendon::LoopbackNetwork>()),
+                                        .history = history}) {}
+
   void Begin(RecorderConfiguration configuration) {
     if (configuration.folder == ".") configuration.folder = folder_.path().string();
     operator_ = &process_.Add<Operator>("operator");  // added first, so that it misses no event
@@ -124,9 +130,7 @@ class RecorderTest : public testing::Test {
   }
 
   const tendon::test::Folder folder_;
-  tendon::Process process_{
-      "robot", tendon::ProcessOptions{.middleware = std::make_shared<tendon::LoopbackMiddleware>(
-                                          std::make_shared<tendon::LoopbackNetwork>())}};
+  tendon::Process process_;
   Recorder* recorder_ = nullptr;
   Operator* operator_ = nullptr;
 };
@@ -225,6 +229,22 @@ TEST_F(RecorderTest, SavesTheRowsThatTheTablesHoldWithoutARecording) {
   ASSERT_TRUE(operator_->EventuallyHas("Saved"));
   EXPECT_GE(Read(operator_->Texts("Saved").front())["robot/counter/state/Value"], 200U);
   EXPECT_FALSE(State().is_recording);
+}
+
+class RecorderWithoutHistoryTest : public RecorderTest {
+ protected:
+  RecorderWithoutHistoryTest() : RecorderTest({.memory = 0}) {}
+};
+
+TEST_F(RecorderWithoutHistoryTest, SavesTheRowsOfTheTablesAndSaysOnceThatTheHistoryIsOff) {
+  Begin({.patterns = {"robot/recorder"}});
+
+  ASSERT_TRUE(operator_->save_last(30.0));
+
+  ASSERT_TRUE(operator_->EventuallyHas("Saved"));
+  EXPECT_EQ(operator_->Texts("Failed"),
+            (std::vector<std::string>{
+                "robot: only what its state tables held: its history is off (--history-memory)"}));
 }
 
 TEST_F(RecorderTest, AnImpossibleTimeToSaveIsRefused) {
