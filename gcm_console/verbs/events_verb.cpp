@@ -192,8 +192,7 @@ class EventListeners {
     tendon::GcmClient::ListenerId id = 0;
   };
 
-  /// Events and commands of an interface have separate subscriptions, because an older process
-  /// refuses that to commands.
+  /// Events and commands of an interface have separate subscriptions.
   void Follow(const tendon::EventSubscription& wanted) {
     const std::pair key(wanted.provided, !wanted.commands.empty());
     const auto known = listeners_.find(key);

@@ -41,7 +41,6 @@ void HealthFigures::show(const std::string& process, const std::string& componen
   ++shown_;
   interfaces_.clear();
   history_.reset();
-  has_history_ = true;
   if (process_.empty()) return timer_.stop();
   timer_.start();
   ask();
@@ -74,20 +73,15 @@ void HealthFigures::ask() {
     self->health_ = *health;
     Q_EMIT self->changed();
   });
-  if (has_history_) askHistory();
+  askHistory();
   const auto component = entry->components.find(component_);
   if (component != entry->components.end()) askConnections(component->second);
 }
 
-/// A process that refuses the request is not asked again, because it reports each refusal.
 void HealthFigures::askHistory() {
   reports_.askHistory(process_, [self = QPointer(this), shown = shown_](
                                     const Result<message::ProcessHistoryState>& history) {
-    if (self == nullptr || self->shown_ != shown) return;
-    if (!history) {
-      self->has_history_ = history.error().code != ErrorCode::kDenied;
-      return;
-    }
+    if (self == nullptr || self->shown_ != shown || !history) return;
     self->history_ = *history;
     Q_EMIT self->changed();
   });

@@ -56,7 +56,6 @@ class HealthFigures : public QObject {
   std::uint64_t shown_ = 0;  // number of the shown component; earlier answers are ignored
   message::SystemHealth health_;
   std::optional<message::ProcessHistoryState> history_;
-  bool has_history_ = true;  // false if the version of the process keeps none
   QHash<QString, InterfaceHealth> interfaces_;
 };
 

@@ -158,12 +158,11 @@ class GcmClient {
   /// Gets the fill levels of a component's mailboxes.
   void GetFill(const std::string& process, const std::string& component,
                std::function<void(Result<MailboxFill>)> handler);
-  /// Gets how much a process keeps of its past. Fails with kDenied if the process has a version
-  /// that keeps no history.
+  /// Gets how much a process keeps of its past.
   void GetProcessHistory(const std::string& process,
                          std::function<void(Result<message::ProcessHistoryState>)> handler);
-  /// Reads a page of the log that a process has kept itself. Fails with kDenied if the process has
-  /// a version that keeps no history, and with kFailed if its history is off.
+  /// Reads a page of the log that a process has kept itself. Fails with kFailed if its history is
+  /// off.
   void ReadLog(const std::string& process, const message::ReadLog& wanted,
                std::function<void(Result<message::ReadLogReply>)> handler);
   /// Removes from the catalogue a process that is lost or has left.
@@ -183,9 +182,8 @@ class GcmClient {
 
   /// Reads the events that a process has kept and that are not older than `last`, oldest first. The
   /// sink gets OnListening(), then OnEvent(). Then `done` is called once, in a thread of the
-  /// middleware or of the client. If the client ends first, `done` is not called. A process with a
-  /// version that keeps no history refuses the request with kDenied. No process keeps past calls of
-  /// commands.
+  /// middleware or of the client. If the client ends first, `done` is not called. Fails with
+  /// kFailed if the history of the process is off. No process keeps past calls of commands.
   void ReadPastEvents(const EventSubscription& events, std::chrono::nanoseconds last,
                       std::shared_ptr<EventSink> sink, std::function<void(const PastEvents&)> done);
 

@@ -124,8 +124,8 @@ class Recorder {
     std::vector<Fingerprint> types;
     GcmClient::ListenerId id = 0;
   };
-  /// The events of an interface, or its commands. The two have separate subscriptions, because an
-  /// older process refuses a subscription to commands.
+  /// The events of an interface, or its commands. The two have separate subscriptions, because a
+  /// Source has only one of the two.
   struct ListenerKey {
     InterfaceName interface;
     bool are_commands = false;
