@@ -121,10 +121,10 @@ TEST_P(HostileListener, ListeningUpToTheLimitLeavesRoomForOthers) {
   while (listened && listeners < 1000) listened = Listen(*greedy, ++listeners, 1);
 
   ASSERT_FALSE(listened.ok());
-  EXPECT_EQ(
-      listened.error().message,
-      "process 'robot' has 128 listeners to its events from this client already, which is the "
-      "limit: end some of these listeners");
+  EXPECT_EQ(listened.error().message,
+            "process 'robot' has 128 listeners to its events and commands from this client "
+            "already, which "
+            "is the limit: end some of these listeners");
   const auto modest = Open(std::make_shared<ChannelHandler>());
   EXPECT_TRUE(Listen(*modest, 1, 1).ok());
   greedy->Close();

@@ -114,7 +114,7 @@ Result<void> ServedConnections::CheckListeners(const Client& client, Use use) co
   const bool is_own = own >= kMostListenersOfOne;
   return Error{ErrorCode::kFailed,
                "process '" + context_.name + "' has " + std::to_string(is_own ? own : all) +
-                   " listeners to its events" + (is_own ? " from this client" : "") +
+                   " listeners to its events and commands" + (is_own ? " from this client" : "") +
                    " already, which is the limit: end some of these listeners"};
 }
 
