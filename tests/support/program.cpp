@@ -155,8 +155,12 @@ Program::~Program() {
   fs::remove_all(folder_, ignored);
 }
 
+/// After SIGSTOP, waits until all threads of the program have stopped.
 void Program::Signal(int signal) const {
-  if (!exit_code_) kill(pid_, signal);  // after the end, another process may have this pid
+  if (exit_code_ || kill(pid_, signal) != 0) return;  // after the end, another may have this pid
+  if (signal != SIGSTOP) return;
+  siginfo_t state;
+  waitid(P_PID, static_cast<id_t>(pid_), &state, WSTOPPED | WEXITED | WNOWAIT);
 }
 
 std::optional<int> Program::Wait(std::chrono::seconds patience) {
