@@ -29,6 +29,42 @@ Status CheckPayload(Outbox& outbox, std::uint32_t handle, std::size_t size) {
   return Status::kInvalid;
 }
 
+/// A buffer for each slot of a mailbox. Buffers are kept, to save allocations, while all of them
+/// together are small. Each buffer is used by one thread at a time.
+class SlotBuffers {
+ public:
+  /// Keeps buffers while all of them have at most `most_kept` bytes.
+  SlotBuffers(std::size_t slots, std::uint64_t most_kept)
+      : buffers_(slots), most_kept_(most_kept) {}
+
+  Bytes& operator[](std::size_t slot) { return buffers_[slot]; }
+  /// Returns the buffer of a slot with `size` bytes. A buffer that must grow gets exactly this
+  /// size, and its old content is not copied.
+  Bytes& Resized(std::size_t slot, std::size_t size) {
+    Bytes& buffer = buffers_[slot];
+    const std::size_t before = buffer.capacity();
+    if (before < size) {
+      buffer = Bytes(size);
+      grown_.Add(buffer.capacity() - before);
+    }
+    buffer.resize(size);
+    return buffer;
+  }
+  /// Must be called after the last use of a buffer. Frees it if all buffers together are too large.
+  void FreeIfMany(std::size_t slot) noexcept {
+    const std::uint64_t freed = freed_.value();  // first, so that it is not above grown_
+    if (grown_.value() - freed <= most_kept_) return;
+    freed_.Add(buffers_[slot].capacity());
+    Bytes().swap(buffers_[slot]);
+  }
+
+ private:
+  std::vector<Bytes> buffers_;
+  const std::uint64_t most_kept_;
+  SharedCounter<> grown_;  // bytes by which the buffers have grown
+  SharedCounter<> freed_;  // the part of these bytes that was freed again
+};
+
 class QueuedCommandProxy : public CommandBase, protected Mailbox::Entry {
  public:
   QueuedCommandProxy(Outbox& outbox, const MemberDescription& command, std::uint32_t handle,
@@ -40,7 +76,7 @@ class QueuedCommandProxy : public CommandBase, protected Mailbox::Entry {
         must_wait_(WaitsForServer(command.signature.kind)),
         mailbox_(mailbox),
         callers_(std::make_shared<OutstandingCalls<>>(mailbox.completions())),
-        pool_(mailbox.storage()) {}
+        arguments_(mailbox.storage(), std::uint64_t{64} << 20U) {}
 
   Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& out) override {
     return ExecuteFrom(EncodedArgument(in), out);
@@ -98,8 +134,8 @@ class QueuedCommandProxy : public CommandBase, protected Mailbox::Entry {
 
     void ExecuteSlot(std::byte* /*argument*/, std::size_t slot) override {
       const auto call = command_.callers_->Start(RecordOf(slot));
-      if (call) command_.Hand(*call, command_.pool_[slot]);
-      command_.FreeIfMany(slot);
+      if (call) command_.Hand(*call, command_.arguments_[slot]);
+      command_.arguments_.FreeIfMany(slot);
     }
     void DropSlot(std::byte* /*argument*/, std::size_t slot) noexcept override {
       command_.callers_->Drop(RecordOf(slot));
@@ -170,26 +206,13 @@ class QueuedCommandProxy : public CommandBase, protected Mailbox::Entry {
     const std::size_t slot = mailbox_.SlotOf(room);
     const Status written =
         ComponentAccess::CatchExceptions(nullptr, [&]() -> Status {  // may throw bad_alloc
-          return in.WriteTo(RoomIn(slot, size)) ? Status::kQueued : Status::kFailed;
+          return in.WriteTo(arguments_.Resized(slot, size)) ? Status::kQueued : Status::kFailed;
         });
     if (!written) {
-      FreeIfMany(slot);
+      arguments_.FreeIfMany(slot);
       mailbox_.GiveUp(room);
     }
     return written;
-  }
-
-  /// Returns the buffer of a claimed slot with `size` bytes. A buffer that must grow gets exactly
-  /// this size, and its old content is not copied.
-  Bytes& RoomIn(std::size_t slot, std::size_t size) {
-    Bytes& argument = pool_[slot];
-    const std::size_t before = argument.capacity();
-    if (before < size) {
-      argument = Bytes(size);
-      grown_.Add(argument.capacity() - before);
-    }
-    argument.resize(size);
-    return argument;
   }
 
   Status Await(std::size_t record, std::uint64_t call, SteadyTime deadline,
@@ -220,31 +243,19 @@ class QueuedCommandProxy : public CommandBase, protected Mailbox::Entry {
   }
 
   void ExecuteSlot(std::byte* /*argument*/, std::size_t slot) override {
-    outbox_.waiting_bytes().Give(pool_[slot].size());
-    outbox_.Take(handle_, pool_[slot]);
-    FreeIfMany(slot);
+    outbox_.waiting_bytes().Give(arguments_[slot].size());
+    outbox_.Take(handle_, arguments_[slot]);
+    arguments_.FreeIfMany(slot);
   }
   void DropSlot(std::byte* /*argument*/, std::size_t slot) noexcept override {
-    outbox_.waiting_bytes().Give(pool_[slot].size());
-  }
-
-  /// Frees the buffer of a slot if all buffers together are larger than 64 MiB. Otherwise keeps the
-  /// buffer, to save allocations.
-  void FreeIfMany(std::size_t slot) noexcept {
-    constexpr std::uint64_t kMostKept = std::uint64_t{64} << 20U;
-    const std::uint64_t freed = freed_.value();  // first, so that it is not above grown_
-    if (grown_.value() - freed <= kMostKept) return;
-    freed_.Add(pool_[slot].capacity());
-    Bytes().swap(pool_[slot]);
+    outbox_.waiting_bytes().Give(arguments_[slot].size());
   }
 
   const bool must_wait_;
   Mailbox& mailbox_;
   const std::shared_ptr<OutstandingCalls<>> callers_;
   BlockingCallEntry blocking_entry_{*this};
-  SharedCounter<> grown_;    // bytes by which the buffers of the pool have grown
-  SharedCounter<> freed_;    // the part of these bytes that was freed again
-  std::vector<Bytes> pool_;  // buffers for arguments, by slot; see FreeIfMany()
+  SlotBuffers arguments_;  // 64 MiB at most are kept
 };
 
 /// Behaves like LatestCommand: a newer call replaces an older one that is still queued, here or in
@@ -294,7 +305,7 @@ class ObservedCallProxy final : public CommandBase, private Mailbox::Entry {
         handle_(handle),
         lost_(lost),
         mailbox_(mailbox),
-        large_(mailbox.storage()) {}
+        large_(mailbox.storage(), std::uint64_t{1} << 20U) {}  // there may be hundreds of observers
 
   static constexpr Mailbox::SlotShape Shape() { return {sizeof(Slot), alignof(Slot)}; }
 
@@ -325,7 +336,7 @@ class ObservedCallProxy final : public CommandBase, private Mailbox::Entry {
       return written;
     }
     if (room != nullptr) {
-      FreeIfMany(mailbox_.SlotOf(room));
+      large_.FreeIfMany(mailbox_.SlotOf(room));
       mailbox_.GiveUp(room);
     }
     outbox_.waiting_bytes().Give(size);
@@ -335,7 +346,7 @@ class ObservedCallProxy final : public CommandBase, private Mailbox::Entry {
     return ComponentAccess::CatchExceptions(nullptr, [&]() -> Status {  // may throw bad_alloc
       auto* const slot = new (room) Slot;
       slot->size = size;
-      if (size > kRoom) Resize(large_[mailbox_.SlotOf(room)], size);
+      if (size > kRoom) large_.Resized(mailbox_.SlotOf(room), size);
       return in.WriteTo(CallIn(*slot, mailbox_.SlotOf(room))) ? Status::kQueued : Status::kFailed;
     });
   }
@@ -347,29 +358,10 @@ class ObservedCallProxy final : public CommandBase, private Mailbox::Entry {
     return *std::launder(reinterpret_cast<Slot*>(argument));
   }
 
-  /// A buffer that must grow gets exactly this size, and its old content is not copied.
-  void Resize(Bytes& buffer, std::size_t size) {
-    const std::size_t before = buffer.capacity();
-    if (before < size) {
-      buffer = Bytes(size);
-      grown_.Add(buffer.capacity() - before);
-    }
-    buffer.resize(size);
-  }
-  /// Frees the buffer of a slot if all buffers together are larger than 1 MiB. There may be
-  /// hundreds of observers.
-  void FreeIfMany(std::size_t slot) noexcept {
-    constexpr std::uint64_t kMostKept = std::uint64_t{1} << 20U;
-    const std::uint64_t freed = freed_.value();  // first, so that it is not above grown_
-    if (grown_.value() - freed <= kMostKept) return;
-    freed_.Add(large_[slot].capacity());
-    Bytes().swap(large_[slot]);
-  }
-
   void ExecuteSlot(std::byte* argument, std::size_t slot) override {
     outbox_.Take(handle_, CallIn(SlotIn(argument), slot));
     outbox_.waiting_bytes().Give(SlotIn(argument).size);
-    FreeIfMany(slot);
+    large_.FreeIfMany(slot);
   }
   void DropSlot(std::byte* argument, std::size_t /*slot*/) noexcept override {
     outbox_.waiting_bytes().Give(SlotIn(argument).size);
@@ -379,9 +371,7 @@ class ObservedCallProxy final : public CommandBase, private Mailbox::Entry {
   const std::uint32_t handle_;
   SharedCounter<>& lost_;  // of the offer
   Mailbox& mailbox_;
-  SharedCounter<> grown_;     // bytes by which the buffers have grown
-  SharedCounter<> freed_;     // the part of these bytes that was freed again
-  std::vector<Bytes> large_;  // by slot
+  SlotBuffers large_;
 };
 
 }  // namespace
