@@ -21,6 +21,7 @@ namespace tendon::gui {
 namespace {
 
 constexpr QSize kDialog{560, 420};
+constexpr int kUnitWidth = 96;
 enum SignalColumn { kSignalPath, kSignalUnit, kSignalColumns };
 
 }  // namespace
@@ -102,7 +103,7 @@ void RecordedSignalDialog::fill(const RecordingFacts& facts) {
                                       QItemSelectionModel::Select | QItemSelectionModel::Rows);
     }
   }
-  list_->header()->setSectionResizeMode(kSignalUnit, QHeaderView::ResizeToContents);
+  list_->header()->resizeSection(kSignalUnit, kUnitWidth);
   filter_->setFocus();
   showState();
 }
