@@ -281,6 +281,6 @@ TEST_P(EndedMirror, StopsEvenIfNoRowIsWritten) {
   EXPECT_TRUE(EventuallyTrue([] { return ended == 2; })) << "GetMove and GetNote";
 }
 
-INSTANTIATE_TEST_SUITE_P(Over, EndedMirror, testing::Values(CountingLoopback()), NameOfNetwork);
+INSTANTIATE_TEST_SUITE_P(Counted, EndedMirror, testing::Values(CountingLoopback()), NameOfNetwork);
 
 }  // namespace
