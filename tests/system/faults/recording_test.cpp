@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "support/machine/sanitized.h"
 #include "system/faults/harness/fault_test.h"
 
 namespace faults {
@@ -96,17 +97,33 @@ class RecordingFaults : public FaultTest {
     return all;
   }
 
-  /// Returns the numbers of the samples in a file.
-  static std::vector<std::uint64_t> NumbersIn(mcap::Reader& reader) {
+  /// Returns the numbers of the samples in a file. Expects that they are consecutive. Samples may
+  /// be missing only if MayExpireLeases(), and then at most as many as the file tells. A loss in
+  /// the middle of a batch is told before the batch, so the sums are compared.
+  [[nodiscard]] std::vector<std::uint64_t> NumbersIn(mcap::Reader& reader) const {
     std::vector<std::uint64_t> numbers;
+    std::uint64_t told = 0;
+    std::uint64_t missing = 0;
+    const bool may_lose = MayExpireLeases();
     mcap::MessageStream messages = reader.Messages({.order = mcap::Query::Order::kFile});
     while (const auto message = messages.Next()) {
       const mcap::Channel* channel = reader.FindChannel(message->channel_id);
-      if (channel == nullptr || channel->topic != "robot/ledger/state/Sample") continue;
+      if (channel == nullptr) continue;
+      const mcap::Bytes body = message->data.subspan(tendon::recording::kEncapsulationSize);
+      if (channel->topic == tendon::recording::kLossTopic) {
+        tendon::recording::Loss loss;
+        EXPECT_TRUE(tendon::Decode(body, loss));
+        told += loss.table + loss.network + loss.recorder;
+      }
+      if (channel->topic != "robot/ledger/state/Sample") continue;
       Numbered sample;
-      EXPECT_TRUE(
-          tendon::Decode(message->data.subspan(tendon::recording::kEncapsulationSize), sample));
+      EXPECT_TRUE(tendon::Decode(body, sample));
       EXPECT_TRUE(IsWhole(sample)) << sample.number;
+      if (!numbers.empty()) {
+        EXPECT_GT(sample.number, numbers.back());
+        missing += sample.number - numbers.back() - 1;
+        EXPECT_LE(missing, may_lose ? told : 0) << "before " << sample.number;
+      }
       numbers.push_back(sample.number);
     }
     EXPECT_TRUE(messages.is_complete());
@@ -122,20 +139,18 @@ INSTANTIATE_TEST_SUITE_P(Over, RecordingFaults, testing::Values(Middlewares().fr
                          NameOfMiddleware);
 
 TEST_P(RecordingFaults, AKilledRecorderLosesASecondAtMostAndLeavesWholeChunks) {
-  constexpr int kAtOnce = 10;
-  const int rounds = Size(5, 50);
+  // Under a sanitizer, more recorders would take the processors from the component that they record.
+  const int at_once = tendon::test::IsSanitized() ? 3 : 10;
+  const int rounds = tendon::test::IsSanitized() ? 1 : Size(5, 50);
   std::uint64_t most_lost = 0;  // number of samples; one sample is a millisecond
 
   for (int round = 0; round < rounds; ++round) {
-    for (const KilledRecording& one : KillSome(kAtOnce)) {
+    for (const KilledRecording& one : KillSome(at_once)) {
       SCOPED_TRACE(one.file.filename().string() + " of seed 27, killed after sample " +
                    std::to_string(one.newest));
       const auto reader = mcap::Reader::Open(one.file);
       ASSERT_TRUE(reader) << reader.error().message;
       const auto numbers = NumbersIn(**reader);
-      for (std::size_t i = 1; i < numbers.size(); ++i) {
-        ASSERT_EQ(numbers[i], numbers[i - 1] + 1);
-      }
       const std::uint64_t last = numbers.empty() ? one.begin : numbers.back();
       if (one.newest > last) most_lost = std::max(most_lost, one.newest - last);
       ASSERT_GE((*reader)->problems().count(), 1U);
@@ -156,7 +171,7 @@ TEST_P(RecordingFaults, AKilledRecorderLosesASecondAtMostAndLeavesWholeChunks) {
     }
   }
 
-  Tell(std::to_string(rounds * kAtOnce) + " recorders killed; at most " +
+  Tell(std::to_string(rounds * at_once) + " recorders killed; at most " +
        std::to_string(most_lost) + " ms lost");
   constexpr double kGoal = 1000;  // samples
   EXPECT_LE(static_cast<double>(most_lost), 10 * kGoal * Slowness());
@@ -192,7 +207,6 @@ TEST_P(RecordingFaults, AFullDiskEndsTheRecordingAloneAndTellsWhatIsSafe) {
   ASSERT_TRUE(reader) << reader.error().message;
   const auto numbers = NumbersIn(**reader);
   ASSERT_GT(numbers.size(), 1000U);
-  for (std::size_t i = 1; i < numbers.size(); ++i) ASSERT_EQ(numbers[i], numbers[i - 1] + 1);
   EXPECT_TRUE(mcap::Verify(**reader).is_intact())
       << "the file is completed in the space that was reserved";
   EXPECT_TRUE(Eventually([this, before = newest_->number()] { return newest_->number() > before; }))
