@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "support/machine/sanitized.h"
+
 /// Returns the path of a file such as "bin/gcm" in the build folder of this test program. The
 /// folder is found at run time, because presets share compiled objects.
 inline std::string Built(const std::string& place) {
@@ -29,7 +31,7 @@ class Program {
   void Signal(int signal) const;
   /// Waits for the end. Returns the exit code, or 128 + the number of the signal that killed the
   /// program; empty if the program has not ended in time.
-  std::optional<int> Wait(std::chrono::seconds patience = std::chrono::seconds(30));
+  std::optional<int> Wait(std::chrono::seconds patience = tendon::test::LongestWait());
   /// Returns the output so far.
   [[nodiscard]] std::string out() const;
   [[nodiscard]] std::string err() const;

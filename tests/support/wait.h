@@ -3,11 +3,12 @@
 #include <chrono>
 #include <thread>
 
+#include "support/machine/sanitized.h"
+
 /// Waits until `predicate()` is true; checks it every millisecond. Returns false after `timeout`.
-/// The default is long: it only limits a failing test, and is not a requirement on speed.
 template <typename Predicate>
 bool EventuallyTrue(Predicate predicate,
-                    std::chrono::milliseconds timeout = std::chrono::seconds(30)) {
+                    std::chrono::milliseconds timeout = tendon::test::LongestWait()) {
   const auto deadline = std::chrono::steady_clock::now() + timeout;
   while (!predicate()) {
     if (std::chrono::steady_clock::now() >= deadline) return false;

@@ -31,7 +31,7 @@ TEST_P(Callers, KilledCallersLeakNothing) {
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
     return earlier.descriptors == before.descriptors && earlier.threads == before.threads;
   }));
-  const int rounds = Size(12, 1000);
+  const int rounds = Starts(12, 1000);
 
   for (int i = 0; i < rounds; ++i) ASSERT_NO_FATAL_FAILURE(KillOneInACall());
 

@@ -24,7 +24,7 @@ TEST_P(GcmRestart, RepeatedKillsUnderLoadLoseNothing) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const tendon::Fingerprint before = Hash();
   const std::size_t unconnected = Lines("given", "not connected");
-  const int rounds = Size(GetParam() == Middlewares().front() ? 20 : 5, 100);
+  const int rounds = Starts(GetParam() == Middlewares().front() ? 20 : 5, 100);
   std::vector<long> times;  // ms
 
   for (int round = 1; round <= rounds; ++round) {
@@ -78,7 +78,7 @@ TEST_P(GcmRestart, ALongAbsenceLogsFewLines) {
 
 TEST_P(GcmRestart, ManyLcmsRejoinWithoutLosses) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
-  const int count = Size(12, 100);
+  const int count = Starts(12, 100);
   std::vector<std::unique_ptr<Program>> herd;
   for (int i = 0; i < count; ++i) {
     const std::string name = "sheep" + std::to_string(i);

@@ -20,7 +20,7 @@ INSTANTIATE_TEST_SUITE_P(Over, LcmKill, testing::ValuesIn(Middlewares()), NameOf
 
 TEST_P(LcmKill, AKilledLcmFreesItsNameAtOnce) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
-  const auto rounds = static_cast<std::size_t>(Size(4, 50));
+  const auto rounds = static_cast<std::size_t>(Starts(4, 50));
   long longest = 0;  // ms
 
   for (std::size_t round = 1; round <= rounds; ++round) {
@@ -53,7 +53,7 @@ TEST_P(LcmKill, AKilledLcmFreesItsNameAtOnce) {
 TEST_P(LcmKill, AKilledClientDoesNotHinderTheNext) {
   ASSERT_NO_FATAL_FAILURE(StartSystem());
   const Footprint before = FootprintOf(robot_->pid());
-  const int rounds = Size(4, 50);
+  const int rounds = Starts(4, 50);
 
   for (int round = 1; round <= rounds; ++round) {
     SCOPED_TRACE(round);

@@ -38,7 +38,7 @@ TEST_P(Signals, EndAnLcmInOrderAtAnyTime) {
   EXPECT_EQ(robot_->Wait(), 0);
   long longest = 0;  // ms
 
-  for (int i = 0; i < Size(12, 50); ++i) {
+  for (int i = 0; i < Starts(12, 50); ++i) {
     robot_ = MakeLcm("robot");
     longest = std::max(longest, EndAtARandomMoment(*robot_));
   }
@@ -56,7 +56,7 @@ TEST_P(Signals, EndAGcmInOrderAtAnyTime) {
   EXPECT_EQ(gcm_->Wait(), 0);
   long longest = 0;  // ms
 
-  for (int i = 0; i < Size(8, 50); ++i) {
+  for (int i = 0; i < Starts(8, 50); ++i) {
     gcm_ = MakeGcm();
     longest = std::max(longest, EndAtARandomMoment(*gcm_));
   }

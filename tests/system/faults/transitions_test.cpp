@@ -217,7 +217,8 @@ TEST_P(Transitions, AResumedClientStartsFromTheCurrentPosition) {
 
 TEST_P(Transitions, AResumedServerDoesNotContinueToItsOldGoal) {
   ASSERT_NO_FATAL_FAILURE(StartArms());
-  const json goal = {{"position", kElsewhere}, {"duration", 3.0}};
+  // Longer than the programs need that suspend the arm during the motion.
+  const json goal = {{"position", kElsewhere}, {"duration", 20.0}};
   ASSERT_NO_FATAL_FAILURE(Do({"call", "robot/arm/Control.MoveTo", goal.dump()}));
   ASSERT_TRUE(EventuallyMoves(*arm_));
   ASSERT_NO_FATAL_FAILURE(Do({"suspend", "robot/arm"}));
