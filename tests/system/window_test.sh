@@ -61,18 +61,23 @@ connects_by_click() {
 }
 
 plots_without_loss() {
-  local before after
+  local before
   open_row robot/arm robot/arm/state robot/arm/state.Joints robot/arm/state.Joints.position
   ui click rows 'robot/arm/state.Joints.position[0]'
   ui key p
   ui wait "$curve"'["rows"] > 0'
-  before=$(ui show "$curve"'["tick"] - '"$curve"'["rows"]')
+  local unreported="$curve"'["tick"] - '"$curve"'["rows"] - '"$curve"'["lost"]'
+  before=$(ui show "$unreported")
   ui wait "abs($curve"'["value"]) > 0.3'
   passed "the arm moves"
   wait_until "ten seconds of rows" ui wait "$curve"'["rows"] >= 10000' 1
-  ui wait "$curve"'["lost"] == 0 and '"$curve"'["repeated"] == 0' 1
-  after=$(ui show "$curve"'["tick"] - '"$curve"'["rows"]')
-  [[ $before == "$after" ]] || fail "ticks and rows have drifted apart by $after - $before"
+  ui wait "$curve"'["repeated"] == 0 and '"$unreported <= $before"
+  # With a sanitizer, the window may be so late that its link is renewed. Even then every loss must be reported.
+  if grep -q __asan_init "$bin/gcm-gui"; then
+    passed "10000 rows, of which none is repeated, and each lost row is reported"
+    return
+  fi
+  ui wait "$curve"'["lost"] == 0'
   passed "10000 rows at 1 kHz, none lost or repeated by their ticks"
 }
 

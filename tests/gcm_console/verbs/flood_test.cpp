@@ -122,7 +122,7 @@ TEST_F(FloodTest, LostRowsAreSeparateRecordsAndAddUp) {
         all += ReadSome();
         return watch->Wait(std::chrono::seconds(0)).has_value();
       },
-      std::chrono::minutes(2)))
+      std::chrono::minutes(10)))
       << watch->err();
   all += ReadSome();
 
