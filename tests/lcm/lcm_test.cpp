@@ -58,12 +58,12 @@ class LcmTest : public SystemFixture {
 
 TEST_F(LcmTest, ReportsAMissingGcm) {
   const Outcome outcome = RunProgram(
-      {Binary("lcm"), "--name", "robot", "--gcm", address, "--timeout", "100", "--system", demo});
+      {Binary("lcm"), "--name", "robot", "--gcm", address, "--timeout", "2000", "--system", demo});
 
   EXPECT_EQ(outcome.exit_code, program::kUnreachable);
   EXPECT_THAT(outcome.err, HasSubstr("no GCM at " + address));
   const Outcome with_unit = RunProgram(
-      {Binary("lcm"), "--name", "robot", "--gcm", address, "--timeout", "0.1s", "--system", demo});
+      {Binary("lcm"), "--name", "robot", "--gcm", address, "--timeout", "1.5s", "--system", demo});
   EXPECT_EQ(with_unit.exit_code, program::kUnreachable) << with_unit.err;
 }
 

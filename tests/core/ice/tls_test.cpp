@@ -115,7 +115,7 @@ TEST_F(TlsTest, DoesNotUseAnExpiredCertificate) {
 }
 
 TEST_F(TlsTest, RefusesACertificateThatExpiresLater) {
-  const auto old = Showing(Expiring(std::chrono::seconds(4)));
+  const auto old = Showing(Expiring(std::chrono::seconds(10)));
   const auto address = Listen(old, "old");
   std::string why;
 

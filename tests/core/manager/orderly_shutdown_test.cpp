@@ -82,7 +82,7 @@ TEST_F(OrderlyShutdownTest, DeliversTheLastCommandThroughAFullQueue) {
 }
 
 TEST_F(OrderlyShutdownTest, WaitsForABusyServer) {
-  server.work = 300ms;
+  server.work = 150ms;
   Flood();
 
   manager.reset();

@@ -81,7 +81,7 @@ TEST_P(ProcessEnd, ExecutesTheLastCommandsBehindAFullQueue) {
 }
 
 TEST_P(ProcessEnd, WaitsForABusyServer) {
-  server->work = 300ms;
+  server->work = 150ms;
   Flood();
 
   desk.reset();

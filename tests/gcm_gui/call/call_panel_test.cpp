@@ -51,7 +51,7 @@ class CallPanelTest : public ::testing::Test {
   /// Activates the window, because only an active window receives keys.
   void Activate() {
     panel_.activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&panel_, 20000));
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&panel_, 120'000));
   }
   void Enter(const QString& field, const QString& text) {
     panel_.findChild<QLineEdit*>(QStringLiteral("form.") + field)->setText(text);
@@ -260,7 +260,7 @@ TEST_F(CallPanelTest, HoldingTheButtonCallsAMotionCommand) {
 
   QTest::mousePress(&Button(), Qt::LeftButton);
   EXPECT_EQ(calls_.calls.size(), 0);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return calls_.calls.size() == 1; }, 20000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return calls_.calls.size() == 1; }, 120'000));
   QTest::mouseRelease(&Button(), Qt::LeftButton);
 
   EXPECT_EQ(calls_.calls.size(), 1);
@@ -270,7 +270,7 @@ TEST_F(CallPanelTest, AHeldButtonCallsOnce) {
   ShowStop();
   panel_.setCareful(true);
   QTest::mousePress(&Button(), Qt::LeftButton);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return calls_.calls.size() == 1; }, 20000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return calls_.calls.size() == 1; }, 120'000));
   calls_.answer(std::string(), 0.001);
 
   Q_EMIT Button().pressed();  // the pointer has left the button and returned

@@ -15,7 +15,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr std::chrono::seconds kFavouritePatience{20};
+constexpr std::chrono::seconds kFavouritePatience{120};
 const Favourite kStopFavourite{"robot/controller/Control.Stop", ""};
 
 TEST(Favourites, PersistAcrossInstances) {
@@ -43,7 +43,7 @@ TEST(Favourites, ReportAFailedSave) {
 
   favourites.add(kStopFavourite);
 
-  ASSERT_TRUE(QTest::qWaitFor([&] { return notice.count() == 1; }, 20000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return notice.count() == 1; }, 120'000));
   EXPECT_TRUE(notice[0][0].toString().startsWith(folder.path() + " was not saved: "));
   EXPECT_EQ(favourites.all().size(), 1);
 }
@@ -66,7 +66,7 @@ TEST(Favourites, AButtonIsDisabledWithoutItsComponent) {
   tool.provided = provided;
   system.Process("robot").Component("robot", tool);
   store.apply(system.TakeChanges());
-  EXPECT_TRUE(QTest::qWaitFor([&] { return button->isEnabled(); }, 20000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return button->isEnabled(); }, 120'000));
   QTest::mouseClick(button, Qt::LeftButton);
 
   EXPECT_EQ(calls.calls, QStringList{"robot/tool/Grip.Open"});
@@ -83,7 +83,7 @@ TEST(HoldButton, MotionCommandsMustBeHeld) {
   EXPECT_EQ(called.size(), 0);
   EXPECT_EQ(let_go.size(), 1);
   QTest::mousePress(&button, Qt::LeftButton);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return called.size() == 1; }, 20000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return called.size() == 1; }, 120'000));
   QTest::mouseRelease(&button, Qt::LeftButton);
 
   EXPECT_EQ(called.size(), 1);

@@ -25,7 +25,7 @@ class NumberBoxTest : public ::testing::Test {
     }
     window_.show();
     window_.activateWindow();
-    EXPECT_TRUE(QTest::qWaitForWindowActive(&window_, 20000));
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&window_, 120'000));
   }
   ~NumberBoxTest() override { QLocale::setDefault(QLocale::c()); }
   static void Type(NumberBox& box, const QString& text) {

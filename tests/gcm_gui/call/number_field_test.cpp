@@ -32,7 +32,7 @@ class NumberFieldTest : public ::testing::Test {
     form_.resize(400, 300);
     form_.show();
     form_.activateWindow();
-    EXPECT_TRUE(QTest::qWaitForWindowActive(&form_, 20000));
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&form_, 120'000));
   }
 
   NumberField& Field(const QString& name) {

@@ -12,7 +12,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kRepeatPatience = 20000;  // ms
+constexpr int kRepeatPatience = 120'000;  // ms
 
 class RepeaterTest : public ::testing::Test {
  protected:

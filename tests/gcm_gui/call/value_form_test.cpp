@@ -51,7 +51,7 @@ class ValueFormTest : public ::testing::Test {
   void Enter(QLineEdit& cell) {
     form_.show();
     form_.activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&form_, 20000));
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&form_, 120'000));
     cell.setFocus();
     cell.end(false);
   }

@@ -41,7 +41,7 @@ class WheelTest : public ::testing::Test {
     area_.resize(300, 200);
     area_.show();
     area_.activateWindow();
-    EXPECT_TRUE(QTest::qWaitForWindowActive(&area_, 20000));
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&area_, 120'000));
     button_->setFocus();
   }
 

@@ -12,7 +12,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr std::chrono::seconds kHistoryPatience{20};
+constexpr std::chrono::seconds kHistoryPatience{120};
 
 TEST(ConsoleHistory, UpAndDownWalkTheHistory) {
   ConsoleHistory history;

@@ -12,7 +12,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kReaderPatience = 20'000;  // ms
+constexpr int kReaderPatience = 120'000;  // ms
 
 struct Read {
   QByteArray content;

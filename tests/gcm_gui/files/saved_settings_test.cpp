@@ -13,7 +13,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr std::chrono::seconds kUntilKept{20};  // bounds a test that fails
+constexpr std::chrono::seconds kUntilKept{120};  // bounds a test that fails
 
 TEST(SavedSettings, PersistAcrossInstances) {
   const QTemporaryDir folder;

@@ -16,7 +16,7 @@
 
 namespace tendon::gui {
 
-inline constexpr int kFlowPatience = 120000;  // ms; bounds a test that fails
+inline constexpr int kFlowPatience = 120'000;  // ms; bounds a test that fails
 
 /// The demo system in separate processes, and the real window with its session in this process.
 class FlowFixture : public ::testing::Test {

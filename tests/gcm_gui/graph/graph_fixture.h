@@ -11,7 +11,7 @@
 
 namespace tendon::gui {
 
-inline constexpr int kGraphPatience = 20'000;  // ms; bounds a test that fails
+inline constexpr int kGraphPatience = 120'000;  // ms; bounds a test that fails
 
 /// The graph of a system that exists only as a catalogue; it is empty until Show().
 class GraphFixture : public ::testing::Test {

@@ -26,7 +26,7 @@ class HealthFiguresTest : public testing::Test {
                        [](const Property& fact) { return fact.name == "History"; });
   }
   [[nodiscard]] bool IsAskedAgain() {
-    return QTest::qWaitFor([this] { return reports_.health_questions > 1; }, 10'000);
+    return QTest::qWaitFor([this] { return reports_.health_questions > 1; }, 120'000);
   }
 
   CatalogueStore store_;

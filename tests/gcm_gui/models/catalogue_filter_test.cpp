@@ -116,7 +116,7 @@ TEST_F(CatalogueFilterTest, WaitsForAPauseInTyping) {
   filter_.setText("arm");
 
   EXPECT_EQ(applied.count(), 0);
-  EXPECT_TRUE(applied.wait());
+  EXPECT_TRUE(applied.wait(120'000));
   EXPECT_EQ(applied.count(), 1);
   EXPECT_FALSE(Shows("desk/view"));
 }

@@ -83,15 +83,15 @@ TEST_F(PlotLayoutTest, SavesAndOpensAFileAndReportsAMissingOne) {
   panel_.addSignal(kOld, "rad");
   QSignalSpy saved(&panel_, &PlotPanel::notice);
   panel_.saveLayout(file);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return saved.count() == 1; }, 20'000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return saved.count() == 1; }, 120'000));
   EXPECT_EQ(saved[0][0].toString(), file + " saved");
   PlotPanel other;
   other.openLayout(file);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return other.paths() == QStringList{kOld}; }, 20'000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return other.paths() == QStringList{kOld}; }, 120'000));
 
   QSignalSpy notice(&other, &PlotPanel::notice);
   other.openLayout(folder.filePath("none"));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return notice.count() == 1; }, 20'000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return notice.count() == 1; }, 120'000));
   EXPECT_THAT(notice[0][0].toString().toStdString(), testing::HasSubstr("cannot be read"));
 }
 
@@ -108,7 +108,7 @@ TEST_F(PlotLayoutTest, AStaleSignalCanBeRemappedFromTheLegend) {
   EXPECT_EQ(dialog->textValue(), kNew);
   QTest::keyClick(dialog, Qt::Key_Return);
 
-  EXPECT_TRUE(QTest::qWaitFor([this] { return panel_.paths() == QStringList{kNew}; }, 20'000));
+  EXPECT_TRUE(QTest::qWaitFor([this] { return panel_.paths() == QStringList{kNew}; }, 120'000));
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ class PlotPages : public testing::Test {
     Theme::instance().choose(Theme::Choice::kDark);
     panel_.resize(830, 420);
     panel_.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel_));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel_, 120'000));
     panel_.addSignal(kAngle, "rad");
     QTest::mouseClick(panel_.findChild<QToolButton*>("splitPlot"), Qt::LeftButton);
     panel_.addSignal(kForce, "N");
@@ -78,7 +78,7 @@ class PlotPages : public testing::Test {
 };
 
 TEST_F(PlotPages, CanvasesStayAligned) {
-  EXPECT_TRUE(QTest::qWaitFor([this] { return areAligned(); }, 20'000));
+  EXPECT_TRUE(QTest::qWaitFor([this] { return areAligned(); }, 120'000));
   EXPECT_LT(above().mapToGlobal(QPoint()).y(), below().mapToGlobal(QPoint()).y());
 
   panel_.addSignal("robot/a/state.v", "V");
@@ -87,7 +87,7 @@ TEST_F(PlotPages, CanvasesStayAligned) {
 
   EXPECT_TRUE(QTest::qWaitFor(
       [this] { return areAligned() && above().sideRoom().right < below().sideRoom().right; },
-      20'000));
+      120'000));
 }
 
 TEST_F(PlotPages, PlotsOfOneColumnHaveDifferentAccessibleNames) {
@@ -279,13 +279,13 @@ TEST_F(PlotPages, RendersStackedPlots) {
   above().placeCursor(Cursor::kA, 200);
   above().placeCursor(Cursor::kB, 420);
   above().setHover(300);
-  ASSERT_TRUE(QTest::qWaitFor([this] { return areAligned(); }, 20'000));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return areAligned(); }, 120'000));
   for (const auto& [choice, name] : {std::pair{Theme::Choice::kDark, "plot_split-dark"},
                                      std::pair{Theme::Choice::kLight, "plot_split-light"}}) {
     Theme::instance().choose(choice);
     refresh();
     const auto* badge = panel_.findChild<RateBadge*>("rateBadge");
-    EXPECT_TRUE(QTest::qWaitFor([&] { return badge->text().contains("0 lost"); }, 20'000))
+    EXPECT_TRUE(QTest::qWaitFor([&] { return badge->text().contains("0 lost"); }, 120'000))
         << badge->text().toStdString();
     KeepPicture(panel_.grab().toImage(), name);
   }

@@ -212,7 +212,7 @@ TEST_F(PlotViewTest, RedrawsItselfWhileVisibleAndLive) {
   view_.addCurve({"p/a/state.x", "rad"}).append(Rows(0, 10'000));
   const std::int64_t before = view_.window().origin();
 
-  EXPECT_TRUE(QTest::qWaitFor([&] { return view_.window().origin() > before; }, 10'000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return view_.window().origin() > before; }, 120'000));
 }
 
 }  // namespace

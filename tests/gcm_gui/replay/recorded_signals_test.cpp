@@ -19,7 +19,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr int kSignalPatience = 60000;  // ms; bounds a test that fails
+constexpr int kSignalPatience = 120'000;  // ms; bounds a test that fails
 constexpr auto kTimeSignal = "robot/arm/state.Joints.position[0]";
 constexpr auto kWaveSignal = "robot/arm/state.Joints.position[1]";
 

@@ -13,7 +13,7 @@ namespace {
 
 using testing::ElementsAre;
 
-constexpr int kReaderPatience = 60000;  // ms; bounds a test that fails
+constexpr int kReaderPatience = 120'000;  // ms; bounds a test that fails
 constexpr auto kColumn = "robot/arm/state.Joints";
 constexpr auto kOtherColumn = "robot/arm/state.Temperature";
 constexpr auto kField = ".position[0]";

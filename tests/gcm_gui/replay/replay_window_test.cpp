@@ -43,7 +43,7 @@ namespace {
 using testing::HasSubstr;
 using State = ReplaySession::State;
 
-constexpr int kReplayPatience = 60000;  // ms; bounds a test that fails
+constexpr int kReplayPatience = 120'000;  // ms; bounds a test that fails
 constexpr auto kSignal = "robot/arm/state.Joints.position[0]";
 
 /// The real window with a recording of 20 s; see WriteRun().

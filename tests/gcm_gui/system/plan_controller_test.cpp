@@ -105,7 +105,7 @@ class SavingTest : public PlanControllerTest {
   QString Save() {
     QSignalSpy told(&document_, &SystemDocument::notice);
     document_.save(Path());
-    EXPECT_TRUE(QTest::qWaitFor([&] { return told.count() == 1; }, 60000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return told.count() == 1; }, 120'000));
     return told.isEmpty() ? QString() : told[0][0].toString();
   }
   [[nodiscard]] QString Path() const { return folder_.filePath("new.gcm.json"); }

@@ -27,7 +27,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kFlowPatience = 60000;  // ms; bounds a test that fails
+constexpr int kFlowPatience = 120'000;  // ms; bounds a test that fails
 
 const InterfaceName kFlowRequired{"desk", "operator", "Robot"};
 const InterfaceName kFlowProvided{"robot", "plant", "Control"};

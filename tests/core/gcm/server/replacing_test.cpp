@@ -217,7 +217,7 @@ TEST_P(Replacing, AFailedRestoreIsRecordedAsADisconnect) {
 TEST_P(Replacing, ALateProcessEndsWithTheFormerConnection) {
   ASSERT_TRUE(Connect(*client_));
   const auto before = Connection();
-  order_timeout_ = 100ms;
+  order_timeout_ = 1s;
   RestartGcm();
   desk_->set_manners(Manners::kDelay);
 
@@ -238,7 +238,7 @@ TEST_P(Replacing, ALateProcessEndsWithTheFormerConnection) {
 TEST_P(Replacing, ARestoreByALateProcessCanBeUndone) {
   ASSERT_TRUE(Connect(*client_));
   const auto before = Connection();
-  order_timeout_ = 100ms;
+  order_timeout_ = 1s;
   RestartGcm();
   desk_->set_manners(Manners::kDelayFromConnect);
 

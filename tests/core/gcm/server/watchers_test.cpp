@@ -155,7 +155,7 @@ TEST_P(Watching, AClientWithoutAGcmReportsAddressAndRemedy) {
   gcm_.reset();
   const auto recorder = std::make_shared<Recorder>();
   GcmClient client(NewMiddleware(),
-                   {.name = "test", .address = address_, .timeout = std::chrono::milliseconds(100)},
+                   {.name = "test", .address = address_, .timeout = std::chrono::seconds(1)},
                    recorder);
 
   const auto watching = client.WaitUntilWatching();

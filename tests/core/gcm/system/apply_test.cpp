@@ -77,7 +77,7 @@ TEST_P(ApplyPlan, RefusesAStepForARestartedProcess) {
 TEST_P(ApplyPlan, StartsNothingThatLacksAConnection) {
   PlanStep step{.kind = PlanStep::Kind::kStart, .process = "desk", .needs = {{kRobot, kControl}}};
   step.component.name = "teleoperation";
-  ClientExecutor executor(*client_, std::chrono::milliseconds(50));
+  ClientExecutor executor(*client_, std::chrono::seconds(1));
 
   const auto alone = executor.Execute(step);
   ASSERT_FALSE(alone);

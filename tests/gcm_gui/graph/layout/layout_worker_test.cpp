@@ -16,7 +16,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kWorkerPatience = 20'000;  // ms
+constexpr int kWorkerPatience = 120'000;  // ms
 
 GraphPicture LargePicture() { return PictureOf(LargeSystem(4, 50).catalogue()); }
 

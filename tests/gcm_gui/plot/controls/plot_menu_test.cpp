@@ -82,7 +82,7 @@ TEST_F(PlotMenuTest, SavesThePictureAsPixelsOrVectors) {
   const auto save = [this](const QString& file) {
     QString told;
     SavePicture(view(), file, &view(), [&told](const QString& sentence) { told = sentence; });
-    EXPECT_TRUE(QTest::qWaitFor([&told] { return !told.isEmpty(); }, 20'000));
+    EXPECT_TRUE(QTest::qWaitFor([&told] { return !told.isEmpty(); }, 120'000));
     return told;
   };
 

@@ -68,7 +68,7 @@ TEST(MemoryMeter, ShowsMemoryUseAndThinning) {
       [&] {
         return meter->accessibleName().contains("of 1 MB for samples; of older samples, only the");
       },
-      20'000));
+      120'000));
 }
 
 }  // namespace
