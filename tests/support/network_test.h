@@ -38,7 +38,7 @@ class NetworkTest : public testing::TestWithParam<NetworkKind> {
   /// Starts a process and waits until it has joined.
   [[nodiscard]] std::unique_ptr<tendon::Process> Start(const std::string& name) const {
     auto process = std::make_unique<tendon::Process>(name, Options());
-    const auto joined = process->WaitUntilJoined(std::chrono::seconds(20));
+    const auto joined = process->WaitUntilJoined(tendon::test::LongestWait());
     EXPECT_TRUE(joined.ok()) << joined.error().message;
     return process;
   }

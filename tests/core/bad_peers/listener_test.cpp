@@ -17,7 +17,7 @@
 namespace tendon {
 namespace {
 
-constexpr std::chrono::seconds kPatience(20);
+constexpr std::chrono::seconds kPatience(120);
 
 MemberDescription Seen() {
   return DescribeMember<std::vector<double>, None>("Seen", CommandKind::kWrite);

@@ -12,7 +12,7 @@ namespace {
 
 using Kind = CatalogueChange::Kind;
 
-constexpr std::chrono::milliseconds kTimeout(20'000);
+constexpr std::chrono::milliseconds kTimeout(60'000);
 
 Hello HelloOf(const ProcessDescription& process, std::uint64_t session) {
   return {.instance = process.instance,

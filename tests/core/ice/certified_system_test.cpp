@@ -20,7 +20,7 @@ using plant::Operator;
 using plant::Plant;
 using testing::HasSubstr;
 
-constexpr std::chrono::seconds kPatience(20);
+constexpr std::chrono::seconds kPatience(120);
 
 /// A GCM and processes under TLS. Each program has its own certificate.
 class CertifiedSystem : public AuthorityTest {

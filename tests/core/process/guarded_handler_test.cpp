@@ -29,7 +29,7 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr std::chrono::seconds kPatience(20);
+constexpr std::chrono::seconds kPatience(120);
 
 /// Records the entries about "looker" in the audit log.
 class AuditLog {

@@ -46,7 +46,7 @@ TEST_P(SilentViewer, IsDisconnectedDespiteASubscription) {
   const auto middleware = NewMiddleware();
   const auto cookie = tendon::LoopbackCookie();
   ASSERT_TRUE(cookie.ok());
-  constexpr std::chrono::seconds kLong(20);
+  constexpr std::chrono::seconds kLong(120);
   const auto channel =
       Channel::Open(*middleware, robot->address(),
                     {.instance = tendon::os::RandomNumber(), .name = "desk", .cookie = *cookie},

@@ -14,7 +14,7 @@ using tendon::Channel;
 using tendon::ChannelHandler;
 using tendon::Hello;
 
-constexpr std::chrono::seconds kPatience(20);
+constexpr std::chrono::seconds kPatience(120);
 
 /// Stores each request.
 class Silent final : public ChannelHandler {

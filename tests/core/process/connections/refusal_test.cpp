@@ -19,7 +19,7 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-constexpr std::chrono::seconds kRefusalPatience(20);
+constexpr std::chrono::seconds kRefusalPatience(120);
 
 /// A payload that needs mailbox slots of 64 KiB.
 struct Picture {

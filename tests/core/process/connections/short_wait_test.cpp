@@ -70,7 +70,7 @@ class Porter final : public tendon::Component {
 /// Callers wait for a task that executes commands quickly.
 class ShortWait : public NetworkTest {
  protected:
-  static constexpr auto kPatience = 20s;
+  static constexpr auto kPatience = 120s;
 
   ShortWait() {
     gong = &robot->Add<Gong>("gong");

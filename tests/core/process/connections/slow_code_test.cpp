@@ -19,7 +19,7 @@ using plant::Operator;
 using tendon::InterfaceName;
 using tendon::Status;
 
-constexpr auto kSlowCodePatience = 20s;
+constexpr auto kSlowCodePatience = 120s;
 
 /// A read command of the plant does not return while its gate is locked.
 class SlowRead : public RemoteConnection {

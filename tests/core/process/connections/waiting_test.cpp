@@ -21,7 +21,7 @@ using tendon::Status;
 using tendon::message::CallMemberReply;
 using testing::AnyOf;
 
-constexpr auto kLong = 20s;
+constexpr auto kLong = 120s;
 const tendon::InterfaceName kPress("robot", "press", "Control");
 const tendon::InterfaceName kPanel("desk", "panel", "Press");
 
