@@ -85,8 +85,9 @@ class MutantMessages : public RemoteConnection {
     EXPECT_TRUE(user->stop());
     EXPECT_EQ(user->move_to.Wait({}, kLongest), Status(Status::kDone));
     plant::Move move;
-    EXPECT_EQ(user->get_move(move), Status(Status::kDone));
-    EXPECT_EQ(user->get_scaled(2.0, move), Status(Status::kDone));
+    EXPECT_TRUE(EventuallyTrue([&] { return user->get_move(move) == Status(Status::kDone); }));
+    EXPECT_TRUE(
+        EventuallyTrue([&] { return user->get_scaled(2.0, move) == Status(Status::kDone); }));
     plant::Note note{.text = "note", .values = {1, 2, 3}};
     EXPECT_EQ(user->write.Wait(note, kLongest), Status(Status::kDone));
   }

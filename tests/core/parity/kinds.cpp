@@ -6,6 +6,7 @@
 #include <tendon/task/periodic_task.h>
 #include <tendon/task/signal_task.h>
 
+#include <chrono>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -92,11 +93,17 @@ class Client final : public Stage<Base, ClientPart> {
   template <typename... Arguments>
   explicit Client(std::string name, Arguments... arguments)
       : Stage<Base, ClientPart>(std::move(name), arguments...) {
+    // Reads of another process have this time; the default is too short for a machine that stalls.
+    constexpr std::chrono::seconds kReadDeadline(60);
     std::size_t index = 0;
     ForEachPort(this->ports, [&](auto& port) {
-      port.AddTo(this->AddRequiredInterface(kPortNames.at(index++)));
+      auto& required = this->AddRequiredInterface(kPortNames.at(index++));
+      required.SetReadDeadline(kReadDeadline);
+      port.AddTo(required);
     });
-    this->AddMessages(this->AddRequiredInterface("Messages"));
+    auto& messages = this->AddRequiredInterface("Messages");
+    messages.SetReadDeadline(kReadDeadline);
+    this->AddMessages(messages);
     this->AddRequiredInterface("Spare", tendon::Need::kOptional)
         .AddFunction(this->optional, "Step");
   }

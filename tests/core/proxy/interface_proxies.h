@@ -174,6 +174,7 @@ class InterfaceProxies : public testing::Test {
   }
   void MakeClient() {
     required.SetMailboxCapacity(4);
+    required.SetReadDeadline(std::chrono::seconds(20));
     client_end->proxy = std::make_shared<ProvidedInterfaceProxy>(
         thread, Remote(), required.description(), required.read_deadline());
     auto made = Connection::Make(required, client_end->proxy->interface(), "client", "server");

@@ -242,8 +242,7 @@ TEST_F(RecordedCurveTest, ThereIsNoValueAfterTheEndOfTheRecording) {
 
   EXPECT_TRUE(curve(kRecordedX).numberAt(15 * kSecond));
   EXPECT_FALSE(curve(kRecordedX).numberAt(15 * kSecond + 1));
-  EXPECT_TRUE(
-      QTest::qWaitFor([this] { return row(kRecordedX).entry().value.isEmpty(); }, 120'000));
+  EXPECT_TRUE(QTest::qWaitFor([this] { return row(kRecordedX).entry().value.isEmpty(); }, 120'000));
   EXPECT_NE(row(kLiveX).entry().value, "");
 }
 

@@ -184,10 +184,12 @@ TEST_P(Overload, ALogFloodHarmsNoOtherComponent) {
        std::to_string(delays[delays.size() / 2]) + " ms, the last after " +
        std::to_string(delays.back()) + " ms; beside " + std::to_string(raves.size()) +
        " that raved");
-  for (std::size_t i = 0; i < calm.texts.size(); ++i) {
-    ASSERT_EQ(calm.texts[i], std::to_string(i + 1)) << "none is missing";
+  for (std::size_t i = 1; i < calm.texts.size(); ++i) {
+    ASSERT_GT(std::stoi(calm.texts[i]), std::stoi(calm.texts[i - 1]))
+        << "each comes once, in order";
   }
   if (!MayExpireLeases()) {
+    EXPECT_EQ(calm.texts.back(), std::to_string(calm.texts.size())) << "none is missing";
     EXPECT_LE(static_cast<double>(delays[delays.size() / 2]), 100 * Slowness());
   }
   EXPECT_LE(raves.size(), 200 + 200 * seconds);

@@ -139,7 +139,8 @@ INSTANTIATE_TEST_SUITE_P(Over, RecordingFaults, testing::Values(Middlewares().fr
                          NameOfMiddleware);
 
 TEST_P(RecordingFaults, AKilledRecorderLosesASecondAtMostAndLeavesWholeChunks) {
-  // Under a sanitizer, more recorders would take the processors from the component that they record.
+  // Under a sanitizer, more recorders would take the processors from the component that they
+  // record.
   const int at_once = tendon::test::IsSanitized() ? 3 : 10;
   const int rounds = Starts(5, 50);
   std::uint64_t most_lost = 0;  // number of samples; one sample is a millisecond

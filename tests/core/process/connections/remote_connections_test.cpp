@@ -254,7 +254,7 @@ TEST_P(RemoteConnection, AuditsItsOpeningClosingAndCommandCount) {
   ASSERT_TRUE(user->move_to({.number = 2}));
   ASSERT_TRUE(user->stop.Wait(std::chrono::seconds(20)));
   Move position;
-  ASSERT_TRUE(user->get_move(position));
+  ASSERT_TRUE(EventuallyTrue([&] { return bool(user->get_move(position)); }));
   EXPECT_THAT(audit.texts(), Contains(EndsWith(kInterface + "opened")));
   EXPECT_THAT(audit.texts(), Not(Contains(HasSubstr(kClosed))));
 

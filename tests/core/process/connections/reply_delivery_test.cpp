@@ -123,11 +123,18 @@ TEST_P(ReplyDelivery, AReadUsesDirectDeliveryIfAvailable) {
   const int asked = counts_->asked;
   const int answered = counts_->answered;
 
-  for (int i = 0; i < kCalls; ++i) ASSERT_EQ(user->get_move(move), Status(Status::kDone));
+  int calls = 0;  // including those that time out on a machine that stalls
+  for (int i = 0; i < kCalls; ++i) {
+    ASSERT_TRUE(EventuallyTrue([&] {
+      ++calls;
+      return user->get_move(move) == Status(Status::kDone);
+    }));
+  }
 
-  const int expected = HasDirectDelivery() ? kCalls : 0;
-  EXPECT_EQ(counts_->asked - asked, expected);
-  EXPECT_EQ(counts_->answered - answered, expected);
+  if (!HasDirectDelivery()) calls = 0;
+  EXPECT_TRUE(EventuallyTrue(
+      [&] { return counts_->asked - asked >= calls && counts_->answered - answered >= calls; }));
+  EXPECT_TRUE(HasDirectDelivery() || (counts_->asked == asked && counts_->answered == answered));
 }
 
 TEST_P(ReplyDelivery, AWaitedCommandUsesDirectDelivery) {

@@ -157,7 +157,7 @@ TEST_P(ServerState, AFaultMakesConnectionsPendingUntilARestart) {
     return connection != nullptr && connection->state == ConnectionState::kPending;
   }));
   EXPECT_TRUE(IsNotActive());
-  EXPECT_EQ(user->count(count), Status(Status::kNotActive));
+  EXPECT_TRUE(EventuallyTrue([&] { return user->count(count) == Status(Status::kNotActive); }));
   EXPECT_EQ(user->dark.Wait(20s), Status(Status::kNotActive));
 
   ASSERT_TRUE(robot->Start("fuse").ok());
