@@ -2,18 +2,18 @@
 #include <tendon/payload/json.h>
 #include <tendon/payload/numeric_field.h>
 #include <tendon/recording/csv_export.h>
+#include <tendon/recording/export_tables.h>
 #include <tendon/recording/row_assembler.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace tendon::recording {
 namespace {
@@ -80,13 +80,16 @@ bool IsWhole(const Schema& schema, mcap::Bytes body) {
 /// One CSV file. Its rows are assembled from the messages of its channels.
 class CsvFile {
  public:
-  CsvFile(std::vector<CsvMember> members, Content content)
-      : members_(std::move(members)), content_(content), rows_(members_.size()) {}
+  CsvFile(std::string name, std::vector<CsvMember> members, Content content)
+      : name_(std::move(name)),
+        members_(std::move(members)),
+        content_(content),
+        rows_(members_.size()) {}
 
-  Result<void> Create(const std::filesystem::path& file) {
-    auto part = os::PartFile::Create(file);
+  Result<void> Create(const std::filesystem::path& folder) {
+    auto part = os::PartFile::Create(folder / name_);
     if (!part) return part.error();
-    file_ = file;
+    file_ = folder / name_;
     part_.emplace(*std::move(part));
     out_ = part_->TakeFile();
     text_ = "time_ns,source_time_ns,sequence,lost";
@@ -181,6 +184,7 @@ class CsvFile {
             "cannot write " + file_.string() + ": " + reason.message + "; no file was written"};
   }
 
+  const std::string name_;
   const std::vector<CsvMember> members_;
   const Content content_;
   std::filesystem::path file_;
@@ -193,14 +197,6 @@ class CsvFile {
   std::optional<RowKey> last_;
 };
 
-/// Where the messages of a channel go.
-struct Target {
-  std::shared_ptr<CsvFile> file;
-  std::size_t member = 0;
-  std::int64_t clock = 0;
-  mcap::ChannelId run = 0;
-};
-
 CsvMember CsvMemberOf(const ChannelMember& member) {
   CsvMember made{member.name, member.schema, NumericFields(member.schema),
                  HasTextOrSequence(member.schema)};
@@ -208,75 +204,42 @@ CsvMember CsvMemberOf(const ChannelMember& member) {
   return made;
 }
 
-/// The targets of all channels. Groups with the same path and columns share a file.
-class Targets {
- public:
-  /// kInvalid if there are too many columns.
-  Result<void> Add(const mcap::Reader& reader, const ChannelGroup& group) {
-    std::string signature = group.path;
-    std::vector<ChannelMember> members;
-    std::vector<const mcap::Channel*> channels;
-    for (const mcap::Channel* channel : group.channels) {
-      const auto member = MemberOf(reader, *channel, known_);
-      if (!member) continue;
-      const auto type = types_.emplace(member->schema.TextWithHelp(), types_.size()).first;
-      signature += '\n' + member->name + ' ' + std::to_string(type->second);
-      members.push_back(*member);
-      channels.push_back(channel);
-    }
-    if (channels.empty()) return {};
-    auto& file = files_[signature];
-    if (!file) {
-      std::vector<CsvMember> columns;
-      for (const ChannelMember& member : members) {
-        columns.push_back(CsvMemberOf(member));
-        columns_ += columns.back().numbers.size() + 1;
-        if (columns_ > kMostColumns) return TooManyColumns(reader);
-      }
-      file = std::make_shared<CsvFile>(std::move(columns), group.content);
-      named_.emplace_back(UnusedName(group.path), file);
-    }
-    for (std::size_t i = 0; i < channels.size(); ++i) {
-      targets_[channels[i]->id] = {file, i, ClockOf(*channels[i]), channels.front()->id};
-    }
-    return {};
-  }
+using CsvTables = ExportTables<CsvFile>;
 
-  [[nodiscard]] const Target* Find(mcap::ChannelId id) const {
-    const auto found = targets_.find(id);
-    return found == targets_.end() ? nullptr : &found->second;
-  }
-  [[nodiscard]] const std::vector<std::pair<std::string, std::shared_ptr<CsvFile>>>& files() const {
-    return named_;
-  }
-
- private:
-  std::string UnusedName(const std::string& path) {
-    const std::string name = FileNameOf(path);
-    std::string unused = name + ".csv";
-    for (int i = 2; !names_.insert(unused).second; ++i) {
-      unused = name + "-" + std::to_string(i) + ".csv";
+/// kInvalid if there are too many columns.
+Result<CsvTables> CsvTablesOf(const mcap::Reader& reader, const mcap::Query& query,
+                              const std::filesystem::path& folder, const os::StopRequest& stop) {
+  UniqueNames names;
+  std::size_t columns = 0;  // about: a member may have one less
+  const auto make =
+      [&](const ChannelGroup& group,
+          const std::vector<ChannelMember>& members) -> Result<std::shared_ptr<CsvFile>> {
+    std::vector<CsvMember> made;
+    for (const ChannelMember& member : members) {
+      made.push_back(CsvMemberOf(member));
+      columns += made.back().numbers.size() + 1;
+      if (columns > kMostColumns) return TooManyColumns(reader);
     }
-    return unused;
+    return std::make_shared<CsvFile>(names.Take(FileNameOf(group.path), ".csv"), std::move(made),
+                                     group.content);
+  };
+  CsvTables tables;
+  for (const ChannelGroup& group : GroupsOf(reader, query)) {
+    if (stop && stop()) return os::StoppedError(folder);
+    if (auto added = tables.Add(reader, group, make); !added) return added.error();
   }
+  if (tables.all().empty()) return NothingToExport(reader);
+  return tables;
+}
 
-  std::map<std::string, std::shared_ptr<CsvFile>> files_;  // by path and members
-  std::vector<std::pair<std::string, std::shared_ptr<CsvFile>>> named_;
-  std::map<mcap::ChannelId, Target> targets_;
-  std::set<std::string> names_;
-  RosTypes known_;
-  std::map<std::string, std::size_t> types_;  // their numbers, by their text
-  std::size_t columns_ = 0;                   // about: a member may have one less
-};
-
-Result<void> CreateFiles(const Targets& targets, const std::filesystem::path& folder) {
-  for (const auto& [name, file] : targets.files()) {
-    auto created = file->Create(folder / name);
+Result<void> CreateFiles(const CsvTables& tables, const std::filesystem::path& folder) {
+  for (const auto& file : tables.all()) {
+    auto created = file->Create(folder);
     if (created) continue;
     Error error = created.error();
     if (error.message.ends_with(std::generic_category().message(EMFILE))) {
       error.message +=
-          ". The export keeps " + std::to_string(targets.files().size()) +
+          ". The export keeps " + std::to_string(tables.all().size()) +
           " files open, one for each table, event, command and topic: choose a smaller part "
           "with --paths, or raise the limit with ulimit -n";
     }
@@ -285,44 +248,30 @@ Result<void> CreateFiles(const Targets& targets, const std::filesystem::path& fo
   return {};
 }
 
-Result<void> WriteFiles(mcap::Reader& reader, const mcap::Query& query, const Targets& targets,
+Result<void> WriteFiles(mcap::Reader& reader, const mcap::Query& query, const CsvTables& tables,
                         const std::filesystem::path& folder, const os::StopRequest& stop,
                         CsvReport& report) {
-  constexpr std::uint64_t kBetweenLooks = 1024;
-  LeftOut left_out;
-  std::uint64_t count = 0;
-  mcap::MessageStream messages = reader.Messages(query);
-  while (const auto message = messages.Next()) {
-    if (++count % kBetweenLooks == 0 && stop && stop()) return os::StoppedError(folder);
-    const Target* target = targets.Find(message->channel_id);
-    if (target == nullptr) {
-      ++left_out[message->channel_id];
-      continue;
-    }
-    const RowKey key{message->log_time, message->sequence, target->run};
-    auto added = target->file->Add(target->member, key, *message, target->clock, report);
-    if (!added) return added;
-  }
-  for (const auto& [name, file] : targets.files()) {
+  const auto add = [&report](const CsvTables::Destination& destination, const RowKey& key,
+                             const mcap::Message& message) {
+    return destination.table->Add(destination.column, key, message, destination.clock, report);
+  };
+  auto added = tables.AddMessages(reader, query, folder, stop, report, add);
+  if (!added) return added;
+  for (const auto& file : tables.all()) {
     if (auto closed = file->Close(report); !closed) return closed;
   }
-  CountLeftOut(reader, left_out, report);
   return {};
 }
 
 Result<CsvReport> Export(mcap::Reader& reader, const mcap::Query& query,
                          const std::filesystem::path& folder, const os::StopRequest& stop) {
+  const auto tables = CsvTablesOf(reader, query, folder, stop);
+  if (!tables) return tables.error();
+  if (auto created = CreateFiles(*tables, folder); !created) return created.error();
   CsvReport report;
-  Targets targets;
-  for (const ChannelGroup& group : GroupsOf(reader, query)) {
-    if (stop && stop()) return os::StoppedError(folder);
-    if (auto added = targets.Add(reader, group); !added) return added.error();
-  }
-  if (targets.files().empty()) return NothingToExport(reader);
-  if (auto created = CreateFiles(targets, folder); !created) return created.error();
-  auto written = WriteFiles(reader, query, targets, folder, stop, report);
+  auto written = WriteFiles(reader, query, *tables, folder, stop, report);
   if (!written) return written.error();
-  for (const auto& [name, file] : targets.files()) {
+  for (const auto& file : tables->all()) {
     if (auto completed = file->Complete(); !completed) {
       std::error_code ignored;
       for (const auto& complete : report.files) std::filesystem::remove(complete, ignored);

@@ -2,6 +2,7 @@
 #include <tendon/payload/body_reader.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/numeric_value.h>
+#include <tendon/recording/export_tables.h>
 #include <tendon/recording/hdf5/hdf5_module.h>
 #include <tendon/recording/row_assembler.h>
 
@@ -483,14 +484,6 @@ class Table {
   std::int64_t rows_ = 0;
 };
 
-/// Where the messages of a channel go.
-struct Destination {
-  std::shared_ptr<Table> table;
-  std::size_t member = 0;
-  std::int64_t clock = 0;
-  mcap::ChannelId run = 0;
-};
-
 /// A name of a group for any text: "/robot/arm/state".
 std::string GroupNameOf(const std::string& path) {
   std::string name;
@@ -514,94 +507,60 @@ std::size_t DatasetsOf(const Schema& schema) {
   return count;
 }
 
-/// The tables of all channels. Groups with the same path and columns share one.
-class Tables {
- public:
-  /// kInvalid if there are too many columns.
-  Result<void> Add(const ChannelGroup& group, const mcap::Reader& reader) {
-    std::string signature = group.path;
-    std::vector<ChannelMember> members;
-    std::vector<const mcap::Channel*> channels;
-    for (const mcap::Channel* channel : group.channels) {
-      const auto member = MemberOf(reader, *channel, known_);
-      if (!member || !HasMessages(reader, *channel)) continue;
-      const auto type = types_.emplace(member->schema.TextWithHelp(), types_.size()).first;
-      signature += '\n' + member->name + ' ' + std::to_string(type->second);
-      members.push_back(*member);
-      channels.push_back(channel);
+/// A channel may be empty, because `gcm cut` keeps all channels.
+bool HasMessages(const mcap::Reader& reader, const mcap::Channel& channel) {
+  const auto& statistics = reader.statistics();
+  return !statistics || statistics->channel_message_counts.empty() ||
+         statistics->channel_message_counts.contains(channel.id);
+}
+
+using Hdf5Tables = ExportTables<Table>;
+
+/// kInvalid if there are too many columns.
+Result<Hdf5Tables> Hdf5TablesOf(const mcap::Reader& reader, const mcap::Query& query,
+                                const std::filesystem::path& file, const os::StopRequest& stop) {
+  UniqueNames names;
+  std::size_t columns = 0;  // about
+  const auto make =
+      [&](const ChannelGroup& group,
+          const std::vector<ChannelMember>& members) -> Result<std::shared_ptr<Table>> {
+    for (const ChannelMember& member : members) {
+      columns += DatasetsOf(member.schema);
+      if (columns > kMostColumns) return TooManyColumns(reader);
     }
-    if (channels.empty()) return {};
-    auto& table = tables_[signature];
-    if (!table) {
-      for (const ChannelMember& member : members) {
-        columns_ += DatasetsOf(member.schema);
-        if (columns_ > kMostColumns) return TooManyColumns(reader);
-      }
-      table = std::make_shared<Table>(UnusedName(group.path), group.content, members);
-      named_.push_back(table);
-    }
-    for (std::size_t i = 0; i < channels.size(); ++i) {
-      targets_[channels[i]->id] = {table, i, ClockOf(*channels[i]), channels.front()->id};
-    }
-    return {};
+    return std::make_shared<Table>(names.Take(GroupNameOf(group.path)), group.content, members);
+  };
+  Hdf5Tables tables;
+  for (ChannelGroup& group : GroupsOf(reader, query)) {
+    if (stop && stop()) return os::StoppedError(file);
+    std::erase_if(group.channels,
+                  [&](const mcap::Channel* channel) { return !HasMessages(reader, *channel); });
+    if (auto added = tables.Add(reader, group, make); !added) return added.error();
   }
+  if (tables.all().empty()) return NothingToExport(reader);
+  return tables;
+}
 
-  [[nodiscard]] const Destination* Find(mcap::ChannelId id) const {
-    const auto found = targets_.find(id);
-    return found == targets_.end() ? nullptr : &found->second;
-  }
-  [[nodiscard]] const std::vector<std::shared_ptr<Table>>& all() const { return named_; }
-
- private:
-  /// A channel may be empty, because `gcm cut` keeps all channels.
-  static bool HasMessages(const mcap::Reader& reader, const mcap::Channel& channel) {
-    const auto& statistics = reader.statistics();
-    return !statistics || statistics->channel_message_counts.empty() ||
-           statistics->channel_message_counts.contains(channel.id);
-  }
-  std::string UnusedName(const std::string& path) {
-    const std::string name = GroupNameOf(path);
-    std::string unused = name;
-    for (int i = 2; !names_.insert(unused).second; ++i) unused = name + "-" + std::to_string(i);
-    return unused;
-  }
-
-  std::map<std::string, std::shared_ptr<Table>> tables_;  // by path and members
-  std::vector<std::shared_ptr<Table>> named_;
-  std::map<mcap::ChannelId, Destination> targets_;
-  std::set<std::string> names_;
-  RosTypes known_;
-  std::map<std::string, std::size_t> types_;  // their numbers, by their text
-  std::size_t columns_ = 0;                   // about
-};
-
-/// Returns false if it was stopped. Throws if HDF5 fails.
-bool WriteTables(mcap::Reader& reader, const mcap::Query& query, const Tables& tables, Handle& out,
-                 const os::StopRequest& stop, Hdf5Report& report) {
+/// Throws if HDF5 fails.
+Result<void> WriteTables(mcap::Reader& reader, const mcap::Query& query, const Hdf5Tables& tables,
+                         const std::filesystem::path& file, Handle& out,
+                         const os::StopRequest& stop, Hdf5Report& report) {
   WriteText(out.get(), "recording", std::filesystem::path(reader.name()).filename().string());
   for (const auto& table : tables.all()) {
     table->Create(out.get());
     report.groups.push_back(table->name());
   }
-  constexpr std::uint64_t kBetweenLooks = 1024;
-  LeftOut left_out;
-  std::uint64_t count = 0;
-  mcap::MessageStream messages = reader.Messages(query);
-  while (const auto message = messages.Next()) {
-    if (++count % kBetweenLooks == 0 && stop && stop()) return false;
-    const Destination* target = tables.Find(message->channel_id);
-    if (target == nullptr) {
-      ++left_out[message->channel_id];
-      continue;
-    }
-    const RowKey key{message->log_time, message->sequence, target->run};
-    target->table->Add(target->member, key, *message, target->clock, report);
-  }
+  const auto add = [&report](const Hdf5Tables::Destination& destination, const RowKey& key,
+                             const mcap::Message& message) -> Result<void> {
+    destination.table->Add(destination.column, key, message, destination.clock, report);
+    return {};
+  };
+  auto added = tables.AddMessages(reader, query, file, stop, report, add);
+  if (!added) return added;
   for (const auto& table : tables.all()) table->Close(report);
-  CountLeftOut(reader, left_out, report);
   Checked(H5Fflush(out.get(), H5F_SCOPE_GLOBAL));
   out.Close();
-  return true;
+  return {};
 }
 
 Result<Hdf5Report> Export(mcap::Reader& reader, const mcap::Query& query,
@@ -617,14 +576,11 @@ Result<Hdf5Report> Export(mcap::Reader& reader, const mcap::Query& query,
   Hdf5Report report;
   try {
     std::optional<Handle> out;  // destroyed after the datasets in it
-    Tables tables;
-    for (const ChannelGroup& group : GroupsOf(reader, query)) {
-      if (stop && stop()) return os::StoppedError(file);
-      if (auto added = tables.Add(group, reader); !added) return added.error();
-    }
-    if (tables.all().empty()) return NothingToExport(reader);
+    const auto tables = Hdf5TablesOf(reader, query, file, stop);
+    if (!tables) return tables.error();
     out.emplace(H5Fcreate(part->part().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
-    if (!WriteTables(reader, query, tables, *out, stop, report)) return os::StoppedError(file);
+    auto written = WriteTables(reader, query, *tables, file, *out, stop, report);
+    if (!written) return written.error();
   } catch (const Hdf5Failure& failure) {
     return Error{ErrorCode::kFailed,
                  "cannot write " + file.string() + ": " + failure.reason + "; no file was written"};
