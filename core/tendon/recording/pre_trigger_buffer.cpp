@@ -7,7 +7,7 @@
 namespace tendon::recording {
 namespace {
 
-SteadyTime TimeOfRow(const Rows& rows, std::size_t row) {
+SteadyTime TimeOfRow(const RowsEntry& rows, std::size_t row) {
   return SteadyTime(std::chrono::nanoseconds(rows.times[row]) - rows.clock_offset);
 }
 
@@ -16,7 +16,7 @@ SteadyTime TimeOfRecord(const LogEntry& entry, std::int64_t wall_minus_steady) {
 }
 
 /// Keeps the rows from `begin` to before `end`.
-void KeepRows(Rows& rows, std::size_t begin, std::size_t end) {
+void KeepRows(RowsEntry& rows, std::size_t begin, std::size_t end) {
   const std::size_t width = rows.source->members.size();
   const auto bytes_of = [&](std::size_t first, std::size_t last) {
     std::size_t bytes = 0;
@@ -39,25 +39,25 @@ void KeepRows(Rows& rows, std::size_t begin, std::size_t end) {
 
 }  // namespace
 
-EntryTimes TimesOf(const Entry& entry, std::int64_t wall_minus_steady) {
-  if (const auto* rows = std::get_if<Rows>(&entry)) {
+EntryTimes TimesOf(const RecordingEntry& entry, std::int64_t wall_minus_steady) {
+  if (const auto* rows = std::get_if<RowsEntry>(&entry)) {
     return {TimeOfRow(*rows, 0), TimeOfRow(*rows, rows->times.size() - 1)};
   }
-  if (const auto* event = std::get_if<Event>(&entry)) return {event->raised, event->raised};
+  if (const auto* event = std::get_if<EventEntry>(&entry)) return {event->raised, event->raised};
   if (const auto* record = std::get_if<LogEntry>(&entry)) {
     const SteadyTime time = TimeOfRecord(*record, wall_minus_steady);
     return {time, time};
   }
-  const SteadyTime received = std::get<CatalogueChanges>(entry).received;
+  const SteadyTime received = std::get<CatalogueEntry>(entry).received;
   return {received, received};
 }
 
-bool Trim(Entry& entry, SteadyTime from, SteadyTime to, std::int64_t wall_minus_steady) {
-  if (std::holds_alternative<CatalogueChanges>(entry)) return true;
+bool Trim(RecordingEntry& entry, SteadyTime from, SteadyTime to, std::int64_t wall_minus_steady) {
+  if (std::holds_alternative<CatalogueEntry>(entry)) return true;
   const EntryTimes times = TimesOf(entry, wall_minus_steady);
   if (times.last < from || times.first > to) return false;
   if (times.first >= from && times.last <= to) return true;
-  Rows& rows = std::get<Rows>(entry);
+  RowsEntry& rows = std::get<RowsEntry>(entry);
   std::size_t begin = 0;
   while (TimeOfRow(rows, begin) < from) ++begin;
   std::size_t end = rows.times.size();
@@ -66,12 +66,12 @@ bool Trim(Entry& entry, SteadyTime from, SteadyTime to, std::int64_t wall_minus_
   return end > begin;
 }
 
-LostRows LostBefore(const Entry& entry) {
-  const auto* rows = std::get_if<Rows>(&entry);
+LostRows LostBefore(const RecordingEntry& entry) {
+  const auto* rows = std::get_if<RowsEntry>(&entry);
   return rows == nullptr ? LostRows() : rows->lost_before;
 }
 
-void PreTriggerBuffer::Add(Entry entry, SteadyTime now) {
+void PreTriggerBuffer::Add(RecordingEntry entry, SteadyTime now) {
   constexpr std::chrono::seconds kLatest(1);  // until a trigger that has fired is known
   const std::size_t size = SizeOf(entry);
   const SteadyTime last = TimesOf(entry, wall_minus_steady_).last;
@@ -103,7 +103,7 @@ void PreTriggerBuffer::NoteDropped(const Kept& kept) {
   Dropped& now = dropped_.back();
   now.last = std::max(now.last, kept.last);
   Missing& missing = now.by_path[PathOf(kept.entry)];
-  const auto* rows = std::get_if<Rows>(&kept.entry);
+  const auto* rows = std::get_if<RowsEntry>(&kept.entry);
   missing.rows += rows != nullptr ? rows->ticks.size() : 0U;
   missing.others += rows != nullptr ? 0U : 1U;
   missing.lost_before += LostBefore(kept.entry);
@@ -112,7 +112,7 @@ void PreTriggerBuffer::NoteDropped(const Kept& kept) {
 void PreTriggerBuffer::DropOldest(bool is_too_old) {
   const Kept& oldest = entries_.front();
   if (is_too_old) CountLoss(oldest.entry, LostBefore(oldest.entry));
-  if (const auto* changes = std::get_if<CatalogueChanges>(&oldest.entry)) {
+  if (const auto* changes = std::get_if<CatalogueEntry>(&oldest.entry)) {
     if (changes->is_snapshot && !changes->changes.empty()) {
       catalogue_ = Catalogue::At(changes->changes.back().revision - changes->changes.size());
     }
@@ -125,17 +125,17 @@ void PreTriggerBuffer::DropOldest(bool is_too_old) {
   entries_.pop_front();
 }
 
-std::deque<Entry> PreTriggerBuffer::TakeSince(SteadyTime from) {
+std::deque<RecordingEntry> PreTriggerBuffer::TakeSince(SteadyTime from) {
   ForgetDroppedBefore(from);
   // Changes of the catalogue are kept, whatever their time, so that the file has the whole
   // catalogue.
-  std::deque<Entry> taken;
+  std::deque<RecordingEntry> taken;
   if (has_catalogue_) {
     taken.emplace_back(
-        CatalogueChanges{.is_snapshot = true, .received = from, .changes = catalogue_.AsChanges()});
+        CatalogueEntry{.is_snapshot = true, .received = from, .changes = catalogue_.AsChanges()});
   }
   for (Kept& kept : entries_) {
-    if (auto* changes = std::get_if<CatalogueChanges>(&kept.entry)) {
+    if (auto* changes = std::get_if<CatalogueEntry>(&kept.entry)) {
       changes->received = std::max(changes->received, from);
     }
     const LostRows lost = LostBefore(kept.entry);
@@ -148,9 +148,9 @@ std::deque<Entry> PreTriggerBuffer::TakeSince(SteadyTime from) {
   return taken;
 }
 
-void PreTriggerBuffer::CountLoss(const Entry& entry, const LostRows& lost) {
+void PreTriggerBuffer::CountLoss(const RecordingEntry& entry, const LostRows& lost) {
   if (lost.all() == 0) return;
-  losses_[ToString(std::get<Rows>(entry).source->name)] += lost;
+  losses_[ToString(std::get<RowsEntry>(entry).source->name)] += lost;
 }
 
 Losses PreTriggerBuffer::MissingSince(SteadyTime from) const {

@@ -2,7 +2,7 @@
 
 #include <tendon/base/clock.h>
 #include <tendon/gcm/catalogue.h>
-#include <tendon/recording/recording_queue.h>
+#include <tendon/recording/recording_entry.h>
 
 #include <chrono>
 #include <cstddef>
@@ -21,15 +21,15 @@ struct EntryTimes {
 };
 /// Adding `wall_minus_steady`, in ns, to a steady time gives the wall time. It converts the times
 /// of log records, which are wall times.
-[[nodiscard]] EntryTimes TimesOf(const Entry& entry, std::int64_t wall_minus_steady);
+[[nodiscard]] EntryTimes TimesOf(const RecordingEntry& entry, std::int64_t wall_minus_steady);
 
 /// Removes the rows before `from` and those after `to`. Returns false if nothing of the entry is
 /// left. Leaves changes of the catalogue as they are.
-[[nodiscard]] bool Trim(Entry& entry, SteadyTime from, SteadyTime to,
+[[nodiscard]] bool Trim(RecordingEntry& entry, SteadyTime from, SteadyTime to,
                         std::int64_t wall_minus_steady);
 
 /// Returns the rows that were lost before the rows of an entry; none if the entry has no rows.
-[[nodiscard]] LostRows LostBefore(const Entry& entry);
+[[nodiscard]] LostRows LostBefore(const RecordingEntry& entry);
 
 /// The entries of the last seconds, while a recorder waits for its condition to start. Both the age
 /// and the bytes of the entries are limited. An entry that is dropped because of the limit of bytes
@@ -44,9 +44,9 @@ class PreTriggerBuffer {
       : age_(age), most_bytes_(most_bytes), wall_minus_steady_(wall_minus_steady) {}
 
   /// Adds an entry, and drops the oldest ones. `now` does not go backwards.
-  void Add(Entry entry, SteadyTime now);
+  void Add(RecordingEntry entry, SteadyTime now);
   /// Removes and returns all entries since `from`. The first one is the catalogue as it was then.
-  std::deque<Entry> TakeSince(SteadyTime from);
+  std::deque<RecordingEntry> TakeSince(SteadyTime from);
 
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
   /// For each table: the rows that were lost before the entries that TakeSince() has returned.
@@ -59,7 +59,7 @@ class PreTriggerBuffer {
 
  private:
   struct Kept {
-    Entry entry;
+    RecordingEntry entry;
     std::size_t size = 0;
     SteadyTime last;
   };
@@ -78,7 +78,7 @@ class PreTriggerBuffer {
   };
 
   void DropOldest(bool is_too_old);
-  void CountLoss(const Entry& entry, const LostRows& lost);
+  void CountLoss(const RecordingEntry& entry, const LostRows& lost);
   void ForgetDroppedBefore(SteadyTime from);
   void NoteDropped(const Kept& kept);
 

@@ -351,7 +351,7 @@ void Recorder::WriteUntilStopped() {
 Result<void> Recorder::WriteSome() {
   constexpr auto kPatience = 100ms;
   Result<void> result;
-  for (Entry& entry : queue_->Take(kPatience)) {
+  for (RecordingEntry& entry : queue_->Take(kPatience)) {
     if (is_waiting_) {
       past_.Add(std::move(entry), SteadyClock().Now());
     } else if (auto written = Write(std::move(entry)); !written) {
@@ -367,23 +367,23 @@ Result<void> Recorder::WriteSome() {
   return writer_->Sync();
 }
 
-Result<void> Recorder::Write(Entry entry) {
+Result<void> Recorder::Write(RecordingEntry entry) {
   // The event or call that ends the recording is a part of it, although the trigger, which has a
   // subscription of its own, may have noted a somewhat earlier time.
   constexpr auto kSameEvent = 200ms;
-  const bool is_event = std::holds_alternative<Event>(entry);
+  const bool is_event = std::holds_alternative<EventEntry>(entry);
   const SteadyTime to = is_event && to_ != SteadyTime::max() ? to_ + kSameEvent : to_;
   const LostRows lost = LostBefore(entry);
   const bool is_wanted = Trim(entry, from_, to, WallMinusSteady());
   if (LostBefore(entry) != lost || (!is_wanted && lost.all() > 0)) {
     const std::scoped_lock lock(mutex_);
-    losses_before_.rows[ToString(std::get<Rows>(entry).source->name)] += lost;
+    losses_before_.rows[ToString(std::get<RowsEntry>(entry).source->name)] += lost;
   }
   return is_wanted ? WriteOrNotice(entry) : Result<void>();
 }
 
 /// Goes on if the file cannot hold an entry, such as rows with a type that is too large.
-Result<void> Recorder::WriteOrNotice(const Entry& entry) {
+Result<void> Recorder::WriteOrNotice(const RecordingEntry& entry) {
   if (!writer_) {
     const std::scoped_lock lock(mutex_);
     unwritten_.AddUnwritten(entry);
@@ -413,7 +413,7 @@ Result<void> Recorder::Begin(SteadyTime start) {
   Losses missing = past_.MissingSince(from_);
   std::map<std::string, LostRows> told = past_.LostBeforeMissingSince(from_);
   for (const auto& [path, lost] : missing.rows) told[path] += lost;
-  const std::deque<Entry> entries = past_.TakeSince(from_);
+  const std::deque<RecordingEntry> entries = past_.TakeSince(from_);
   {
     const std::scoped_lock lock(mutex_);
     losses_before_ = LossesUntil(from_);
@@ -431,7 +431,7 @@ Result<void> Recorder::Begin(SteadyTime start) {
   for (const auto& [path, lost] : told) {
     if (result) result = writer_->WriteLoss(path, lost, from_);
   }
-  for (const Entry& entry : entries) {
+  for (const RecordingEntry& entry : entries) {
     if (auto written = WriteOrNotice(entry); !written) result = written;
   }
   return result;

@@ -156,8 +156,8 @@ class Recorder {
 
   void WriteUntilStopped();
   Result<void> WriteSome();
-  Result<void> Write(Entry entry);
-  Result<void> WriteOrNotice(const Entry& entry);
+  Result<void> Write(RecordingEntry entry);
+  Result<void> WriteOrNotice(const RecordingEntry& entry);
   Result<void> StartIfDue();
   Result<void> Begin(SteadyTime start);
   void KeepLosses();

@@ -6,63 +6,6 @@
 #include <utility>
 
 namespace tendon::recording {
-namespace {
-
-std::size_t Size(const Rows& rows) {
-  return sizeof rows + rows.cells.size() + 4 * rows.cell_sizes.size() + 16 * rows.ticks.size();
-}
-std::size_t Size(const Event& event) { return sizeof event + event.value.size(); }
-std::size_t Size(const LogEntry& entry) {
-  const auto& [time, level, process, source, text] = entry.record;
-  return sizeof entry + process.size() + source.size() + text.size();
-}
-std::size_t Size(const CatalogueChanges& changes) {
-  constexpr std::size_t kUsual = 4096;  // a component with its interfaces
-  return sizeof changes + kUsual * changes.changes.size();
-}
-
-}  // namespace
-
-std::size_t SizeOf(const Entry& entry) {
-  return std::visit([](const auto& one) { return Size(one); }, entry);
-}
-
-std::string PathOf(const Entry& entry) {
-  if (const auto* rows = std::get_if<Rows>(&entry)) return ToString(rows->source->name);
-  const auto* event = std::get_if<Event>(&entry);
-  if (event == nullptr) return {};
-  return ToString(event->source->name) + "." + event->source->members.at(event->member).name;
-}
-
-void Losses::AddUnwritten(const Entry& entry, std::uint64_t written) {
-  if (const auto* one = std::get_if<Rows>(&entry)) {
-    if (one->ticks.size() > written) rows[PathOf(entry)].viewer += one->ticks.size() - written;
-  } else if (std::holds_alternative<Event>(entry)) {
-    ++events[PathOf(entry)];
-  } else if (std::holds_alternative<LogEntry>(entry)) {
-    ++log;
-  }
-}
-
-LostRows Losses::all_rows() const {
-  LostRows all;
-  for (const auto& [path, lost] : rows) all += lost;
-  return all;
-}
-
-std::uint64_t Losses::all_events() const {
-  std::uint64_t all = 0;
-  for (const auto& [path, lost] : events) all += lost;
-  return all;
-}
-
-Losses& Losses::operator+=(const Losses& other) {
-  for (const auto& [path, lost] : other.rows) rows[path] += lost;
-  for (const auto& [path, lost] : other.events) events[path] += lost;
-  log += other.log;
-  return *this;
-}
-
 /// The rows of one table.
 class RecordingQueue::TableSink final : public RowSink {
  public:
@@ -73,7 +16,7 @@ class RecordingQueue::TableSink final : public RowSink {
         columns_(table.columns) {}
 
   void OnSubscribed(const std::vector<Schema>& columns) override {
-    auto now = std::make_shared<Source>();
+    auto now = std::make_shared<EntrySource>();
     now->name = name_;
     for (std::size_t i = 0; i < columns.size(); ++i) {
       now->members.push_back({columns_.at(i), columns[i]});
@@ -83,12 +26,12 @@ class RecordingQueue::TableSink final : public RowSink {
   }
 
   void OnRows(const RowBatch& batch) override {
-    std::shared_ptr<const Source> source;
+    std::shared_ptr<const EntrySource> source;
     {
       const std::scoped_lock lock(queue_->mutex_);
       source = source_;
     }
-    std::optional<Rows> rows;
+    std::optional<RowsEntry> rows;
     if (source && batch.count > 0) rows = Copy(batch, source);
     const std::scoped_lock lock(queue_->mutex_);
     LostRows& trailing = queue_->trailing_losses_[path_];
@@ -97,7 +40,7 @@ class RecordingQueue::TableSink final : public RowSink {
     if (batch.count == 0) return;
     if (rows) {
       rows->lost_before = trailing;
-      const std::size_t size = Size(*rows);
+      const std::size_t size = SizeOf(*rows);
       if (queue_->Push(std::move(*rows), size)) {
         trailing = {};
         return;
@@ -113,17 +56,17 @@ class RecordingQueue::TableSink final : public RowSink {
   }
 
  private:
-  static Rows Copy(const RowBatch& batch, const std::shared_ptr<const Source>& source) {
+  static RowsEntry Copy(const RowBatch& batch, const std::shared_ptr<const EntrySource>& source) {
     const std::size_t width = source->members.size();
-    Rows rows{.source = source,
-              .epoch = batch.epoch,
-              .clock_offset = batch.clock_offset,
-              .clock_uncertainty = batch.clock_uncertainty,
-              .lost_before = {},
-              .ticks = {batch.ticks.begin(), batch.ticks.end()},
-              .times = {batch.times.begin(), batch.times.end()},
-              .cell_sizes = {},
-              .cells = {}};
+    RowsEntry rows{.source = source,
+                   .epoch = batch.epoch,
+                   .clock_offset = batch.clock_offset,
+                   .clock_uncertainty = batch.clock_uncertainty,
+                   .lost_before = {},
+                   .ticks = {batch.ticks.begin(), batch.ticks.end()},
+                   .times = {batch.times.begin(), batch.times.end()},
+                   .cell_sizes = {},
+                   .cells = {}};
     rows.cell_sizes.reserve(batch.count * width);
     for (std::size_t row = 0; row < batch.count; ++row) {
       for (std::size_t column = 0; column < width; ++column) {
@@ -139,7 +82,7 @@ class RecordingQueue::TableSink final : public RowSink {
   const InterfaceName name_;
   const std::string path_;
   const std::vector<std::string> columns_;
-  std::shared_ptr<const Source> source_;
+  std::shared_ptr<const EntrySource> source_;
 };
 
 /// The events, or the commands, of one interface.
@@ -150,7 +93,7 @@ class RecordingQueue::InterfaceSink final : public EventSink {
       : queue_(std::move(queue)), subscription_(std::move(events)), types_(std::move(types)) {}
 
   void OnListening(const std::vector<MemberDescription>& events) override {
-    auto now = std::make_shared<Source>();
+    auto now = std::make_shared<EntrySource>();
     now->name = subscription_.provided;
     now->are_commands = !subscription_.commands.empty();
     std::vector<bool> is_known;
@@ -169,8 +112,8 @@ class RecordingQueue::InterfaceSink final : public EventSink {
   void OnEvent(std::size_t event, std::span<const std::byte> value,
                const EventTime& time) override {
     const std::scoped_lock lock(queue_->mutex_);
-    Event one{source_, event, time.raised, {value.begin(), value.end()}};
-    const std::size_t size = Size(one);
+    EventEntry one{source_, event, time.raised, {value.begin(), value.end()}};
+    const std::size_t size = SizeOf(one);
     const bool is_known = source_ && event < is_known_.size() && is_known_[event];
     if (!is_known || !queue_->Push(std::move(one), size)) ++queue_->losses_.events[PathOf(event)];
   }
@@ -197,7 +140,7 @@ class RecordingQueue::InterfaceSink final : public EventSink {
   const std::shared_ptr<RecordingQueue> queue_;
   const EventSubscription subscription_;
   const std::map<Fingerprint, Schema> types_;
-  std::shared_ptr<const Source> source_;
+  std::shared_ptr<const EntrySource> source_;
   std::vector<bool> is_known_;
 };
 
@@ -210,12 +153,12 @@ std::shared_ptr<EventSink> RecordingQueue::SinkOf(const EventSubscription& event
   return std::make_shared<InterfaceSink>(shared_from_this(), events, std::move(types));
 }
 
-std::deque<Entry> RecordingQueue::Take(std::chrono::nanoseconds patience) {
+std::deque<RecordingEntry> RecordingQueue::Take(std::chrono::nanoseconds patience) {
   constexpr std::size_t kAtOnce = std::size_t{1} << 20U;  // bytes
   std::unique_lock lock(mutex_);
   arrival_.wait_for(lock, patience, [this] { return is_woken_ || !entries_.empty(); });
   is_woken_ = false;
-  std::deque<Entry> taken;
+  std::deque<RecordingEntry> taken;
   std::size_t size = 0;
   while (!entries_.empty() && size < kAtOnce) {
     size += SizeOf(entries_.front());
@@ -282,17 +225,17 @@ std::uint64_t RecordingQueue::snapshots() const {
 }
 
 void RecordingQueue::OnSnapshot(const Catalogue& catalogue) {
-  CatalogueChanges snapshot{true, SteadyClock().Now(), catalogue.AsChanges()};
+  CatalogueEntry snapshot{true, SteadyClock().Now(), catalogue.AsChanges()};
   const std::scoped_lock lock(mutex_);
   ++snapshots_;
   if (std::exchange(is_gcm_lost_, false)) Notice("the GCM is available again");
-  const std::size_t size = Size(snapshot);
+  const std::size_t size = SizeOf(snapshot);
   needs_snapshot_ = !Push(std::move(snapshot), size);
 }
 
 void RecordingQueue::OnChanges(const std::vector<CatalogueChange>& changes) {
-  CatalogueChanges next{false, SteadyClock().Now(), changes};
-  const std::size_t size = Size(next);
+  CatalogueEntry next{false, SteadyClock().Now(), changes};
+  const std::size_t size = SizeOf(next);
   const std::scoped_lock lock(mutex_);
   // Without these changes, the later ones have no meaning.
   if (!needs_snapshot_) needs_snapshot_ = !Push(std::move(next), size);
@@ -310,13 +253,13 @@ void RecordingQueue::OnLog(const LogBatch& batch) {
   is_log_current_ |= batch.is_current;
   for (const message::LogRecord& record : batch.records) {
     LogEntry entry{record};
-    const std::size_t size = Size(entry);
+    const std::size_t size = SizeOf(entry);
     if (!Push(std::move(entry), size)) ++losses_.log;
   }
 }
 
 /// An entry that is larger than the bound is taken if it is the only one.
-bool RecordingQueue::Push(Entry entry, std::size_t size) {
+bool RecordingQueue::Push(RecordingEntry entry, std::size_t size) {
   if (is_closed_) return true;
   if (!entries_.empty() && bytes_ + size > most_bytes_) return false;
   entries_.push_back(std::move(entry));

@@ -5,6 +5,7 @@
 #include <tendon/gcm/client.h>
 #include <tendon/payload/fingerprint.h>
 #include <tendon/payload/schema.h>
+#include <tendon/recording/recording_entry.h>
 
 #include <chrono>
 #include <condition_variable>
@@ -14,85 +15,10 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <span>
 #include <string>
-#include <variant>
 #include <vector>
 
-/// The entries that a recorder receives from a running system. In LostRows, `viewer` counts the
-/// rows that the recorder itself has lost, because the disk was slower than the data, or failed.
 namespace tendon::recording {
-
-/// A column of a table, an event, or a command with the type of its calls.
-struct Member {
-  std::string name;
-  Schema schema;
-};
-
-/// A table, or the events or the commands of an interface, with its present types. After each
-/// recovery of the connection, there is a new object.
-struct Source {
-  InterfaceName name;
-  std::vector<Member> members;
-  bool are_commands = false;
-};
-
-/// Consecutive rows of a table.
-struct Rows {
-  std::shared_ptr<const Source> source;
-  std::uint64_t epoch = 0;                        ///< as in RowBatch
-  std::chrono::nanoseconds clock_offset{0};       ///< likewise
-  std::chrono::nanoseconds clock_uncertainty{0};  ///< likewise
-  LostRows lost_before;                           ///< rows that were lost just before these rows
-  std::vector<std::uint64_t> ticks;
-  std::vector<std::int64_t> times;        ///< on the clock of the source, ns
-  std::vector<std::uint32_t> cell_sizes;  ///< bytes, row by row
-  std::vector<std::byte> cells;           ///< CDR bodies, row by row
-};
-
-/// An event that was raised, or a call of a command.
-struct Event {
-  std::shared_ptr<const Source> source;
-  std::size_t member = 0;
-  SteadyTime raised;             ///< for a call, the end of its execution
-  std::vector<std::byte> value;  ///< a CDR body; empty if there is no argument
-};
-
-/// A record of the log of a process.
-struct LogEntry {
-  message::LogRecord record;
-};
-
-/// The whole catalogue, or the next changes of it.
-struct CatalogueChanges {
-  bool is_snapshot = false;
-  SteadyTime received;
-  std::vector<CatalogueChange> changes;
-};
-
-using Entry = std::variant<Rows, Event, LogEntry, CatalogueChanges>;
-
-/// Returns the memory of an entry, in bytes.
-[[nodiscard]] std::size_t SizeOf(const Entry& entry);
-/// Returns the path of the table or event; empty for a log record and for changes of the catalogue.
-[[nodiscard]] std::string PathOf(const Entry& entry);
-
-/// All losses of a recording up to now, by the path of the table, event or command.
-struct Losses {
-  std::map<std::string, LostRows> rows;
-  std::map<std::string, std::uint64_t> events;  ///< events, and calls of commands
-  std::uint64_t log = 0;                        ///< records
-
-  /// Sums over all paths.
-  [[nodiscard]] LostRows all_rows() const;
-  [[nodiscard]] std::uint64_t all_events() const;
-  /// Returns the number of all lost rows, events and log records.
-  [[nodiscard]] std::uint64_t all() const { return all_rows().all() + all_events() + log; }
-  Losses& operator+=(const Losses& other);
-  /// Counts an entry as lost by the recorder, because it was not written. The first `written` rows
-  /// were written and do not count.
-  void AddUnwritten(const Entry& entry, std::uint64_t written = 0);
-};
 
 /// The queue between the threads of the middleware, which receive rows and events, and the thread
 /// that writes the file. Its size in bytes is limited. If an entry does not fit, it is counted as
@@ -118,7 +44,7 @@ class RecordingQueue final : public GcmListener,
 
   /// Waits until an entry has arrived or Wake() is called, at most `patience`. Removes and returns
   /// the oldest entries, about 1 MiB. Called by the writing thread.
-  std::deque<Entry> Take(std::chrono::nanoseconds patience);
+  std::deque<RecordingEntry> Take(std::chrono::nanoseconds patience);
   /// Lets Take() return.
   void Wake();
   /// Drops all entries, and all that arrive from now on, without counting them as lost.
@@ -149,13 +75,13 @@ class RecordingQueue final : public GcmListener,
   class InterfaceSink;
 
   /// Returns false if there is no room. Called with the lock held.
-  bool Push(Entry entry, std::size_t size);
+  bool Push(RecordingEntry entry, std::size_t size);
   void Notice(std::string sentence);
 
   const std::size_t most_bytes_;
   mutable std::mutex mutex_;
   std::condition_variable arrival_;
-  std::deque<Entry> entries_;
+  std::deque<RecordingEntry> entries_;
   std::size_t bytes_ = 0;  // of the entries
   bool is_woken_ = false;
   bool is_closed_ = false;

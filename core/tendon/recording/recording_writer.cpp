@@ -32,10 +32,11 @@ void AddUnits(const Schema& schema, const std::string& prefix,
   }
 }
 
-bool HasSameMembers(const Source& a, const Source& b) {
-  return std::ranges::equal(a.members, b.members, [](const Member& one, const Member& other) {
-    return one.name == other.name && one.schema == other.schema;
-  });
+bool HasSameMembers(const EntrySource& a, const EntrySource& b) {
+  return std::ranges::equal(a.members, b.members,
+                            [](const EntryMember& one, const EntryMember& other) {
+                              return one.name == other.name && one.schema == other.schema;
+                            });
 }
 
 std::uint8_t RosLevelOf(LogLevel level) {
@@ -83,7 +84,7 @@ Result<std::unique_ptr<RecordingWriter>> RecordingWriter::Create(FileOptions opt
   return files;
 }
 
-Result<void> RecordingWriter::Write(const Entry& entry) {
+Result<void> RecordingWriter::Write(const RecordingEntry& entry) {
   const std::uint64_t before = counts_.rows;
   auto written = failure_ ? Result<void>(*failure_) : TryWrite(entry);
   if (written) return written;
@@ -92,7 +93,7 @@ Result<void> RecordingWriter::Write(const Entry& entry) {
   return written;
 }
 
-Result<void> RecordingWriter::TryWrite(const Entry& entry) {
+Result<void> RecordingWriter::TryWrite(const RecordingEntry& entry) {
   if (auto begun = BeginNextFileIfDue(); !begun) return begun;
   ForgetWritten();
   return std::visit([this](const auto& one) { return Put(one); }, entry);
@@ -292,7 +293,7 @@ Result<mcap::SchemaId> RecordingWriter::SchemaIdOf(const std::string& name,
 }
 
 Result<RecordingWriter::Channels*> RecordingWriter::ChannelsOf(
-    std::map<InterfaceName, Channels>& known, const std::shared_ptr<const Source>& source,
+    std::map<InterfaceName, Channels>& known, const std::shared_ptr<const EntrySource>& source,
     const Run& run) {
   Channels& channels = known[source->name];
   const bool fits = channels.source != nullptr && channels.epoch == run.epoch &&
@@ -317,7 +318,7 @@ Result<RecordingWriter::Channels*> RecordingWriter::ChannelsOf(
 }
 
 Result<void> RecordingWriter::AddChannels(Channels& channels, const Run& run) {
-  const Source* source = channels.source.get();
+  const EntrySource* source = channels.source.get();
   if (channel_count_ + source->members.size() > kMostChannels) {
     return Error{ErrorCode::kInvalid, files_.back().first.string() + " has no room for " +
                                           ToString(source->name) + ": it has " +
@@ -325,7 +326,7 @@ Result<void> RecordingWriter::AddChannels(Channels& channels, const Run& run) {
                                           std::to_string(kMostChannels) +
                                           "; a recording with a split begins another file"};
   }
-  for (const Member& member : source->members) {
+  for (const EntryMember& member : source->members) {
     const auto schema = SchemaIdOf(RosTypeName(member.schema), RosMessage(member.schema));
     if (!schema) return schema.error();
     std::map<std::string, std::string> metadata = {
@@ -347,7 +348,7 @@ Result<void> RecordingWriter::AddChannels(Channels& channels, const Run& run) {
   return {};
 }
 
-Result<void> RecordingWriter::Put(const Rows& rows) {
+Result<void> RecordingWriter::Put(const RowsEntry& rows) {
   const std::int64_t shift = wall_minus_steady_ - rows.clock_offset.count();
   const auto channels =
       ChannelsOf(tables_, rows.source, {kColumnKind, rows.epoch, shift, rows.clock_uncertainty});
@@ -382,7 +383,7 @@ Result<void> RecordingWriter::Put(const Rows& rows) {
   return {};
 }
 
-Result<void> RecordingWriter::Put(const Event& event) {
+Result<void> RecordingWriter::Put(const EventEntry& event) {
   const bool is_call = event.source->are_commands;
   const auto channels = ChannelsOf(is_call ? commands_ : events_, event.source,
                                    {is_call ? kCommandKind : kEventKind, 0, wall_minus_steady_,
@@ -422,7 +423,7 @@ Result<void> RecordingWriter::Put(const LogEntry& entry) {
   return put;
 }
 
-Result<void> RecordingWriter::Put(const CatalogueChanges& changes) {
+Result<void> RecordingWriter::Put(const CatalogueEntry& changes) {
   if (changes.is_snapshot) {
     const std::uint64_t last = changes.changes.empty() ? 0 : changes.changes.back().revision;
     catalogue_ = Catalogue::At(last - changes.changes.size());

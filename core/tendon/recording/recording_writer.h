@@ -5,8 +5,8 @@
 #include <tendon/base/result.h>
 #include <tendon/gcm/catalogue.h>
 #include <tendon/recording/mcap/writer.h>
+#include <tendon/recording/recording_entry.h>
 #include <tendon/recording/recording_format.h>
-#include <tendon/recording/recording_queue.h>
 
 #include <chrono>
 #include <cstddef>
@@ -78,7 +78,7 @@ class RecordingWriter {
   /// large or the channels are used up; other entries can still be written. With a split, a new
   /// file begins before the channels are used up. After any other error, only Close() has an
   /// effect; the error says how much is safe. losses() counts the entries that were not written.
-  Result<void> Write(const Entry& entry);
+  Result<void> Write(const RecordingEntry& entry);
   /// Writes a loss that no rows follow. Its time is the present time.
   Result<void> WriteLoss(const std::string& path, const LostRows& lost);
   /// Writes a loss at `time`, which is in the past.
@@ -108,7 +108,7 @@ class RecordingWriter {
   };
   /// The channels of a source.
   struct Channels {
-    std::shared_ptr<const Source> source;
+    std::shared_ptr<const EntrySource> source;
     std::uint64_t epoch = 0;
     std::vector<mcap::ChannelId> ids;      // by member
     std::vector<std::uint32_t> sequences;  // of the next event or call, by member
@@ -124,23 +124,23 @@ class RecordingWriter {
   /// An accepted entry whose chunk may not be written yet: rows of a table, an event, a call or a
   /// log record.
   struct Accepted {
-    std::shared_ptr<const Source> source;  // null for a log record
-    std::optional<std::size_t> event;      // index of the member; empty for rows
-    std::uint64_t first = 0;               // the number of the first message in the file
-    std::uint64_t width = 1;               // number of messages of one row
-    std::uint64_t count = 0;               // rows
+    std::shared_ptr<const EntrySource> source;  // null for a log record
+    std::optional<std::size_t> event;           // index of the member; empty for rows
+    std::uint64_t first = 0;                    // the number of the first message in the file
+    std::uint64_t width = 1;                    // number of messages of one row
+    std::uint64_t count = 0;                    // rows
   };
 
   RecordingWriter(FileOptions options, Heading heading);
 
-  Result<void> TryWrite(const Entry& entry);
+  Result<void> TryWrite(const RecordingEntry& entry);
   void ForgetWritten();
   [[nodiscard]] std::uint64_t UnwrittenOf(const Accepted& one) const;
   [[nodiscard]] Losses UnwrittenChunk() const;
-  Result<void> Put(const Rows& rows);
-  Result<void> Put(const Event& event);
+  Result<void> Put(const RowsEntry& rows);
+  Result<void> Put(const EventEntry& event);
   Result<void> Put(const LogEntry& entry);
-  Result<void> Put(const CatalogueChanges& changes);
+  Result<void> Put(const CatalogueEntry& changes);
   Result<void> Put(const Loss& loss, mcap::Timestamp time);
   Result<void> PutCatalogue(const std::vector<CatalogueChange>& changes, mcap::Timestamp time);
 
@@ -152,7 +152,7 @@ class RecordingWriter {
   void DropOldFiles();
   Result<mcap::SchemaId> SchemaIdOf(const std::string& name, const std::string& text);
   Result<Channels*> ChannelsOf(std::map<InterfaceName, Channels>& known,
-                               const std::shared_ptr<const Source>& source, const Run& run);
+                               const std::shared_ptr<const EntrySource>& source, const Run& run);
   Result<void> AddChannels(Channels& channels, const Run& run);
   template <typename T>
   Result<void> PutOwn(OwnChannel& channel, const char* topic, const T& value, mcap::Timestamp time);

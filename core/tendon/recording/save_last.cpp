@@ -149,9 +149,9 @@ class PastWriter {
   /// Returns the number of entries that have arrived. Goes on after a failure. Log records are not
   /// written yet, because SaveLog() needs all of them.
   Result<std::size_t> WriteSome(std::chrono::nanoseconds patience) {
-    const std::deque<Entry> entries = queue_->Take(patience);
+    const std::deque<RecordingEntry> entries = queue_->Take(patience);
     Result<void> result;
-    for (const Entry& entry : entries) {
+    for (const RecordingEntry& entry : entries) {
       if (const auto* record = std::get_if<LogEntry>(&entry)) {
         log_of_gcm_.push_back(record->record);
       } else if (auto written = Write(entry); !written) {
@@ -175,7 +175,7 @@ class PastWriter {
   }
 
   /// If the file cannot hold the entry, this is no failure. The writer counts it as lost.
-  Result<void> Write(const Entry& entry) {
+  Result<void> Write(const RecordingEntry& entry) {
     auto written = writer_.Write(entry);
     if (!written && written.error().code == ErrorCode::kInvalid) return {};
     return written;

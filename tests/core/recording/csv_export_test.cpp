@@ -40,16 +40,16 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Pair;
 
-std::shared_ptr<const Source> CartTable() {
-  auto source = std::make_shared<Source>();
+std::shared_ptr<const EntrySource> CartTable() {
+  auto source = std::make_shared<EntrySource>();
   source->name = {"robot", "cart", "state"};
   source->members = {{"Wheel", SchemaOf<Wheel>()}, {"Count", SchemaOf<std::uint64_t>()}};
   return source;
 }
 
 /// Returns a batch of one row.
-Rows RowOf(std::uint64_t tick, const Wheel& wheel, std::uint64_t epoch = 1) {
-  Rows rows{.source = CartTable(), .epoch = epoch};
+RowsEntry RowOf(std::uint64_t tick, const Wheel& wheel, std::uint64_t epoch = 1) {
+  RowsEntry rows{.source = CartTable(), .epoch = epoch};
   rows.ticks = {tick};
   rows.times = {static_cast<std::int64_t>(1000 * tick)};
   Encode(wheel, rows.cells);
@@ -132,13 +132,13 @@ TEST_F(CsvExport, ARestartOfTheSourceIsNoLossAndHasTheSameFile) {
 }
 
 TEST_F(CsvExport, AnEventIsAFileOfItsOwn) {
-  auto source = std::make_shared<Source>();
+  auto source = std::make_shared<EntrySource>();
   source->name = {"robot", "cart", "Control"};
   source->members = {{"Stopped", Schema()}, {"Passed", SchemaOf<double>()}};
   std::vector<std::byte> value;
   Encode(1.5, value);
-  ASSERT_TRUE(files->Write(Event{source, 0, SteadyClock().Now(), {}}));
-  ASSERT_TRUE(files->Write(Event{source, 1, SteadyClock().Now(), value}));
+  ASSERT_TRUE(files->Write(EventEntry{source, 0, SteadyClock().Now(), {}}));
+  ASSERT_TRUE(files->Write(EventEntry{source, 1, SteadyClock().Now(), value}));
 
   const auto report = Export();
 
@@ -165,17 +165,17 @@ TEST_F(CsvExport, RecordsOfTheLogThatCameLateAreNoLoss) {
 }
 
 TEST_F(CsvExport, CountsRowsEventsTheLogAndOtherMessagesApart) {
-  auto source = std::make_shared<Source>();
+  auto source = std::make_shared<EntrySource>();
   source->name = {"robot", "cart", "Control"};
   source->members = {{"Stopped", Schema()}};
   const CatalogueChange change{
       .revision = 1, .kind = CatalogueChange::Kind::kProcess, .process = "robot"};
   ASSERT_TRUE(files->Write(RowOf(1, {})));
   ASSERT_TRUE(files->Write(RowOf(2, {})));
-  ASSERT_TRUE(files->Write(Event{source, 0, SteadyClock().Now(), {}}));
+  ASSERT_TRUE(files->Write(EventEntry{source, 0, SteadyClock().Now(), {}}));
   ASSERT_TRUE(files->Write(
       LogEntry{{WallTime() + 1'000'000'000, LogLevel::kInfo, "robot", "cart", "text"}}));
-  ASSERT_TRUE(files->Write(CatalogueChanges{true, SteadyClock().Now(), {change}}));
+  ASSERT_TRUE(files->Write(CatalogueEntry{true, SteadyClock().Now(), {change}}));
 
   const auto report = Export();
 

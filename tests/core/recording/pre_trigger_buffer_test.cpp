@@ -19,10 +19,10 @@ constexpr std::size_t kMuch = std::size_t{1} << 30U;
 SteadyTime At(std::chrono::milliseconds time) { return SteadyTime(time); }
 
 /// Returns rows of one column with a distance of one millisecond. The value of a row is its tick.
-Rows RowsFrom(std::uint64_t first, std::size_t count, std::uint64_t lost = 0) {
-  static const auto kSource = std::make_shared<const Source>(
-      Source{{"robot", "arm", "state"}, {{"Tick", Schema(Schema::Kind::kUint8)}}});
-  Rows rows{.source = kSource, .lost_before = {.table = lost}};
+RowsEntry RowsFrom(std::uint64_t first, std::size_t count, std::uint64_t lost = 0) {
+  static const auto kSource = std::make_shared<const EntrySource>(
+      EntrySource{{"robot", "arm", "state"}, {{"Tick", Schema(Schema::Kind::kUint8)}}});
+  RowsEntry rows{.source = kSource, .lost_before = {.table = lost}};
   for (std::uint64_t tick = first; tick < first + count; ++tick) {
     rows.ticks.push_back(tick);
     rows.times.push_back(static_cast<std::int64_t>(tick) * 1'000'000);
@@ -33,10 +33,10 @@ Rows RowsFrom(std::uint64_t first, std::size_t count, std::uint64_t lost = 0) {
 }
 
 /// Returns the ticks of all rows, and checks the cells.
-std::vector<std::uint64_t> TicksOf(const std::deque<Entry>& entries) {
+std::vector<std::uint64_t> TicksOf(const std::deque<RecordingEntry>& entries) {
   std::vector<std::uint64_t> ticks;
-  for (const Entry& entry : entries) {
-    const auto* rows = std::get_if<Rows>(&entry);
+  for (const RecordingEntry& entry : entries) {
+    const auto* rows = std::get_if<RowsEntry>(&entry);
     if (rows == nullptr) continue;
     EXPECT_EQ(rows->cells.size(), rows->ticks.size());
     for (std::size_t i = 0; i < rows->ticks.size(); ++i) {
@@ -68,9 +68,9 @@ TEST(PreTriggerBuffer, DropsOldEntriesWithoutCountingThem) {
 }
 
 TEST(PreTriggerBuffer, CountsEntriesThatExceedItsMemory) {
-  PreTriggerBuffer past(5s, SizeOf(Entry(RowsFrom(0, 10))), 0);
+  PreTriggerBuffer past(5s, SizeOf(RecordingEntry(RowsFrom(0, 10))), 0);
   past.Add(RowsFrom(0, 10), At(10ms));
-  past.Add(Event{RowsFrom(0, 1).source, 0, At(15ms), {}}, At(15ms));
+  past.Add(EventEntry{RowsFrom(0, 1).source, 0, At(15ms), {}}, At(15ms));
   past.Add(RowsFrom(20, 10), At(30ms));
 
   EXPECT_EQ(past.MissingSince(At(0ms)).all_rows().viewer, 10U);
@@ -83,7 +83,7 @@ TEST(PreTriggerBuffer, CountsMissingEntriesOfEachPath) {
   PreTriggerBuffer past(5s, 1, 0);
   past.Add(RowsFrom(0, 10, 3), At(10ms));
   past.Add(RowsFrom(20, 10, 4), At(30ms));
-  past.Add(Event{RowsFrom(0, 1).source, 0, At(45ms), {}}, At(45ms));
+  past.Add(EventEntry{RowsFrom(0, 1).source, 0, At(45ms), {}}, At(45ms));
   past.Add(RowsFrom(50, 10), At(60ms));
 
   const Losses missing = past.MissingSince(At(15ms));
@@ -97,7 +97,7 @@ TEST(PreTriggerBuffer, CountsMissingEntriesOfEachPath) {
 }
 
 TEST(PreTriggerBuffer, ReturnsTheCatalogueOfThatTimeFirst) {
-  CatalogueChanges added{.received = At(1ms)};
+  CatalogueEntry added{.received = At(1ms)};
   CatalogueChange process;
   process.revision = 1;
   process.process = "robot";
@@ -110,7 +110,7 @@ TEST(PreTriggerBuffer, ReturnsTheCatalogueOfThatTimeFirst) {
   const auto taken = past.TakeSince(At(5000ms));
 
   ASSERT_EQ(taken.size(), 2U);
-  const auto& snapshot = std::get<CatalogueChanges>(taken.front());
+  const auto& snapshot = std::get<CatalogueEntry>(taken.front());
   EXPECT_TRUE(snapshot.is_snapshot);
   ASSERT_EQ(snapshot.changes.size(), 1U);
   EXPECT_EQ(snapshot.changes.front().process, "robot");
@@ -124,20 +124,20 @@ TEST(PreTriggerBuffer, SeparatesLossesBeforeTheRecording) {
   const auto taken = past.TakeSince(At(15ms));
 
   EXPECT_EQ(past.losses().at("robot/arm/state").table, 3U) << "they were lost before 15 ms";
-  EXPECT_EQ(std::get<Rows>(taken.at(0)).lost_before.table, 0U);
-  EXPECT_EQ(std::get<Rows>(taken.at(1)).lost_before.table, 5U);
+  EXPECT_EQ(std::get<RowsEntry>(taken.at(0)).lost_before.table, 0U);
+  EXPECT_EQ(std::get<RowsEntry>(taken.at(1)).lost_before.table, 5U);
 }
 
 TEST(Trim, KeepsTheRowsWithinTheTime) {
-  Entry entry = RowsFrom(0, 10);
+  RecordingEntry entry = RowsFrom(0, 10);
 
   ASSERT_TRUE(Trim(entry, At(3ms), At(5ms), 0));
-  EXPECT_EQ(std::get<Rows>(entry).ticks, (std::vector<std::uint64_t>{3, 4, 5}));
+  EXPECT_EQ(std::get<RowsEntry>(entry).ticks, (std::vector<std::uint64_t>{3, 4, 5}));
   EXPECT_FALSE(Trim(entry, At(6ms), At(9ms), 0));
 }
 
 TEST(Trim, RemovesAnEntryWhoseRowsAreAllOutsideTheTime) {
-  Entry entry = RowsFrom(0, 2);
+  RecordingEntry entry = RowsFrom(0, 2);
 
   EXPECT_FALSE(Trim(entry, SteadyTime(100us), SteadyTime(200us), 0));
 }

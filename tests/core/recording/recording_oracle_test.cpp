@@ -170,7 +170,7 @@ class TableWithTruth {
       AddRow(ValueOf(tick), tick);
     }
   }
-  [[nodiscard]] const Rows& rows() const { return rows_; }
+  [[nodiscard]] const RowsEntry& rows() const { return rows_; }
   /// Returns the expected messages, without their log time. The key "source_time" replaces it.
   [[nodiscard]] const std::vector<json>& truth() const { return truth_; }
 
@@ -256,9 +256,9 @@ class TableWithTruth {
 
   static constexpr std::size_t kColumns = 12;
 
-  const std::shared_ptr<Source> source_ = std::make_shared<Source>();
+  const std::shared_ptr<EntrySource> source_ = std::make_shared<EntrySource>();
   std::mt19937 random_{22};
-  Rows rows_;
+  RowsEntry rows_;
   std::vector<json> truth_;
 };
 
@@ -322,7 +322,7 @@ TEST_P(DecodedByAnOracle, EveryValueOfEveryKindOfPayloadIsTheOneThatWasRecorded)
 }
 
 TEST_P(DecodedByAnOracle, EventsTheLogLossesAndTheCatalogueAreThoseThatWereRecorded) {
-  auto source = std::make_shared<Source>();
+  auto source = std::make_shared<EntrySource>();
   source->name = {"robot", "arm", "Control"};
   source->members = {{"Stopped", Schema()}, {"Moved", SchemaOf<sample::Ragged>()}};
   const sample::Ragged moved{true, -2.5, 200, -3, false, 0.5F, 9};
@@ -335,9 +335,9 @@ TEST_P(DecodedByAnOracle, EventsTheLogLossesAndTheCatalogueAreThoseThatWereRecor
                                .processes = {{.name = "robot", .instance = 7}}};
   const auto writer = Create();
   const std::int64_t logged = WallTime();
-  ASSERT_TRUE(writer->Write(CatalogueChanges{true, raised, {change}}));
-  ASSERT_TRUE(writer->Write(Event{source, 0, raised, {}}));
-  ASSERT_TRUE(writer->Write(Event{source, 1, raised, value}));
+  ASSERT_TRUE(writer->Write(CatalogueEntry{true, raised, {change}}));
+  ASSERT_TRUE(writer->Write(EventEntry{source, 0, raised, {}}));
+  ASSERT_TRUE(writer->Write(EventEntry{source, 1, raised, value}));
   ASSERT_TRUE(
       writer->Write(LogEntry{{logged, LogLevel::kWarning, "robot", "arm", "too warm: 90 °C"}}));
   ASSERT_TRUE(writer->WriteLoss("robot/arm/state", {1, 2, 5}));

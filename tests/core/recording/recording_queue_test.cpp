@@ -41,9 +41,10 @@ struct Batch {
   std::uint64_t lost_table = 0;
 };
 
-std::vector<Rows> TakeRows(RecordingQueue& queue) {
-  std::vector<Rows> all;
-  for (Entry& entry : queue.Take(0ns)) all.push_back(std::get<Rows>(std::move(entry)));
+std::vector<RowsEntry> TakeRows(RecordingQueue& queue) {
+  std::vector<RowsEntry> all;
+  for (RecordingEntry& entry : queue.Take(0ns))
+    all.push_back(std::get<RowsEntry>(std::move(entry)));
   return all;
 }
 
@@ -176,7 +177,7 @@ TEST(RecordingQueueTest, ChangesOfTheCatalogueThatDoNotFitNeedASnapshot) {
   EXPECT_FALSE(queue.needs_snapshot());
   const auto entries = queue.Take(0ns);
   ASSERT_EQ(entries.size(), 1U);
-  EXPECT_TRUE(std::get<CatalogueChanges>(entries[0]).is_snapshot);
+  EXPECT_TRUE(std::get<CatalogueEntry>(entries[0]).is_snapshot);
 }
 
 }  // namespace

@@ -39,16 +39,16 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::Pair;
 
-std::shared_ptr<const Source> ArmTable() {
-  auto source = std::make_shared<Source>();
+std::shared_ptr<const EntrySource> ArmTable() {
+  auto source = std::make_shared<EntrySource>();
   source->name = {"robot", "arm", "state"};
   source->members = {{"Reading", SchemaOf<Reading>()}, {"Count", SchemaOf<std::uint64_t>()}};
   return source;
 }
 
-Rows RowsOf(std::shared_ptr<const Source> source, std::uint64_t first, std::size_t count,
-            std::uint64_t epoch = 1) {
-  Rows rows;
+RowsEntry RowsOf(std::shared_ptr<const EntrySource> source, std::uint64_t first, std::size_t count,
+                 std::uint64_t epoch = 1) {
+  RowsEntry rows;
   rows.source = std::move(source);
   rows.epoch = epoch;
   for (std::uint64_t tick = first; tick < first + count; ++tick) {
@@ -132,7 +132,7 @@ TEST_F(RecordingWriterTest, AChannelSaysWhereItsMessagesComeFromAndTheirUnits) {
 
 TEST_F(RecordingWriterTest, TimesAreThoseOfThisMachineAndTheSourcesOwnCanBeComputed) {
   const auto writer = Create();
-  Rows rows = RowsOf(ArmTable(), 0, 1);
+  RowsEntry rows = RowsOf(ArmTable(), 0, 1);
   rows.clock_offset = std::chrono::seconds(5);
   rows.times[0] = SteadyClock().Now().time_since_epoch().count() + 5'000'000'000;
   const std::int64_t wall = WallTime();
@@ -170,7 +170,7 @@ TEST_F(RecordingWriterTest, ARestartedSourceGetsChannelsOfItsOwnAndARecoveredOne
 TEST_F(RecordingWriterTest, ALossIsAMessageBeforeTheRowsThatFollowAndInTheSummary) {
   const auto writer = Create();
   ASSERT_TRUE(writer->Write(RowsOf(ArmTable(), 0, 2)));
-  Rows late = RowsOf(ArmTable(), 10, 1);
+  RowsEntry late = RowsOf(ArmTable(), 10, 1);
   late.lost_before = {1, 2, 5};
   ASSERT_TRUE(writer->Write(late));
   Losses losses;
@@ -191,16 +191,16 @@ TEST_F(RecordingWriterTest, ALossIsAMessageBeforeTheRowsThatFollowAndInTheSummar
 }
 
 TEST_F(RecordingWriterTest, AnEventWithoutAValueHasTheByteOfAnEmptyMessage) {
-  auto source = std::make_shared<Source>();
+  auto source = std::make_shared<EntrySource>();
   source->name = {"robot", "arm", "Control"};
   source->members = {{"Stopped", Schema()}, {"Moved", SchemaOf<double>()}};
   const auto writer = Create();
   std::vector<std::byte> value;
   Encode(2.5, value);
   const SteadyTime now = SteadyClock().Now();
-  ASSERT_TRUE(writer->Write(Event{source, 0, now, {}}));
-  ASSERT_TRUE(writer->Write(Event{source, 1, now, value}));
-  ASSERT_TRUE(writer->Write(Event{source, 0, now, {}}));
+  ASSERT_TRUE(writer->Write(EventEntry{source, 0, now, {}}));
+  ASSERT_TRUE(writer->Write(EventEntry{source, 1, now, value}));
+  ASSERT_TRUE(writer->Write(EventEntry{source, 0, now, {}}));
   ASSERT_TRUE(writer->Close({}));
 
   const auto reader = Open();
@@ -234,7 +234,7 @@ TEST_F(RecordingWriterTest, TheLogIsThatOfRos2FromTheBeginOn) {
 TEST_F(RecordingWriterTest, EachFileOfASplitCanBeReadAloneAndTheOldestAreDropped) {
   const auto writer = Create(
       {.compression = mcap::Compression::kNone, .split_size = std::uint64_t{1} << 20U, .keep = 2});
-  CatalogueChanges snapshot{.is_snapshot = true, .received = SteadyClock().Now(), .changes = {}};
+  CatalogueEntry snapshot{.is_snapshot = true, .received = SteadyClock().Now(), .changes = {}};
   snapshot.changes.push_back({.revision = 1,
                               .kind = CatalogueChange::Kind::kProcess,
                               .process = "robot",
@@ -275,8 +275,8 @@ TEST_F(RecordingWriterTest, NeverReplacesAFile) {
 }
 
 /// Returns one row of a table with 1000 columns. `epoch` is the run of its component.
-Rows WideRow(const std::shared_ptr<const Source>& source, std::uint64_t epoch) {
-  Rows rows;
+RowsEntry WideRow(const std::shared_ptr<const EntrySource>& source, std::uint64_t epoch) {
+  RowsEntry rows;
   rows.source = source;
   rows.epoch = epoch;
   rows.ticks = {0};
@@ -286,8 +286,8 @@ Rows WideRow(const std::shared_ptr<const Source>& source, std::uint64_t epoch) {
   return rows;
 }
 
-std::shared_ptr<const Source> WideTable() {
-  auto source = std::make_shared<Source>();
+std::shared_ptr<const EntrySource> WideTable() {
+  auto source = std::make_shared<EntrySource>();
   source->name = {"robot", "crasher", "state"};
   for (int i = 0; i < 1000; ++i) {
     source->members.push_back({"C" + std::to_string(i), SchemaOf<std::uint8_t>()});
@@ -357,10 +357,10 @@ TEST_F(RecordingWriterTest, AfterAFailureEverythingThatIsNotInTheFileIsCountedAs
     return {std::make_unique<test::MemoryWritableFile>(disk)};
   };
   const auto writer = Create(options);
-  const auto events = std::make_shared<Source>();
+  const auto events = std::make_shared<EntrySource>();
   events->name = {"robot", "arm", "Control"};
   events->members = {{"Stopped", Schema()}};
-  const auto commands = std::make_shared<Source>();
+  const auto commands = std::make_shared<EntrySource>();
   commands->name = events->name;
   commands->members = {{"Stop", SchemaOfCalls(Schema(), Schema())}};
   commands->are_commands = true;
@@ -369,8 +369,8 @@ TEST_F(RecordingWriterTest, AfterAFailureEverythingThatIsNotInTheFileIsCountedAs
   disk->capacity = disk->bytes.size() + 20'000;  // there is room for the summary
 
   ASSERT_TRUE(writer->Write(RowsOf(ArmTable(), 3, 4)));
-  ASSERT_TRUE(writer->Write(Event{events, 0, SteadyClock().Now(), {}}));
-  ASSERT_TRUE(writer->Write(Event{commands, 0, SteadyClock().Now(), {}}));
+  ASSERT_TRUE(writer->Write(EventEntry{events, 0, SteadyClock().Now(), {}}));
+  ASSERT_TRUE(writer->Write(EventEntry{commands, 0, SteadyClock().Now(), {}}));
   const std::string large(30'000, 'x');
   ASSERT_TRUE(writer->Write(LogEntry{{WallTime(), LogLevel::kInfo, "robot", "arm", large}}));
   EXPECT_EQ(writer->counts().rows, 7U);

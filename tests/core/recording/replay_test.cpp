@@ -552,7 +552,7 @@ TEST_F(ReplayTest, TheLogIsSentAgainAsThatOfTheReplayedProcess) {
 
   std::vector<message::LogRecord> found;
   ASSERT_TRUE(EventuallyTrue([&] {
-    for (const Entry& entry : queue->Take(1ms)) {
+    for (const RecordingEntry& entry : queue->Take(1ms)) {
       const auto* log = std::get_if<LogEntry>(&entry);
       if (log != nullptr && log->record.text == "the goal is far away")
         found.push_back(log->record);

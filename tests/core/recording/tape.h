@@ -101,7 +101,7 @@ class Tape {
 
   /// Writes everything that has arrived.
   Counts Write() {
-    for (const Entry& entry : queue_->Take(std::chrono::milliseconds(1)))
+    for (const RecordingEntry& entry : queue_->Take(std::chrono::milliseconds(1)))
       EXPECT_TRUE(writer_->Write(entry));
     return writer_->counts();
   }

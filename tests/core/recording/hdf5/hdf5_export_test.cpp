@@ -28,10 +28,10 @@ class Hdf5Export : public testing::Test {
     files = *std::move(created);
   }
   void WriteTick(std::uint64_t tick, std::uint64_t epoch = 1) {
-    auto source = std::make_shared<Source>();
+    auto source = std::make_shared<EntrySource>();
     source->name = {"robot", "counter", "state"};
     source->members = {{"Count", SchemaOf<std::uint64_t>()}};
-    Rows rows{.source = std::move(source), .epoch = epoch};
+    RowsEntry rows{.source = std::move(source), .epoch = epoch};
     rows.ticks = {tick};
     rows.times = {static_cast<std::int64_t>(1000 * tick)};
     Encode(tick, rows.cells);
