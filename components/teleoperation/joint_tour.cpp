@@ -1,14 +1,14 @@
-#include <components/teleoperation/tour.h>
+#include <components/teleoperation/joint_tour.h>
 
 #include <cmath>
 #include <numbers>
 
 namespace arm {
 
-Tour::Tour(double period, double amplitude)
+JointTour::JointTour(double period, double amplitude)
     : rate_(2.0 * std::numbers::pi / period), amplitude_(amplitude) {}
 
-JointVector Tour::At(double time) const {
+JointVector JointTour::At(double time) const {
   constexpr JointVector kMiddle{0.0, -0.35, 0.0, -1.75, 0.0, 1.6, 0.785};
   constexpr double kSteepness = 2.5;  // steepness of the edges of joint 3
   const double angle = rate_ * time;

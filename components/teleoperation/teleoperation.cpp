@@ -23,7 +23,7 @@ constexpr double kApproach = 2.5;   // s until the arm has joined the tour
 constexpr double kSpeedUp = 1.0;    // s until the tour has its full speed
 constexpr double kTurnAgain = 0.5;  // s in which further limits do not reverse the tour again
 
-Tour CheckedTour(const TeleoperationConfiguration& configuration, const std::string& name) {
+JointTour CheckedTour(const TeleoperationConfiguration& configuration, const std::string& name) {
   const auto& [period, amplitude] = configuration;
   if (!(period >= kShortestTour && period <= kLongestTour)) {
     throw tendon::ConfigurationError("configuration of '" + name + "': period is " +

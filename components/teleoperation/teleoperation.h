@@ -1,8 +1,8 @@
 #pragma once
 
 #include <components/arm_interface/arm_payloads.h>
+#include <components/teleoperation/joint_tour.h>
 #include <components/teleoperation/teleoperation_payloads.h>
-#include <components/teleoperation/tour.h>
 #include <tendon/interface/function.h>
 #include <tendon/task/periodic_task.h>
 
@@ -42,7 +42,7 @@ class Teleoperation : public tendon::PeriodicTask {
   tendon::VoidFunction stop_;
   tendon::ReadFunction<JointState> get_joints_;
 
-  Tour tour_;
+  JointTour tour_;
   bool is_leading_ = false;
   double time_ = 0.0;       // s on the tour
   double direction_ = 1.0;  // 1, or -1 backwards

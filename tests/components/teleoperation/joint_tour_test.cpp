@@ -1,5 +1,5 @@
 #include <components/simulated_arm/arm_configuration.h>
-#include <components/teleoperation/tour.h>
+#include <components/teleoperation/joint_tour.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ constexpr double kTourTime = 12.0;  // s
 
 /// Returns the correlation of two joints over three rounds; 1 or -1 means the same shape.
 double Correlation(std::size_t one, std::size_t other) {
-  const Tour tour(kTourTime, 1.0);
+  const JointTour tour(kTourTime, 1.0);
   constexpr int kSamples = 3600;
   std::array<double, 2> sum{};
   std::array<double, 3> squares{};
@@ -31,8 +31,8 @@ double Correlation(std::size_t one, std::size_t other) {
          std::sqrt((squares[0] - sum[0] * sum[0] / n) * (squares[1] - sum[1] * sum[1] / n));
 }
 
-TEST(Tour, StaysWellWithinTheRangeOfAnArm) {
-  const Tour tour(kTourTime, 1.0);
+TEST(JointTour, StaysWellWithinTheRangeOfAnArm) {
+  const JointTour tour(kTourTime, 1.0);
   const ArmConfiguration arm;
 
   for (double time = -40.0; time < 40.0; time += 0.05) {
@@ -44,8 +44,8 @@ TEST(Tour, StaysWellWithinTheRangeOfAnArm) {
   }
 }
 
-TEST(Tour, IsSlowEnoughForAnArm) {
-  const Tour tour(kTourTime, 1.0);
+TEST(JointTour, IsSlowEnoughForAnArm) {
+  const JointTour tour(kTourTime, 1.0);
   constexpr double kTimeStep = 0.01;  // s
 
   for (double time = 0.0; time < 3 * kTourTime; time += kTimeStep) {
@@ -55,8 +55,8 @@ TEST(Tour, IsSlowEnoughForAnArm) {
   }
 }
 
-TEST(Tour, EndsWhereItStarts) {
-  const Tour tour(kTourTime, 1.0);
+TEST(JointTour, EndsWhereItStarts) {
+  const JointTour tour(kTourTime, 1.0);
 
   for (std::size_t joint = 0; joint < kJoints; ++joint) {
     EXPECT_NEAR(tour.At(1.7)[joint], tour.At(1.7 + 3 * kTourTime)[joint], 1e-9) << joint;
@@ -66,14 +66,14 @@ TEST(Tour, EndsWhereItStarts) {
   }
 }
 
-TEST(Tour, TheJointsMoveDifferently) {
+TEST(JointTour, TheJointsMoveDifferently) {
   EXPECT_LT(std::abs(Correlation(0, 1)), 0.9);
   EXPECT_LT(std::abs(Correlation(0, 3)), 0.9);
   EXPECT_LT(std::abs(Correlation(1, 3)), 0.9);
 }
 
-TEST(Tour, AnAmplitudeOfZeroGivesOnePosture) {
-  const Tour tour(kTourTime, 0.0);
+TEST(JointTour, AnAmplitudeOfZeroGivesOnePosture) {
+  const JointTour tour(kTourTime, 0.0);
 
   EXPECT_EQ(tour.At(0.0), tour.At(4.2));
 }
