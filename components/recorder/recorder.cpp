@@ -86,21 +86,21 @@ void Recorder::Cleanup() {
 }
 
 void Recorder::RaiseEvents() {
-  for (const Outcome& outcome : thread_->TakeOutcomes()) {
+  for (const RecordingOutcome& outcome : thread_->TakeOutcomes()) {
     switch (outcome.kind) {
-      case Outcome::Kind::kStarted:
+      case RecordingOutcome::Kind::kStarted:
         started_(outcome.text);
         break;
-      case Outcome::Kind::kStopped:
+      case RecordingOutcome::Kind::kStopped:
         stopped_(outcome.text);
         break;
-      case Outcome::Kind::kSaved:
+      case RecordingOutcome::Kind::kSaved:
         saved_(outcome.text);
         break;
-      case Outcome::Kind::kDelayed:
+      case RecordingOutcome::Kind::kDelayed:
         tendon::Log(tendon::LogLevel::kWarning, name(), outcome.text);
         break;
-      case Outcome::Kind::kFailed:
+      case RecordingOutcome::Kind::kFailed:
         tendon::Log(tendon::LogLevel::kError, name(), outcome.text);
         failed_(outcome.text);
         break;

@@ -17,7 +17,7 @@
 namespace recorder {
 
 /// The outcome of an order or of a recording.
-struct Outcome {
+struct RecordingOutcome {
   enum class Kind { kStarted, kStopped, kSaved, kDelayed, kFailed };
 
   Kind kind = Kind::kFailed;
@@ -48,7 +48,7 @@ class RecordingThread {
 
   [[nodiscard]] RecorderState state() const;
   /// Since the last call, oldest first.
-  std::vector<Outcome> TakeOutcomes();
+  std::vector<RecordingOutcome> TakeOutcomes();
 
  private:
   // In the thread.
@@ -58,7 +58,7 @@ class RecordingThread {
   void SaveLastNow(double seconds);
   void Look();
   void SetWaiting(bool is_waiting);
-  void Tell(Outcome::Kind kind, std::string text);
+  void Tell(RecordingOutcome::Kind kind, std::string text);
   [[nodiscard]] tendon::recording::RecorderOptions NextRecording() const;
   [[nodiscard]] tendon::recording::FileOptions NextFile() const;
 
@@ -79,7 +79,7 @@ class RecordingThread {
 
   mutable std::mutex mutex_;  // guards the members below
   RecorderState state_;
-  std::vector<Outcome> outcomes_;
+  std::vector<RecordingOutcome> outcomes_;
 
   tendon::Worker worker_{"recorder"};  // last, so that its thread ends first
 };
