@@ -69,7 +69,7 @@ void CurveFeed::OnRows(const tendon::RowBatch& batch) {
           {time, ReadExactly(sources_[i].field, batch.cell(row, sources_[i].column))});
     }
   }
-  for (Curve& curve : curves_) {
+  for (NumberCurve& curve : curves_) {
     auto& samples = curve.samples;
     while (!samples.empty() && samples.back().time - samples.front().time > window_) {
       samples.pop_front();
@@ -85,7 +85,7 @@ void CurveFeed::OnStale(const tendon::Error& reason) {
   complaint_ = reason.message;
 }
 
-std::vector<Curve> CurveFeed::curves() const {
+std::vector<NumberCurve> CurveFeed::curves() const {
   const std::scoped_lock lock(mutex_);
   return curves_;
 }

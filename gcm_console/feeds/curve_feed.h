@@ -13,7 +13,7 @@
 namespace console {
 
 /// The values of one number during the last seconds.
-struct Curve {
+struct NumberCurve {
   struct Sample {
     double time = 0.0;                          ///< s, on the clock of the source
     std::optional<tendon::NumericValue> value;  ///< empty if the row has no value
@@ -41,7 +41,7 @@ class CurveFeed final : public tendon::RowSink {
   void OnRows(const tendon::RowBatch& batch) override;
   void OnStale(const tendon::Error& reason) override;
 
-  [[nodiscard]] std::vector<Curve> curves() const;
+  [[nodiscard]] std::vector<NumberCurve> curves() const;
   /// Returns an error if a path that the user has typed without a glob does not name a number.
   [[nodiscard]] std::optional<tendon::Error> mistake() const;
   /// Returns true if all paths are left out.
@@ -62,7 +62,7 @@ class CurveFeed final : public tendon::RowSink {
   mutable std::mutex mutex_;
   bool is_subscribed_ = false;
   std::vector<Source> sources_;
-  std::vector<Curve> curves_;  // the curves of each source
+  std::vector<NumberCurve> curves_;  // the curves of each source
   std::optional<tendon::Error> mistake_;
   std::vector<std::string> left_out_;
   std::string complaint_;

@@ -22,11 +22,11 @@ constexpr int kRowsOfALabel = 3;      // one label for about this many rows
 
 /// A curve together with its scale.
 struct Drawing {
-  const Curve& curve;
+  const NumberCurve& curve;
   tendon::NumericAxis axis;
 };
 
-tendon::NumericAxis AxisOf(const Curve& curve, int most_labels) {
+tendon::NumericAxis AxisOf(const NumberCurve& curve, int most_labels) {
   std::vector<tendon::NumericValue> values;
   for (const auto& sample : curve.samples) {
     if (sample.value) values.push_back(*sample.value);
@@ -94,7 +94,7 @@ BrailleCanvas CanvasOf(const Drawing& drawing, double window, int columns, int r
 }
 
 /// Returns the title with the newest value: "robot/arm/state.Joints.position[0] = 0.25 rad".
-std::string TitleOf(const Curve& curve) {
+std::string TitleOf(const NumberCurve& curve) {
   if (curve.samples.empty()) return curve.title + "  no values yet";
   const auto& newest = curve.samples.back().value;
   if (!newest) return curve.title + "  no value now";
@@ -137,11 +137,12 @@ std::string BrailleCanvas::Row(int row) const {
   return text;
 }
 
-std::string PictureOf(const std::vector<Curve>& curves, double window, int columns, int rows) {
+std::string PictureOf(const std::vector<NumberCurve>& curves, double window, int columns,
+                      int rows) {
   const int share = curves.empty() ? 0 : (rows - 1) / static_cast<int>(curves.size()) - 1;
   const int each = std::max(share, kFewestCurveRows);
   std::vector<Drawing> drawings;
-  for (const Curve& curve : curves) {
+  for (const NumberCurve& curve : curves) {
     drawings.push_back({curve, AxisOf(curve, std::max(each / kRowsOfALabel, 1))});
   }
   const std::size_t margin = MarginOf(drawings);

@@ -35,7 +35,7 @@ constexpr int kFewestCurveRows = 3;
 /// newest sample is at the right edge; the width corresponds to `window` seconds. States and counts
 /// are drawn as steps. `columns` and `rows` are the size of the whole picture. If the curves do not
 /// fit, the picture becomes higher.
-[[nodiscard]] std::string PictureOf(const std::vector<Curve>& curves, double window, int columns,
-                                    int rows);
+[[nodiscard]] std::string PictureOf(const std::vector<NumberCurve>& curves, double window,
+                                    int columns, int rows);
 
 }  // namespace console

@@ -49,8 +49,8 @@ class PlottedTables {
     for (const Table& table : tables_) telemetry_.Unsubscribe(table.id);
   }
 
-  [[nodiscard]] std::vector<Curve> curves() const {
-    std::vector<Curve> all;
+  [[nodiscard]] std::vector<NumberCurve> curves() const {
+    std::vector<NumberCurve> all;
     for (const Table& table : tables_) std::ranges::move(table.feed->curves(), back_inserter(all));
     return all;
   }
@@ -86,7 +86,7 @@ class PlottedTables {
 void Show(const PlottedTables& plotted, double window, Screen& screen) {
   const int rows = tendon::os::TerminalRows();
   const int columns = tendon::os::TerminalColumns(tendon::os::Stream::kOutput);
-  std::vector<Curve> curves = plotted.curves();
+  std::vector<NumberCurve> curves = plotted.curves();
   const std::vector<std::string> notes = plotted.notes();
   std::string footer = notes.empty() ? "" : notes.back();
   const auto fit = static_cast<std::size_t>(std::max(1, (rows - 3) / (kFewestCurveRows + 1)));

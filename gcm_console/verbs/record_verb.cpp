@@ -89,9 +89,9 @@ Result<tendon::recording::RecorderOptions> WithConditions(tendon::recording::Rec
 }
 
 /// Prints the state of a recording: each second on a terminal and as JSON, and at its end.
-class RecordingReport {
+class RecordingPrinter {
  public:
-  explicit RecordingReport(Context& context) : context_(context) {}
+  explicit RecordingPrinter(Context& context) : context_(context) {}
 
   void PrintBegin(const RecorderStatus& status, const RecordOptions& options) {
     if (status.is_waiting) {
@@ -212,7 +212,7 @@ void PrintUnmatched(Context& context, const tendon::Catalogue& catalogue,
 
 /// Records until one of these occurs: a signal, the condition to stop, the end of the time, an
 /// error, or (with --no-reconnect) the loss of the GCM. The time starts when the recording starts.
-Result<ExitCode> RecordUntilDone(RecordingReport& report, Recorder& recorder,
+Result<ExitCode> RecordUntilDone(RecordingPrinter& printer, Recorder& recorder,
                                  tendon::recording::RecordingQueue& queue,
                                  const RecordOptions& options) {
   auto begin = std::chrono::steady_clock::now();
@@ -229,19 +229,19 @@ Result<ExitCode> RecordUntilDone(RecordingReport& report, Recorder& recorder,
     if (is_waiting && !status.is_waiting) {
       is_waiting = false;
       begin = std::chrono::steady_clock::now();
-      report.PrintStart(status);
+      printer.PrintStart(status);
     }
     const bool is_late = !is_waiting && options.seconds > 0.0 && passed().count() > options.seconds;
     is_over = status.is_finished || is_late;
-    if (auto notices = recorder.TakeNotices(); !notices.empty()) report.PrintNotices(notices);
+    if (auto notices = recorder.TakeNotices(); !notices.empty()) printer.PrintNotices(notices);
     if (std::chrono::steady_clock::now() < next) continue;
     next += 1s;
-    report.PrintProgress(status, is_waiting ? Elapsed(0) : passed());
+    printer.PrintProgress(status, is_waiting ? Elapsed(0) : passed());
   }
   const bool is_link_lost = options.ends_with_link && queue.is_gcm_lost();
   const auto recorded = recorder.Stop();
-  if (auto notices = recorder.TakeNotices(); !notices.empty()) report.PrintNotices(notices);
-  report.PrintEnd(recorder.status(), is_waiting ? Elapsed(0) : passed());
+  if (auto notices = recorder.TakeNotices(); !notices.empty()) printer.PrintNotices(notices);
+  printer.PrintEnd(recorder.status(), is_waiting ? Elapsed(0) : passed());
   if (!recorded) return recorded.error();
   if (is_link_lost)
     return Error{ErrorCode::kUnreachable,
@@ -263,10 +263,10 @@ Result<ExitCode> Record(Context& context, const RecordOptions& options) {
   }
   auto recorder = Recorder::Start(**client, queue, *std::move(recorder_options));
   if (!recorder) return recorder.error();
-  RecordingReport report(context);
-  report.PrintBegin((*recorder)->status(), options);
+  RecordingPrinter printer(context);
+  printer.PrintBegin((*recorder)->status(), options);
   PrintUnmatched(context, (*client)->catalogue(), options.paths);
-  return RecordUntilDone(report, **recorder, *queue, options);
+  return RecordUntilDone(printer, **recorder, *queue, options);
 }
 
 Verb::Run PrepareRecord(CLI::App& app) {

@@ -44,7 +44,7 @@ void Send(CurveFeed& feed, std::chrono::nanoseconds when, std::array<double, 2> 
 }
 std::vector<std::string> Titles(const CurveFeed& feed) {
   std::vector<std::string> titles;
-  for (const Curve& curve : feed.curves()) titles.push_back(curve.title);
+  for (const NumberCurve& curve : feed.curves()) titles.push_back(curve.title);
   return titles;
 }
 

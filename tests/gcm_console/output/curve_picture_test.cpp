@@ -26,15 +26,15 @@ const Schema kReal(Schema::Kind::kFloat64);
 
 /// Returns a curve with one value per second.
 template <typename T>
-Curve CurveOf(const Schema& schema, const std::vector<T>& values) {
-  Curve curve{.title = "a/b/state.X", .unit = "", .schema = schema, .samples = {}};
+NumberCurve CurveOf(const Schema& schema, const std::vector<T>& values) {
+  NumberCurve curve{.title = "a/b/state.X", .unit = "", .schema = schema, .samples = {}};
   for (const T& value : values) {
     curve.samples.push_back({static_cast<double>(curve.samples.size()), NumericValue(value)});
   }
   return curve;
 }
-std::string PictureOfOne(const Curve& curve, int rows = 20) {
-  return PictureOf(std::vector<Curve>{curve}, kShown, 80, rows);
+std::string PictureOfOne(const NumberCurve& curve, int rows = 20) {
+  return PictureOf(std::vector<NumberCurve>{curve}, kShown, 80, rows);
 }
 /// Returns the labels from top to bottom.
 std::vector<std::string> LabelsIn(const std::string& picture) {
@@ -149,9 +149,9 @@ std::size_t MarginIn(const std::string& picture) {
 }
 
 /// Checks properties of every picture: its height and width, and that no label occurs twice.
-void CheckPicture(const Curve& curve, int columns, int rows) {
+void CheckPicture(const NumberCurve& curve, int columns, int rows) {
   constexpr std::size_t kFewestDots = 8;  // minimum width of the curve, in characters
-  const std::string picture = PictureOf(std::vector<Curve>{curve}, kShown, columns, rows);
+  const std::string picture = PictureOf(std::vector<NumberCurve>{curve}, kShown, columns, rows);
   const auto cells = CellsIn(picture);
   const auto curve_rows = static_cast<std::size_t>(std::max(rows - 2, kFewestCurveRows));
   RC_ASSERT(cells.size() == curve_rows);
