@@ -1,7 +1,7 @@
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/controls/legend_entries.h>
 #include <gcm_gui/plot/controls/rate_badge.h>
-#include <gcm_gui/plot/series/statistics.h>
+#include <gcm_gui/plot/series/sample_statistics.h>
 #include <gcm_gui/plot/series/time_shift.h>
 
 #include <QString>
@@ -33,7 +33,7 @@ QString FiguresOf(const CurveSet& curves, const Curve& curve, const TimeSpan& sp
   if (curve.names() != nullptr) return SharesOf(curve, span);
   const auto plain = StatisticsOf(curve.samples(), span.from_ns, span.to_ns);
   if (!plain) return {};
-  const Statistics found = plain->scaled(curve.scaling());
+  const SampleStatistics found = plain->scaled(curve.scaling());
   const auto text = [&](const ExactNumber& number) {
     return ' ' + NumberOf(number, curve, curves).rightJustified(kFigure - 1);
   };

@@ -7,7 +7,7 @@
 #include <gcm_gui/plot/controls/legend_entries.h>
 #include <gcm_gui/plot/plot_view.h>
 #include <gcm_gui/plot/series/csv_table.h>
-#include <gcm_gui/plot/series/statistics.h>
+#include <gcm_gui/plot/series/sample_statistics.h>
 #include <gmock/gmock.h>
 #include <qwt_plot_canvas.h>
 

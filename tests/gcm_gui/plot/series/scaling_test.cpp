@@ -2,8 +2,8 @@
 #include <gcm_gui/plot/plot_layout.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/series/csv_table.h>
+#include <gcm_gui/plot/series/sample_statistics.h>
 #include <gcm_gui/plot/series/scaling.h>
-#include <gcm_gui/plot/series/statistics.h>
 #include <gmock/gmock.h>
 
 #include <QBuffer>

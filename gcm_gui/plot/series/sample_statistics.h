@@ -11,7 +11,7 @@
 namespace tendon::gui {
 
 /// The statistics of the samples in a time span. Samples that are not finite are ignored.
-struct Statistics {
+struct SampleStatistics {
   std::uint64_t count = 0;
   ExactNumber lowest;
   ExactNumber highest;
@@ -21,15 +21,16 @@ struct Statistics {
   double rate = 0;  ///< samples per second; 0 if there are fewer than two
 
   /// Returns the statistics of the same samples after scaling.
-  [[nodiscard]] Statistics scaled(const Scaling& scaling) const;
+  [[nodiscard]] SampleStatistics scaled(const Scaling& scaling) const;
   /// Returns maximum minus minimum; infinite if a double cannot hold it.
   [[nodiscard]] ExactNumber span() const;
 };
 
 /// Computes the statistics of the samples in [from_ns, to_ns]; empty if there are none. O(samples
 /// in that span).
-[[nodiscard]] std::optional<Statistics> StatisticsOf(const SampleRing& ring, std::int64_t from_ns,
-                                                     std::int64_t to_ns);
+[[nodiscard]] std::optional<SampleStatistics> StatisticsOf(const SampleRing& ring,
+                                                           std::int64_t from_ns,
+                                                           std::int64_t to_ns);
 
 /// Returns the samples per second in [from_ns, to_ns], including samples that are not finite; 0 if
 /// there are fewer than two. O(log n).

@@ -1,4 +1,4 @@
-#include <gcm_gui/plot/series/statistics.h>
+#include <gcm_gui/plot/series/sample_statistics.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,9 +32,9 @@ ExactNumber Above(const ExactNumber& lowest, double distance) {
 
 }  // namespace
 
-Statistics Statistics::scaled(const Scaling& scaling) const {
+SampleStatistics SampleStatistics::scaled(const Scaling& scaling) const {
   if (scaling.isNone()) return *this;
-  Statistics result = *this;
+  SampleStatistics result = *this;
   double low = scaling.of(lowest.nearest());
   double high = scaling.of(highest.nearest());
   if (low > high) std::swap(low, high);
@@ -46,16 +46,16 @@ Statistics Statistics::scaled(const Scaling& scaling) const {
   return result;
 }
 
-ExactNumber Statistics::span() const {
+ExactNumber SampleStatistics::span() const {
   if (lowest.isInteger()) return ExactNumber::Unsigned(highest.word() - lowest.word());
   return highest.nearest() - lowest.nearest();
 }
 
-std::optional<Statistics> StatisticsOf(const SampleRing& ring, std::int64_t from_ns,
-                                       std::int64_t to_ns) {
+std::optional<SampleStatistics> StatisticsOf(const SampleRing& ring, std::int64_t from_ns,
+                                             std::int64_t to_ns) {
   const std::uint64_t first = ring.lowerBound(from_ns);
   const std::uint64_t end = ring.lowerBound(to_ns + 1);
-  Statistics result;
+  SampleStatistics result;
   for (std::uint64_t i = first; i < end; ++i) {
     const ExactNumber number = ring.number(i);
     if (!number.isFinite()) continue;

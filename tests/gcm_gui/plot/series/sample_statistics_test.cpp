@@ -1,5 +1,5 @@
 #include <gcm_gui/plot/frame_governor.h>
-#include <gcm_gui/plot/series/statistics.h>
+#include <gcm_gui/plot/series/sample_statistics.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace tendon::gui {
 namespace {
 
-TEST(Statistics, CoverOnlyTheGivenTime) {
+TEST(SampleStatistics, CoverOnlyTheGivenTime) {
   SampleRing ring;
   ring.append(Rows(0, 100, [](double) { return 1000.0; }));
   // The values are 0 1 2 3.
@@ -29,7 +29,7 @@ TEST(Statistics, CoverOnlyTheGivenTime) {
   EXPECT_DOUBLE_EQ(found->rate, 1000);
 }
 
-TEST(Statistics, IgnoreNanAndAreEmptyWithoutNumbers) {
+TEST(SampleStatistics, IgnoreNanAndAreEmptyWithoutNumbers) {
   SampleRing ring;
   ring.append(Rows(0, 1, [](double) { return std::numeric_limits<double>::quiet_NaN(); }));
   EXPECT_FALSE(StatisticsOf(ring, 0, kSecond).has_value());
@@ -45,7 +45,7 @@ std::vector<Sample> Integers(std::initializer_list<std::int64_t> values) {
   return rows;
 }
 
-TEST(Statistics, AreExactForLargeIntegers) {
+TEST(SampleStatistics, AreExactForLargeIntegers) {
   constexpr std::int64_t kStamp = 1'764'300'000'123'456'789;
   SampleRing ring;
   ring.append(Integers({kStamp, kStamp + 1, kStamp + 5}));
@@ -60,7 +60,7 @@ TEST(Statistics, AreExactForLargeIntegers) {
   EXPECT_DOUBLE_EQ(found->deviation, std::sqrt(14.0 / 3));
 }
 
-TEST(Statistics, AreFiniteForExtremeDoubles) {
+TEST(SampleStatistics, AreFiniteForExtremeDoubles) {
   constexpr double kLargest = std::numeric_limits<double>::max();
   constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
   SampleRing large;
@@ -82,7 +82,7 @@ TEST(Statistics, AreFiniteForExtremeDoubles) {
   EXPECT_EQ(of_small->deviation, 0);
 }
 
-TEST(Statistics, CountHowOftenAStateOccurs) {
+TEST(SampleStatistics, CountHowOftenAStateOccurs) {
   SampleRing ring;
   ring.append(Integers({0, 3, 3, 0, 3}));
 
@@ -109,7 +109,7 @@ TEST(FrameGovernor, UsesHalfOfTheTimeForSlowFramesAndRecovers) {
   EXPECT_EQ(governor.interval(), FrameGovernor::kShortest);
 }
 
-TEST(Statistics, AreExactAtTheIntegerLimits) {
+TEST(SampleStatistics, AreExactAtTheIntegerLimits) {
   constexpr std::uint64_t kLargest = std::numeric_limits<std::uint64_t>::max();
   std::vector<Sample> rows = Rows(0, 2);
   rows[0].value = ExactNumber::Unsigned(kLargest - 1);
