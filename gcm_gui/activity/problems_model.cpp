@@ -18,7 +18,7 @@ QString WithReason(const QString& text, const std::string& reason) {
 }
 
 void AddProblemsOf(const ProcessEntry& entry, const ConnectionIndex& connections,
-                   std::vector<Problem>& problems) {
+                   std::vector<ListedProblem>& problems) {
   const ProcessDescription& process = entry.process;
   const QString name = ToQString(process.name);
   if (process.state == ProcessState::kLost) {
@@ -68,7 +68,7 @@ void AddProblemsOf(const ProcessEntry& entry, const ConnectionIndex& connections
 
 QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
-  const Problem& problem = row(index.row());
+  const ListedProblem& problem = row(index.row());
   switch (role) {
     case Qt::DisplayRole:
     case Qt::ToolTipRole:
@@ -130,11 +130,12 @@ void ProblemsModel::showFaults(const QList<ViewFault>& faults) {
 }
 
 void ProblemsModel::show() {
-  std::vector<Problem> fresh = of_system_;
+  std::vector<ListedProblem> fresh = of_system_;
   fresh.insert(fresh.end(), of_views_.begin(), of_views_.end());
   for (const auto& [required, problem] : refusals_) fresh.push_back(problem);
-  std::stable_partition(fresh.begin(), fresh.end(),
-                        [](const Problem& problem) { return problem.mark != StateMark::kWarning; });
+  std::stable_partition(fresh.begin(), fresh.end(), [](const ListedProblem& problem) {
+    return problem.mark != StateMark::kWarning;
+  });
   const int count = rowCount();
   showRows(std::move(fresh));
   if (rowCount() != count) Q_EMIT countChanged(rowCount());

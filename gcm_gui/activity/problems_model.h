@@ -15,20 +15,20 @@
 namespace tendon::gui {
 
 /// A problem; it is listed until it is solved.
-struct Problem {
+struct ListedProblem {
   QString path;  ///< of the object with the problem; empty for a view of the window
   QString text;
   StateMark mark = StateMark::kWarning;
   std::int64_t since = 0;  ///< ns since 1970; 0 if unknown
 
-  bool operator==(const Problem&) const = default;
+  bool operator==(const ListedProblem&) const = default;
 };
 
 /// The present problems: lost processes; plug-ins whose files differ from the running code;
 /// components that are faulted or wait for a connection; failed connections; refused connections,
 /// until they are established; views of this window that have thrown an exception. Warnings come
 /// last.
-class ProblemsModel : public RowListModel<Problem> {
+class ProblemsModel : public RowListModel<ListedProblem> {
   Q_OBJECT
 
  public:
@@ -48,10 +48,10 @@ class ProblemsModel : public RowListModel<Problem> {
   void show();
   void dropAnswered(const Catalogue& catalogue);
 
-  std::vector<Problem> of_system_;
-  std::map<InterfaceName, Problem> refusals_;  // by the required interface
+  std::vector<ListedProblem> of_system_;
+  std::map<InterfaceName, ListedProblem> refusals_;  // by the required interface
   QList<ViewFault> faults_;
-  std::vector<Problem> of_views_;  // from faults_
+  std::vector<ListedProblem> of_views_;  // from faults_
 };
 
 }  // namespace tendon::gui
