@@ -8,7 +8,7 @@
 #include <tendon/base/os/termination.h>
 #include <tendon/base/text.h>
 #include <tendon/recording/recorder.h>
-#include <tendon/recording/selection.h>
+#include <tendon/recording/recording_selection.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

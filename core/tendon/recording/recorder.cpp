@@ -3,7 +3,7 @@
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text.h>
 #include <tendon/recording/recorder.h>
-#include <tendon/recording/selection.h>
+#include <tendon/recording/recording_selection.h>
 
 #include <algorithm>
 #include <iterator>
@@ -198,7 +198,7 @@ void Recorder::FollowOnce(bool may_wait) {
   if (!is_next) gone_.clear();
   revision_ = catalogue.revision();
   snapshots_ = snapshots;
-  Selection wanted = Select(catalogue, options_.patterns);
+  RecordingSelection wanted = Select(catalogue, options_.patterns);
   FollowTables(wanted.tables, catalogue);
   silent_.clear();
   std::vector<EventSubscription>& all = wanted.events;

@@ -1,8 +1,8 @@
 #include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text.h>
+#include <tendon/recording/recording_selection.h>
 #include <tendon/recording/save_last.h>
-#include <tendon/recording/selection.h>
 
 #include <algorithm>
 #include <deque>
@@ -271,7 +271,7 @@ Result<SaveLastReport> SaveLast(RecordedSystem& system,
                                 SaveLastOptions options) {
   if (auto unknown = system.WhyUnknown()) return *std::move(unknown);
   const Catalogue catalogue = system.catalogue();
-  const Selection selection = Select(catalogue, options.patterns);
+  const RecordingSelection selection = Select(catalogue, options.patterns);
   if (selection.tables.empty() && selection.events.empty()) {
     return Error{ErrorCode::kNotFound, "no state table and no event matches these paths"};
   }

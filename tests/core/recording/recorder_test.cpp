@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tendon/recording/recorder.h>
-#include <tendon/recording/selection.h>
+#include <tendon/recording/recording_selection.h>
 
 #include <algorithm>
 #include <atomic>

@@ -5,9 +5,9 @@
 #include <tendon/gcm/global_manager.h>
 #include <tendon/middleware/loopback.h>
 #include <tendon/recording/recorder.h>
+#include <tendon/recording/recording_selection.h>
 #include <tendon/recording/recording_writer.h>
 #include <tendon/recording/replay.h>
-#include <tendon/recording/selection.h>
 #include <tendon/task/periodic_task.h>
 
 #include <algorithm>

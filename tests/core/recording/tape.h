@@ -5,8 +5,8 @@
 #include <tendon/gcm/client.h>
 #include <tendon/recording/recorder.h>
 #include <tendon/recording/recording_queue.h>
+#include <tendon/recording/recording_selection.h>
 #include <tendon/recording/recording_writer.h>
-#include <tendon/recording/selection.h>
 
 #include <atomic>
 #include <chrono>
@@ -85,7 +85,8 @@ class Tape {
       const auto* component = catalogue.FindComponent(source.process, source.component);
       return component != nullptr && component->state == ComponentState::kActive;
     }));
-    Selection all = Select(client_.catalogue(), {source.process + "/" + source.component + "/**"});
+    RecordingSelection all =
+        Select(client_.catalogue(), {source.process + "/" + source.component + "/**"});
     for (const TableSubscription& table : all.tables) {
       subscriptions_.push_back(client_.telemetry().Subscribe(
           table, std::make_shared<TellingRowSink>(queue_->SinkOf(table), readiness_)));

@@ -3,7 +3,7 @@
 #include <tendon/base/text.h>
 #include <tendon/gcm/system/running_system.h>
 #include <tendon/interface/observed_call.h>
-#include <tendon/recording/selection.h>
+#include <tendon/recording/recording_selection.h>
 
 #include <algorithm>
 #include <utility>
@@ -18,8 +18,8 @@ bool IsWithinAny(const std::vector<std::string>& patterns, const std::string& pa
 
 }  // namespace
 
-Selection Select(const Catalogue& catalogue, const std::vector<std::string>& patterns) {
-  Selection selection;
+RecordingSelection Select(const Catalogue& catalogue, const std::vector<std::string>& patterns) {
+  RecordingSelection selection;
   for (const auto& [process, entry] : catalogue.processes()) {
     for (const auto& [component, description] : entry.components) {
       for (const TableDescription& table : description.tables) {

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <tendon/recording/selection.h>
+#include <tendon/recording/recording_selection.h>
 
 #include <set>
 #include <string>
@@ -24,7 +24,7 @@ TEST(SelectionTest, APatternSelectsAnObjectAndEverythingInIt) {
                                .process = "robot",
                                .components = {arm}}));
   const auto selected_by = [&](const std::string& pattern) {
-    const Selection selection = Select(catalogue, {pattern});
+    const RecordingSelection selection = Select(catalogue, {pattern});
     std::set<std::string> all;
     for (const auto& table : selection.tables)
       all.insert(table.columns.begin(), table.columns.end());

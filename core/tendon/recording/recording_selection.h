@@ -10,7 +10,7 @@
 namespace tendon::recording {
 
 /// The tables, events and commands of a running system that a recorder records.
-struct Selection {
+struct RecordingSelection {
   std::vector<TableSubscription> tables;
   std::vector<EventSubscription> events;
   std::vector<EventSubscription> commands;
@@ -24,8 +24,8 @@ struct Selection {
 /// path or a glob of a process, a component, an interface, a column, an event or a command. It
 /// selects everything in the matching objects, except read commands. Cost: each column, event and
 /// command is compared with each pattern.
-[[nodiscard]] Selection Select(const Catalogue& catalogue,
-                               const std::vector<std::string>& patterns);
+[[nodiscard]] RecordingSelection Select(const Catalogue& catalogue,
+                                        const std::vector<std::string>& patterns);
 
 /// Describes a recording of these patterns: by whom and what is recorded, and the system as a
 /// system file.
