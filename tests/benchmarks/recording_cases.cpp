@@ -55,7 +55,7 @@ class ArmRows {
     for (std::size_t row = 0; row < count_; ++row) {
       const mcap::Timestamp time = row * 1'000'000;
       visit(mcap::Message{1, static_cast<std::uint32_t>(row), time, time,
-                          mcap::Bytes(bytes_).subspan(row * kSize, kSize)});
+                          mcap::ByteView(bytes_).subspan(row * kSize, kSize)});
     }
   }
 
@@ -76,7 +76,7 @@ std::filesystem::path MakeLargeFile(const RamFolder& folder, std::uint64_t size)
   const auto file = Required(os::CreateWritableFile(path));
   mcap::Buffer begin(mcap::Magic().begin(), mcap::Magic().end());
   Append(begin, mcap::Header{"ros2", "report"});
-  RequireDone(file->WriteAt(0, std::array{mcap::Bytes(begin)}));
+  RequireDone(file->WriteAt(0, std::array{mcap::ByteView(begin)}));
 
   const std::uint64_t chunks = size / kChunk;
   const std::uint64_t data_end = begin.size() + chunks * kChunk;
@@ -110,9 +110,9 @@ std::filesystem::path MakeLargeFile(const RamFolder& folder, std::uint64_t size)
   Append(end, mcap::Footer{data_end + summary, 0, 0});
   constexpr std::size_t kCrcSize = 4;
   end.resize(end.size() - kCrcSize);
-  mcap::AppendNumber(end, mcap::Crc32(mcap::Bytes(end).subspan(summary)), kCrcSize);
+  mcap::AppendNumber(end, mcap::Crc32(mcap::ByteView(end).subspan(summary)), kCrcSize);
   end.insert(end.end(), mcap::Magic().begin(), mcap::Magic().end());
-  RequireDone(file->WriteAt(data_end, std::array{mcap::Bytes(end)}));
+  RequireDone(file->WriteAt(data_end, std::array{mcap::ByteView(end)}));
   return path;
 }
 

@@ -72,7 +72,7 @@ struct CsvMember {
 };
 
 /// True if the body is exactly one value of this type.
-bool IsWhole(const Schema& schema, mcap::Bytes body) {
+bool IsWhole(const Schema& schema, mcap::ByteView body) {
   payload::CdrReader reader(body);
   return payload::SkipValues(schema, 1, reader) && reader.AtEnd();
 }
@@ -131,7 +131,7 @@ class CsvFile {
   }
 
   /// Empty if the value is malformed.
-  static std::optional<std::string> CellsOf(const CsvMember& member, mcap::Bytes body) {
+  static std::optional<std::string> CellsOf(const CsvMember& member, mcap::ByteView body) {
     if (!IsWhole(member.schema, body)) return std::nullopt;
     std::string cells;
     for (const NumericField& number : member.numbers) cells += ',' + NumberCell(number, body);
@@ -172,7 +172,7 @@ class CsvFile {
   }
 
   Result<void> Write() {
-    const std::array parts{mcap::Bytes(std::as_bytes(std::span(text_)))};
+    const std::array parts{mcap::ByteView(std::as_bytes(std::span(text_)))};
     if (auto written = out_->WriteAt(size_, parts); !written) return Failure(written.error());
     size_ += text_.size();
     text_.clear();

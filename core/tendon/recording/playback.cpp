@@ -243,7 +243,7 @@ void Playback::PlayUpTo(mcap::Timestamp time, const Handler& handler) {
 }
 
 void Playback::HandOut(const mcap::Message& message, const Handler& handler) const {
-  const mcap::Bytes body = BodyOf(message.data);
+  const mcap::ByteView body = BodyOf(message.data);
   const auto is_one_of = [&](const Channels& channels) {
     return std::ranges::count(channels, message.channel_id) > 0;
   };

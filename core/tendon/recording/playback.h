@@ -31,12 +31,12 @@ struct PlayedChannel {
 struct PlayedValue {
   const PlayedChannel* channel = nullptr;
   std::uint64_t tick = 0;  ///< the low 32 bits, as in the file
-  mcap::Bytes body;        ///< CDR
+  mcap::ByteView body;     ///< CDR
 };
 
 struct PlayedEvent {
   const PlayedChannel* channel = nullptr;
-  mcap::Bytes value;  ///< CDR, valid during the call
+  mcap::ByteView value;  ///< CDR, valid during the call
 };
 
 /// A change of the catalogue. A snapshot begins with an empty catalogue.

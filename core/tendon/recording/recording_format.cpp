@@ -7,13 +7,13 @@ constexpr std::byte kLittleEndian{1};
 
 }  // namespace
 
-mcap::Bytes BodyOf(mcap::Bytes data) {
+mcap::ByteView BodyOf(mcap::ByteView data) {
   const bool is_read =
       data.size() >= kEncapsulationSize && data[0] == std::byte{0} && data[1] == kLittleEndian;
-  return is_read ? data.subspan(kEncapsulationSize) : mcap::Bytes();
+  return is_read ? data.subspan(kEncapsulationSize) : mcap::ByteView();
 }
 
-void Encapsulate(mcap::Bytes body, mcap::Buffer& data) {
+void Encapsulate(mcap::ByteView body, mcap::Buffer& data) {
   data.assign(kEncapsulationSize, std::byte{0});
   data[1] = kLittleEndian;
   data.insert(data.end(), body.begin(), body.end());

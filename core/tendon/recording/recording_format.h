@@ -69,9 +69,9 @@ inline constexpr std::size_t kEncapsulationSize = 4;
 
 /// Returns the CDR body of a message; empty if the data is not little-endian CDR of the first
 /// version. No value has an empty body.
-[[nodiscard]] mcap::Bytes BodyOf(mcap::Bytes data);
+[[nodiscard]] mcap::ByteView BodyOf(mcap::ByteView data);
 /// Makes the data of a message from a CDR body. Reuses the memory of `data`.
-void Encapsulate(mcap::Bytes body, mcap::Buffer& data);
+void Encapsulate(mcap::ByteView body, mcap::Buffer& data);
 
 /// Returns the value of a key in a channel's metadata; empty if there is none.
 [[nodiscard]] std::string MetadataValue(const mcap::Channel& channel, const char* key);

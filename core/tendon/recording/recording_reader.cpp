@@ -72,7 +72,7 @@ class RecordingReader::Lane {
     const auto next = messages_->Next();
     message_.reset();
     if (!next) return;
-    const mcap::Bytes body = BodyOf(next->data);
+    const mcap::ByteView body = BodyOf(next->data);
     message_ = OwnMessage{next->channel_id,
                           next->sequence,
                           TimeOf(*next),

@@ -390,7 +390,8 @@ Result<void> RecordingWriter::Put(const EventEntry& event) {
                                     std::chrono::nanoseconds::max()});
   if (!channels) return channels.error();
   constexpr std::byte kNone[] = {std::byte{0}};  // ROS 2's empty message has one byte
-  const mcap::Bytes body = event.value.empty() ? mcap::Bytes(kNone) : mcap::Bytes(event.value);
+  const mcap::ByteView body =
+      event.value.empty() ? mcap::ByteView(kNone) : mcap::ByteView(event.value);
   const std::chrono::nanoseconds took = is_call ? HeaderOfCall(body).took : 0ns;
   const mcap::Timestamp time = WallOf(event.raised - took);
   std::uint32_t& sequence = (*channels)->sequences.at(event.member);
@@ -465,7 +466,7 @@ Result<void> RecordingWriter::PutOwn(OwnChannel& channel, const char* topic, con
 
 Result<void> RecordingWriter::PutBody(mcap::ChannelId channel, std::uint32_t sequence,
                                       mcap::Timestamp log_time, mcap::Timestamp publish_time,
-                                      mcap::Bytes body) {
+                                      mcap::ByteView body) {
   Encapsulate(body, message_);
   return writer_->Write(mcap::Message{channel, sequence, log_time, publish_time, message_});
 }

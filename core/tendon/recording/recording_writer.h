@@ -157,7 +157,7 @@ class RecordingWriter {
   template <typename T>
   Result<void> PutOwn(OwnChannel& channel, const char* topic, const T& value, mcap::Timestamp time);
   Result<void> PutBody(mcap::ChannelId channel, std::uint32_t sequence, mcap::Timestamp log_time,
-                       mcap::Timestamp publish_time, mcap::Bytes body);
+                       mcap::Timestamp publish_time, mcap::ByteView body);
   [[nodiscard]] mcap::Timestamp WallOf(SteadyTime time) const;
 
   const FileOptions options_;

@@ -16,7 +16,7 @@ bool RowAssembler::Accepts(std::size_t column, const RowKey& key) const {
 }
 
 void RowAssembler::Add(std::size_t column, const RowKey& key, const mcap::Message& message) {
-  const mcap::Bytes body = BodyOf(message.data);
+  const mcap::ByteView body = BodyOf(message.data);
   Add(column, key, message.publish_time, {body.begin(), body.end()});
 }
 

@@ -73,7 +73,7 @@ class Script {
   mcap::MemoryRecording memory_;
 };
 
-std::uint64_t NumberIn(mcap::Bytes body) {
+std::uint64_t NumberIn(mcap::ByteView body) {
   std::uint64_t number = 0;
   EXPECT_TRUE(Decode(body, number));
   return number;

@@ -367,7 +367,7 @@ TEST_P(DecodedByAnOracle, EventsTheLogLossesAndTheCatalogueAreThoseThatWereRecor
 }
 
 /// Returns lower-case hexadecimal digits, two for each byte.
-std::string HexOf(mcap::Bytes bytes) {
+std::string HexOf(mcap::ByteView bytes) {
   constexpr std::string_view kDigits = "0123456789abcdef";
   std::string text;
   for (const std::byte byte : bytes) {

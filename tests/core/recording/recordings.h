@@ -20,7 +20,7 @@
 /// Recordings in memory, and functions to read them.
 namespace tendon::mcap {
 
-inline Bytes BytesOf(std::string_view text) { return std::as_bytes(std::span(text)); }
+inline ByteView BytesOf(std::string_view text) { return std::as_bytes(std::span(text)); }
 
 /// A message that owns its data.
 struct StoredMessage {
@@ -113,7 +113,7 @@ struct Sample {
   Sample(Compression compression, const SampleShape& shape) {
     const int count = shape.messages;
     std::mt19937 random(22);
-    const Bytes text = BytesOf("{\"name\": \"demo\"}");
+    const ByteView text = BytesOf("{\"name\": \"demo\"}");
     attachment.data.assign(text.begin(), text.end());
     MemoryRecording recording({.profile = "ros2",
                                .library = "test",

@@ -72,7 +72,7 @@ TEST(RecordingFormatTest, AMessageIsABodyBehindItsEncapsulation) {
   EXPECT_EQ(data.size(), kEncapsulationSize + 1);
   EXPECT_EQ(BodyOf(data).size(), 1U);
   EXPECT_EQ(BodyOf(data)[0], std::byte{9});
-  EXPECT_TRUE(BodyOf(mcap::Bytes(data).first(2)).empty());
+  EXPECT_TRUE(BodyOf(mcap::ByteView(data).first(2)).empty());
 }
 
 TEST(RecordingFormatTest, AMessageThatIsNotLittleEndianHasNoBody) {

@@ -83,7 +83,7 @@ Samples SamplesIn(const std::filesystem::path& file, mcap::Timestamp mcap::Messa
     if ((*reader)->FindChannel(message->channel_id)->topic != "robot/waves/state/Wave") continue;
     const auto time = static_cast<std::int64_t>(*message.*time_of);
     if (samples[0].empty()) first = time;
-    const mcap::Bytes body = message->data.subspan(recording::kEncapsulationSize);
+    const mcap::ByteView body = message->data.subspan(recording::kEncapsulationSize);
     for (std::size_t i = 0; i < kCurves; ++i) {
       const auto value = ReadAsDouble(fields.at(i), body);
       EXPECT_TRUE(value);

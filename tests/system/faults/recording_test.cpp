@@ -109,7 +109,7 @@ class RecordingFaults : public FaultTest {
     while (const auto message = messages.Next()) {
       const mcap::Channel* channel = reader.FindChannel(message->channel_id);
       if (channel == nullptr) continue;
-      const mcap::Bytes body = message->data.subspan(tendon::recording::kEncapsulationSize);
+      const mcap::ByteView body = tendon::recording::BodyOf(message->data);
       if (channel->topic == tendon::recording::kLossTopic) {
         tendon::recording::Loss loss;
         EXPECT_TRUE(tendon::Decode(body, loss));

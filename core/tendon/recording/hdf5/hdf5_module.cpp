@@ -279,7 +279,7 @@ class Column {
   }
 
   /// False if the body is malformed; then the row must be dropped.
-  bool Read(mcap::Bytes body) {
+  bool Read(mcap::ByteView body) {
     payload::CdrReader reader(body);
     if (!Read(root_, reader) || !reader.AtEnd()) return false;
     if (json_ == nullptr) return true;

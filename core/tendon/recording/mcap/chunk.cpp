@@ -32,7 +32,7 @@ void Problems::Add(const Problems& others) {
   count_ = count;
 }
 
-Result<Bytes> BufferedFile::At(std::uint64_t offset, std::size_t size) {
+Result<ByteView> BufferedFile::At(std::uint64_t offset, std::size_t size) {
   if (offset > file_.size() || size > file_.size() - offset) {
     return Damage("the file ends before " + std::to_string(offset) + " + " + std::to_string(size));
   }
@@ -42,7 +42,7 @@ Result<Bytes> BufferedFile::At(std::uint64_t offset, std::size_t size) {
     if (!filled) filled = Fill(offset, size);  // the disk may have a bad place behind it
     if (!filled) return filled.error();
   }
-  return Bytes(buffer_).subspan(static_cast<std::size_t>(offset - begin_), size);
+  return ByteView(buffer_).subspan(static_cast<std::size_t>(offset - begin_), size);
 }
 
 Result<void> BufferedFile::Fill(std::uint64_t offset, std::uint64_t size) {
@@ -53,7 +53,7 @@ Result<void> BufferedFile::Fill(std::uint64_t offset, std::uint64_t size) {
   return read;
 }
 
-Result<Bytes> BufferedFile::UpTo(std::uint64_t offset, std::size_t size) {
+Result<ByteView> BufferedFile::UpTo(std::uint64_t offset, std::size_t size) {
   const std::uint64_t rest = file_.size() - std::min(offset, file_.size());
   return At(offset, static_cast<std::size_t>(std::min<std::uint64_t>(size, rest)));
 }
@@ -111,7 +111,7 @@ Result<LoadedChunk> LoadChunk(BufferedFile& file, const ChunkPlace& place,
     if (auto read = file.file().ReadAt(place.records_begin, compressed.bytes()); !read) {
       return read.error();
     }
-    const Bytes bytes = std::as_const(compressed).bytes();
+    const ByteView bytes = std::as_const(compressed).bytes();
     if (auto done = Decompress(*compression, bytes, chunk.records.bytes()); !done) {
       return done.error();
     }

@@ -52,9 +52,9 @@ class BufferedFile {
 
   /// Returns `size` bytes at `offset`, which must be within the file. They are valid until the next
   /// call.
-  Result<Bytes> At(std::uint64_t offset, std::size_t size);
+  Result<ByteView> At(std::uint64_t offset, std::size_t size);
   /// Like At(), but returns fewer bytes if the file ends before.
-  Result<Bytes> UpTo(std::uint64_t offset, std::size_t size);
+  Result<ByteView> UpTo(std::uint64_t offset, std::size_t size);
   /// Returns the record head at `offset`. If the file ends within it, returns length 0 and kNone.
   Result<RecordHead> HeadAt(std::uint64_t offset);
 
@@ -79,7 +79,7 @@ class RawBuffer {
       : bytes_(std::make_unique_for_overwrite<std::byte[]>(size)), size_(size) {}
 
   [[nodiscard]] std::span<std::byte> bytes() { return {bytes_.get(), size_}; }
-  [[nodiscard]] Bytes bytes() const { return {bytes_.get(), size_}; }
+  [[nodiscard]] ByteView bytes() const { return {bytes_.get(), size_}; }
 
  private:
   std::unique_ptr<std::byte[]> bytes_;

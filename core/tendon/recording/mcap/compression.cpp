@@ -22,7 +22,7 @@ Error WrongSize(std::uint64_t size, std::uint64_t expected) {
                                    std::to_string(expected)};
 }
 
-Result<void> DecompressZstd(Bytes bytes, std::span<std::byte> out) {
+Result<void> DecompressZstd(ByteView bytes, std::span<std::byte> out) {
   // A single call allocates no window. A frame could request a window of any size.
   const std::size_t size = ZSTD_decompress(out.data(), out.size(), bytes.data(), bytes.size());
   if (ZSTD_isError(size) != 0U) return Damaged("zstd", ZSTD_getErrorName(size));
@@ -30,7 +30,7 @@ Result<void> DecompressZstd(Bytes bytes, std::span<std::byte> out) {
   return {};
 }
 
-Result<void> DecompressLz4(Bytes bytes, std::span<std::byte> out) {
+Result<void> DecompressLz4(ByteView bytes, std::span<std::byte> out) {
   LZ4F_dctx* made = nullptr;
   if (LZ4F_isError(LZ4F_createDecompressionContext(&made, LZ4F_VERSION)) != 0U) {
     return Error{ErrorCode::kFailed, "there is not enough memory"};
@@ -79,7 +79,7 @@ Result<Compression> ParseFormatName(std::string_view name) {
   return ParseCompression(name);
 }
 
-std::uint32_t Crc32(Bytes bytes, std::uint32_t before) noexcept {
+std::uint32_t Crc32(ByteView bytes, std::uint32_t before) noexcept {
   if (bytes.empty()) return before;  // zlib takes a null pointer for a question
   return static_cast<std::uint32_t>(
       crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
@@ -108,7 +108,7 @@ Compressor::Compressor(Compression compression, int level) : state_(std::make_un
 
 Compressor::~Compressor() = default;
 
-Result<Bytes> Compressor::Compress(Bytes bytes, Compression& used) {
+Result<ByteView> Compressor::Compress(ByteView bytes, Compression& used) {
   used = Compression::kNone;
   Buffer& out = state_->out;
   std::size_t size = 0;
@@ -133,7 +133,7 @@ Result<Bytes> Compressor::Compress(Bytes bytes, Compression& used) {
   }
   if (size >= bytes.size()) return bytes;
   used = state_->compression;
-  return Bytes(out).first(size);
+  return ByteView(out).first(size);
 }
 
 std::uint64_t LargestDecompressed(Compression compression, std::uint64_t size) noexcept {
@@ -150,7 +150,7 @@ std::uint64_t LargestDecompressed(Compression compression, std::uint64_t size) n
   return size * factor;
 }
 
-Result<void> Decompress(Compression compression, Bytes bytes, std::span<std::byte> out) {
+Result<void> Decompress(Compression compression, ByteView bytes, std::span<std::byte> out) {
   switch (compression) {
     case Compression::kZstd:
       return DecompressZstd(bytes, out);

@@ -43,7 +43,7 @@ Result<Compression> ParseFormatName(std::string_view name);
 
 /// Returns the CRC32 (of zlib, PNG and Ethernet) of `bytes`. If they follow other bytes, `before`
 /// is the checksum of those. Cost: about 0.4 ns for each byte.
-[[nodiscard]] std::uint32_t Crc32(Bytes bytes, std::uint32_t before = 0) noexcept;
+[[nodiscard]] std::uint32_t Crc32(ByteView bytes, std::uint32_t before = 0) noexcept;
 /// Returns the checksum of two consecutive ranges; the second one has `size` bytes. Cost: about 1
 /// us.
 [[nodiscard]] std::uint32_t CombinedCrc32(std::uint32_t first, std::uint32_t second,
@@ -62,7 +62,7 @@ class Compressor {
 
   /// Returns the compressed bytes, which are valid until the next call. If the bytes cannot be made
   /// smaller, sets `used` to kNone and returns `bytes`. Fails with kFailed if memory is exhausted.
-  Result<Bytes> Compress(Bytes bytes, Compression& used);
+  Result<ByteView> Compress(ByteView bytes, Compression& used);
 
  private:
   struct State;
@@ -77,6 +77,6 @@ class Compressor {
 
 /// Decompresses `bytes` into `out`. Fails with kInvalid if the input is malformed or does not fill
 /// `out` exactly, and with kFailed if memory is exhausted. Allocates up to 8 MiB.
-Result<void> Decompress(Compression compression, Bytes bytes, std::span<std::byte> out);
+Result<void> Decompress(Compression compression, ByteView bytes, std::span<std::byte> out);
 
 }  // namespace tendon::mcap

@@ -86,7 +86,7 @@ std::string SummaryReader::ReadRecords() {
   if (auto read = file_.file().ReadAt(footer_.summary_start, buffer.bytes()); !read) {
     return read.error().message;
   }
-  const Bytes bytes = std::as_const(buffer).bytes();
+  const ByteView bytes = std::as_const(buffer).bytes();
   const std::uint32_t crc = footer_.summary_crc == 0 ? 0 : Crc32(bytes);
   if (crc != footer_.summary_crc) {
     return "its checksum is " + HexText(crc) + " instead of " + HexText(footer_.summary_crc);

@@ -19,7 +19,7 @@ Error Unreadable(std::string what, std::string reason) {
   return {ErrorCode::kInvalid, "cannot read " + std::move(what) + ": " + std::move(reason)};
 }
 
-std::string_view TextOf(Bytes bytes) {
+std::string_view TextOf(ByteView bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
@@ -196,7 +196,7 @@ Result<Attachment> Reader::ReadAttachment(const AttachmentIndex& index) try {
   if (!begin || size != index.data_size)
     return Unreadable(what, "the fields of the record do not match the length of the record");
   const std::size_t end = *begin + static_cast<std::size_t>(size);
-  const Bytes bytes(*content);
+  const ByteView bytes(*content);
   std::uint32_t stated = 0;
   for (std::size_t i = 0; i < kCrcSize; ++i) {
     stated |= std::to_integer<std::uint32_t>(bytes[end + i]) << (8 * i);
@@ -349,7 +349,7 @@ void MessageStream::Open(const MessageBlock& block) {
   heads_.push({time, block.index.chunk_start_offset, place});
 }
 
-void MessageStream::Collect(const MessageBlock& block, Bytes bytes,
+void MessageStream::Collect(const MessageBlock& block, ByteView bytes,
                             std::vector<MessageIndexEntry>& entries) {
   Problems& problems = reader_->problems_;
   Contents& contents = reader_->contents_;
@@ -422,7 +422,7 @@ std::optional<Message> MessageStream::Fetch(const Source& source) {
     return std::nullopt;
   }
   const auto offset = static_cast<std::size_t>(source.entries[source.next].offset);
-  const Bytes bytes = records->bytes();
+  const ByteView bytes = records->bytes();
   RecordSequence sequence(bytes.subspan(std::min(offset, bytes.size())));
   const auto record = sequence.Next();
   Message message;

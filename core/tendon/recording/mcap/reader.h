@@ -172,7 +172,8 @@ class MessageStream {
   std::optional<Message> FindNext();
   void OpenBlocks();
   void Open(const MessageBlock& block);
-  void Collect(const MessageBlock& block, Bytes records, std::vector<MessageIndexEntry>& entries);
+  void Collect(const MessageBlock& block, ByteView records,
+               std::vector<MessageIndexEntry>& entries);
   [[nodiscard]] bool Wants(const MessageBlock& block) const;
   [[nodiscard]] bool Wants(ChannelId channel) const;
   std::optional<Message> Fetch(const Source& source);

@@ -14,7 +14,7 @@ constexpr std::array<std::byte, kMagicSize> kMagic{std::byte{0x89}, std::byte{'M
 
 void AppendString(Buffer& out, std::string_view text) {
   AppendNumber(out, text.size(), 4);
-  const Bytes bytes = std::as_bytes(std::span(text));
+  const ByteView bytes = std::as_bytes(std::span(text));
   out.insert(out.end(), bytes.begin(), bytes.end());
 }
 
@@ -55,29 +55,29 @@ void AppendMap(Buffer& out, const std::map<std::string, std::string>& map) {
 /// empty.
 class FieldReader {
  public:
-  explicit FieldReader(Bytes content) : rest_(content) {}
+  explicit FieldReader(ByteView content) : rest_(content) {}
 
   template <typename Number>
   Number Get() {
-    const Bytes bytes = GetBytes(sizeof(Number));
+    const ByteView bytes = GetBytes(sizeof(Number));
     std::uint64_t number = 0;
     for (std::size_t i = 0; i < bytes.size(); ++i) {
       number |= std::to_integer<std::uint64_t>(bytes[i]) << (8 * i);
     }
     return static_cast<Number>(number);
   }
-  Bytes GetBytes(std::uint64_t size) {
+  ByteView GetBytes(std::uint64_t size) {
     if (size > rest_.size()) {
       is_malformed_ = true;
       rest_ = {};
       return {};
     }
-    const Bytes bytes = rest_.first(static_cast<std::size_t>(size));
+    const ByteView bytes = rest_.first(static_cast<std::size_t>(size));
     rest_ = rest_.subspan(bytes.size());
     return bytes;
   }
   std::string GetString() {
-    const Bytes bytes = GetBytes(Get<std::uint32_t>());
+    const ByteView bytes = GetBytes(Get<std::uint32_t>());
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
   }
   FieldReader GetList() { return FieldReader(GetBytes(Get<std::uint32_t>())); }
@@ -105,13 +105,13 @@ class FieldReader {
   }
 
  private:
-  Bytes rest_;
+  ByteView rest_;
   bool is_malformed_ = false;
 };
 
 }  // namespace
 
-Bytes Magic() noexcept { return kMagic; }
+ByteView Magic() noexcept { return kMagic; }
 
 void AppendNumber(Buffer& out, std::uint64_t number, std::size_t size) {
   assert(size <= sizeof(number));
@@ -270,14 +270,14 @@ void AppendAttachmentHead(Buffer& out, const Attachment& attachment) {
   AppendNumber(out, attachment.data.size(), 8);
 }
 
-Fit Parse(Bytes content, Header& header) {
+Fit Parse(ByteView content, Header& header) {
   FieldReader fields(content);
   header.profile = fields.GetString();
   header.library = fields.GetString();
   return fields.fit();
 }
 
-Fit Parse(Bytes content, Footer& footer) {
+Fit Parse(ByteView content, Footer& footer) {
   FieldReader fields(content);
   footer.summary_start = fields.Get<std::uint64_t>();
   footer.summary_offset_start = fields.Get<std::uint64_t>();
@@ -285,7 +285,7 @@ Fit Parse(Bytes content, Footer& footer) {
   return fields.fit();
 }
 
-Fit Parse(Bytes content, Schema& schema) {
+Fit Parse(ByteView content, Schema& schema) {
   FieldReader fields(content);
   schema.id = fields.Get<SchemaId>();
   schema.name = fields.GetString();
@@ -294,7 +294,7 @@ Fit Parse(Bytes content, Schema& schema) {
   return fields.fit();
 }
 
-Fit Parse(Bytes content, Channel& channel) {
+Fit Parse(ByteView content, Channel& channel) {
   FieldReader fields(content);
   channel.id = fields.Get<ChannelId>();
   channel.schema_id = fields.Get<SchemaId>();
@@ -304,7 +304,7 @@ Fit Parse(Bytes content, Channel& channel) {
   return fields.fit();
 }
 
-Fit Parse(Bytes content, Message& message) {
+Fit Parse(ByteView content, Message& message) {
   FieldReader fields(content);
   message.channel_id = fields.Get<ChannelId>();
   message.sequence = fields.Get<std::uint32_t>();
@@ -314,7 +314,7 @@ Fit Parse(Bytes content, Message& message) {
   return fields.fit();
 }
 
-Fit Parse(Bytes content, MessageIndex& index) {
+Fit Parse(ByteView content, MessageIndex& index) {
   FieldReader fields(content);
   index.channel_id = fields.Get<ChannelId>();
   FieldReader list = fields.GetList();
@@ -330,7 +330,7 @@ Fit Parse(Bytes content, MessageIndex& index) {
   return fields.fit();
 }
 
-Fit Parse(Bytes content, ChunkIndex& index) {
+Fit Parse(ByteView content, ChunkIndex& index) {
   constexpr std::size_t kEntrySize = 10;  // bytes in the file
   FieldReader fields(content);
   index.message_start_time = fields.Get<Timestamp>();
@@ -352,7 +352,7 @@ Fit Parse(Bytes content, ChunkIndex& index) {
   return fields.fit();
 }
 
-Fit Parse(Bytes content, AttachmentIndex& index) {
+Fit Parse(ByteView content, AttachmentIndex& index) {
   FieldReader fields(content);
   index.offset = fields.Get<std::uint64_t>();
   index.length = fields.Get<std::uint64_t>();
@@ -364,14 +364,14 @@ Fit Parse(Bytes content, AttachmentIndex& index) {
   return fields.fit();
 }
 
-Fit Parse(Bytes content, Metadata& metadata) {
+Fit Parse(ByteView content, Metadata& metadata) {
   FieldReader fields(content);
   metadata.name = fields.GetString();
   metadata.metadata = fields.GetMap();
   return fields.fit();
 }
 
-Fit Parse(Bytes content, MetadataIndex& index) {
+Fit Parse(ByteView content, MetadataIndex& index) {
   FieldReader fields(content);
   index.offset = fields.Get<std::uint64_t>();
   index.length = fields.Get<std::uint64_t>();
@@ -379,7 +379,7 @@ Fit Parse(Bytes content, MetadataIndex& index) {
   return fields.fit();
 }
 
-Fit Parse(Bytes content, Statistics& statistics) {
+Fit Parse(ByteView content, Statistics& statistics) {
   FieldReader fields(content);
   statistics.message_count = fields.Get<std::uint64_t>();
   statistics.schema_count = fields.Get<std::uint16_t>();
@@ -399,7 +399,7 @@ Fit Parse(Bytes content, Statistics& statistics) {
   return fields.fit();
 }
 
-Fit Parse(Bytes content, SummaryOffset& offset) {
+Fit Parse(ByteView content, SummaryOffset& offset) {
   FieldReader fields(content);
   offset.group_opcode = fields.Get<std::uint8_t>();
   offset.group_start = fields.Get<std::uint64_t>();
@@ -407,13 +407,13 @@ Fit Parse(Bytes content, SummaryOffset& offset) {
   return fields.fit();
 }
 
-Fit Parse(Bytes content, DataEnd& end) {
+Fit Parse(ByteView content, DataEnd& end) {
   FieldReader fields(content);
   end.data_section_crc = fields.Get<std::uint32_t>();
   return fields.fit();
 }
 
-std::optional<std::size_t> ParseChunkHead(Bytes begin, std::uint64_t size, ChunkHead& chunk) {
+std::optional<std::size_t> ParseChunkHead(ByteView begin, std::uint64_t size, ChunkHead& chunk) {
   FieldReader fields(begin.first(std::min<std::uint64_t>(begin.size(), size)));
   chunk.message_start_time = fields.Get<Timestamp>();
   chunk.message_end_time = fields.Get<Timestamp>();
@@ -427,7 +427,7 @@ std::optional<std::size_t> ParseChunkHead(Bytes begin, std::uint64_t size, Chunk
   return used;
 }
 
-std::optional<std::size_t> ParseAttachmentHead(Bytes begin, std::uint64_t size,
+std::optional<std::size_t> ParseAttachmentHead(ByteView begin, std::uint64_t size,
                                                Attachment& attachment, std::uint64_t& data_size) {
   constexpr std::uint64_t kCrcSize = 4;
   FieldReader fields(begin.first(std::min<std::uint64_t>(begin.size(), size)));
@@ -442,7 +442,7 @@ std::optional<std::size_t> ParseAttachmentHead(Bytes begin, std::uint64_t size,
   return used;
 }
 
-RecordHead ParseRecordHead(Bytes bytes) {
+RecordHead ParseRecordHead(ByteView bytes) {
   FieldReader fields(bytes);
   RecordHead head;
   head.opcode = static_cast<Opcode>(fields.Get<std::uint8_t>());
@@ -451,7 +451,7 @@ RecordHead ParseRecordHead(Bytes bytes) {
 }
 
 std::optional<RecordView> RecordSequence::Next() {
-  const Bytes rest = records_.subspan(offset_);
+  const ByteView rest = records_.subspan(offset_);
   if (rest.empty()) return std::nullopt;
   const RecordHead head = ParseRecordHead(rest);
   if (rest.size() < kRecordHeadSize || head.opcode == Opcode::kNone ||

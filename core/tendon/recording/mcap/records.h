@@ -26,7 +26,7 @@
 /// it. Neither knows files; mcap/writer.h and mcap/reader.h do.
 namespace tendon::mcap {
 
-using Bytes = std::span<const std::byte>;
+using ByteView = std::span<const std::byte>;
 using Buffer = std::vector<std::byte>;
 /// Nanoseconds since an epoch of the writer's choice, usually 1970.
 using Timestamp = std::uint64_t;
@@ -38,7 +38,7 @@ inline constexpr Timestamp kLastTime = std::numeric_limits<Timestamp>::max();
 
 /// The first and the last bytes of a file.
 inline constexpr std::size_t kMagicSize = 8;
-[[nodiscard]] Bytes Magic() noexcept;
+[[nodiscard]] ByteView Magic() noexcept;
 
 /// Opcode and length.
 inline constexpr std::size_t kRecordHeadSize = 9;
@@ -108,7 +108,7 @@ struct Message {
   std::uint32_t sequence = 0;
   Timestamp log_time = 0;
   Timestamp publish_time = 0;
-  Bytes data;  ///< not owned
+  ByteView data;  ///< not owned
 };
 
 /// The fields of a chunk except the last one, its records.
@@ -262,26 +262,26 @@ enum class Fit : std::uint8_t {
 /// Reads the content of a record, which follows its head. Allocates at most a small multiple of the
 /// content's size, even if a length in it is wrong. If a key occurs twice in a map, its first value
 /// is used. After kMalformed, the content of the struct is undefined.
-[[nodiscard]] Fit Parse(Bytes content, Header& header);
-[[nodiscard]] Fit Parse(Bytes content, Footer& footer);
-[[nodiscard]] Fit Parse(Bytes content, Schema& schema);
-[[nodiscard]] Fit Parse(Bytes content, Channel& channel);
-[[nodiscard]] Fit Parse(Bytes content, Message& message);  ///< data refers to `content`
-[[nodiscard]] Fit Parse(Bytes content, MessageIndex& index);
-[[nodiscard]] Fit Parse(Bytes content, ChunkIndex& index);
-[[nodiscard]] Fit Parse(Bytes content, AttachmentIndex& index);
-[[nodiscard]] Fit Parse(Bytes content, Metadata& metadata);
-[[nodiscard]] Fit Parse(Bytes content, MetadataIndex& index);
-[[nodiscard]] Fit Parse(Bytes content, Statistics& statistics);
-[[nodiscard]] Fit Parse(Bytes content, SummaryOffset& offset);
-[[nodiscard]] Fit Parse(Bytes content, DataEnd& end);
+[[nodiscard]] Fit Parse(ByteView content, Header& header);
+[[nodiscard]] Fit Parse(ByteView content, Footer& footer);
+[[nodiscard]] Fit Parse(ByteView content, Schema& schema);
+[[nodiscard]] Fit Parse(ByteView content, Channel& channel);
+[[nodiscard]] Fit Parse(ByteView content, Message& message);  ///< data refers to `content`
+[[nodiscard]] Fit Parse(ByteView content, MessageIndex& index);
+[[nodiscard]] Fit Parse(ByteView content, ChunkIndex& index);
+[[nodiscard]] Fit Parse(ByteView content, AttachmentIndex& index);
+[[nodiscard]] Fit Parse(ByteView content, Metadata& metadata);
+[[nodiscard]] Fit Parse(ByteView content, MetadataIndex& index);
+[[nodiscard]] Fit Parse(ByteView content, Statistics& statistics);
+[[nodiscard]] Fit Parse(ByteView content, SummaryOffset& offset);
+[[nodiscard]] Fit Parse(ByteView content, DataEnd& end);
 
 /// Reads the first fields of a chunk or an attachment. `begin` is the begin of its content, and
 /// `size` is the size of its content. Returns the place of the records or the data in the content.
 /// Returns nothing if they do not fit the size, or if `begin` is too short. Does not read the data.
-[[nodiscard]] std::optional<std::size_t> ParseChunkHead(Bytes begin, std::uint64_t size,
+[[nodiscard]] std::optional<std::size_t> ParseChunkHead(ByteView begin, std::uint64_t size,
                                                         ChunkHead& chunk);
-[[nodiscard]] std::optional<std::size_t> ParseAttachmentHead(Bytes begin, std::uint64_t size,
+[[nodiscard]] std::optional<std::size_t> ParseAttachmentHead(ByteView begin, std::uint64_t size,
                                                              Attachment& attachment,
                                                              std::uint64_t& data_size);
 
@@ -289,13 +289,13 @@ enum class Fit : std::uint8_t {
 struct RecordView {
   Opcode opcode = Opcode::kNone;
   std::uint64_t offset = 0;  ///< place of the head in the sequence
-  Bytes content;
+  ByteView content;
 };
 
 /// Iterates over a sequence of records in memory.
 class RecordSequence {
  public:
-  explicit RecordSequence(Bytes records) : records_(records) {}
+  explicit RecordSequence(ByteView records) : records_(records) {}
 
   /// Returns the next record. Returns nothing at the end, or if the next bytes are not a record.
   std::optional<RecordView> Next();
@@ -305,7 +305,7 @@ class RecordSequence {
   [[nodiscard]] std::size_t offset() const { return offset_; }
 
  private:
-  const Bytes records_;
+  const ByteView records_;
   std::size_t offset_ = 0;
   bool is_malformed_ = false;
 };
@@ -316,6 +316,6 @@ struct RecordHead {
 };
 
 /// Reads the first kRecordHeadSize bytes.
-[[nodiscard]] RecordHead ParseRecordHead(Bytes bytes);
+[[nodiscard]] RecordHead ParseRecordHead(ByteView bytes);
 
 }  // namespace tendon::mcap

@@ -56,12 +56,12 @@ class DataScan {
   void Accept(const RecordHead& head, Fit fit);
   Fit ReadRecord(const RecordHead& head);
   Fit ReadSmallRecord(const RecordHead& head);
-  Fit ReadDefinition(Opcode opcode, Bytes content, std::uint64_t offset);
+  Fit ReadDefinition(Opcode opcode, ByteView content, std::uint64_t offset);
   Fit ReadChunk(const RecordHead& head);
   void ReadChunkRecords(const LoadedChunk& chunk, MessageBlock& block);
-  Fit ReadMessageIndex(Bytes content);
+  Fit ReadMessageIndex(ByteView content);
   Fit ReadAttachment(const RecordHead& head);
-  Fit ReadMetadata(const RecordHead& head, Bytes content);
+  Fit ReadMetadata(const RecordHead& head, ByteView content);
   Fit ReadLooseMessage(const RecordHead& head);
   bool FindChannel(ChannelId id);
   void Count(const Message& message, MessageBlock& block);
@@ -189,7 +189,7 @@ Fit DataScan::ReadSmallRecord(const RecordHead& head) {
   return fit;
 }
 
-Fit DataScan::ReadDefinition(Opcode opcode, Bytes content, std::uint64_t offset) {
+Fit DataScan::ReadDefinition(Opcode opcode, ByteView content, std::uint64_t offset) {
   Fit fit = Fit::kMalformed;
   if (opcode == Opcode::kSchema) {
     Schema schema;
@@ -300,7 +300,7 @@ void DataScan::Count(const Message& message, MessageBlock& block) {
   channels.emplace_back(message.channel_id, 0);
 }
 
-Fit DataScan::ReadMessageIndex(Bytes content) {
+Fit DataScan::ReadMessageIndex(ByteView content) {
   MessageIndex index;
   const Fit fit = Parse(content, index);
   if (fit == Fit::kMalformed || contents_.blocks.empty() || !contents_.blocks.back().is_chunk) {
@@ -341,7 +341,7 @@ Fit DataScan::ReadAttachment(const RecordHead& head) {
   return is_exact ? Fit::kExact : Fit::kLonger;
 }
 
-Fit DataScan::ReadMetadata(const RecordHead& head, Bytes content) {
+Fit DataScan::ReadMetadata(const RecordHead& head, ByteView content) {
   Metadata metadata;
   const Fit fit = Parse(content, metadata);
   if (fit == Fit::kMalformed) return fit;
@@ -421,7 +421,7 @@ std::uint64_t DataScan::FindPlausibleChunk(std::uint64_t from) {
   while (from < file_.size()) {
     const auto piece = pieces.UpTo(from, kPiece);
     if (!piece) return file_.size();
-    const Bytes bytes = *piece;
+    const ByteView bytes = *piece;
     for (std::size_t i = 0; i < bytes.size(); ++i) {
       if (bytes[i] != static_cast<std::byte>(Opcode::kChunk)) continue;
       // A length of 2^40 bytes and more is none.

@@ -18,9 +18,9 @@ constexpr std::size_t kMessageIndexHeadSize = kRecordHeadSize + 2 + 4;  // chann
 constexpr std::size_t kChunkIndexHeadSize = kRecordHeadSize + 72;       // without its lists
 constexpr std::size_t kChunkIndexEntrySize = 10;
 
-std::uint64_t SizeOf(std::span<const Bytes> parts) {
+std::uint64_t SizeOf(std::span<const ByteView> parts) {
   return std::accumulate(parts.begin(), parts.end(), std::uint64_t{0},
-                         [](std::uint64_t sum, const Bytes& part) { return sum + part.size(); });
+                         [](std::uint64_t sum, const ByteView& part) { return sum + part.size(); });
 }
 
 Error Invalid(std::string message) { return {ErrorCode::kInvalid, std::move(message)}; }
@@ -36,7 +36,7 @@ std::size_t SizeOf(const std::map<std::string, std::string>& map) {
   return size;
 }
 
-void AppendBytes(Buffer& out, Bytes bytes) { out.insert(out.end(), bytes.begin(), bytes.end()); }
+void AppendBytes(Buffer& out, ByteView bytes) { out.insert(out.end(), bytes.begin(), bytes.end()); }
 
 }  // namespace
 
@@ -88,7 +88,7 @@ Result<std::unique_ptr<Writer>> Writer::Create(std::unique_ptr<os::WritableFile>
 Result<void> Writer::Begin() {
   AppendBytes(head_, Magic());
   Append(head_, Header{options_.profile, options_.library});
-  return WriteRecords(std::array{Bytes(head_)}, Crc32(head_));
+  return WriteRecords(std::array{ByteView(head_)}, Crc32(head_));
 }
 
 Result<void> Writer::CheckOpen() const {
@@ -191,10 +191,10 @@ Result<void> Writer::Write(const Attachment& attachment) {
     }
     head_.clear();
     AppendAttachmentHead(head_, attachment);
-    const Bytes fields = Bytes(head_).subspan(kRecordHeadSize);
+    const ByteView fields = ByteView(head_).subspan(kRecordHeadSize);
     Buffer tail;
     AppendNumber(tail, Crc32(attachment.data, Crc32(fields)), 4);
-    const std::array<Bytes, 3> parts{head_, attachment.data, tail};
+    const std::array<ByteView, 3> parts{head_, attachment.data, tail};
     const AttachmentIndex index{end_,
                                 SizeOf(parts),
                                 attachment.log_time,
@@ -223,7 +223,7 @@ Result<void> Writer::Write(const Metadata& metadata) {
     head_.clear();
     Append(head_, metadata);
     const MetadataIndex index{end_, head_.size(), metadata.name};
-    if (auto written = WriteRecords(std::array{Bytes(head_)}, Crc32(head_)); !written) {
+    if (auto written = WriteRecords(std::array{ByteView(head_)}, Crc32(head_)); !written) {
       return written;
     }
     metadata_.push_back(index);
@@ -288,7 +288,7 @@ Result<void> Writer::WriteChunk() {
   const std::uint32_t records_crc = used == Compression::kNone ? chunk_crc : Crc32(*records);
   std::uint32_t crc = CombinedCrc32(Crc32(head_), records_crc, records->size());
   crc = CombinedCrc32(crc, Crc32(index_), index_.size());
-  const std::array<Bytes, 3> parts{head_, *records, index_};
+  const std::array<ByteView, 3> parts{head_, *records, index_};
   if (auto written = WriteRecords(parts, crc); !written) return written;
   CountChunk(std::move(index));
   return {};
@@ -345,7 +345,7 @@ void Writer::CountChunk(ChunkIndex index) {
 }
 
 /// `crc` is the checksum of all parts.
-Result<void> Writer::WriteRecords(std::span<const Bytes> parts, std::uint32_t crc) {
+Result<void> Writer::WriteRecords(std::span<const ByteView> parts, std::uint32_t crc) {
   const std::uint64_t size = SizeOf(parts);
   auto done = file_->Reserve(end_, size + SummarySize());
   if (done) done = file_->WriteAt(end_, parts);
@@ -423,7 +423,7 @@ void Writer::WriteLast(std::span<const Metadata> last) {
     size += head_.size();
     const bool has_room = !failure_ && file_->Reserve(end_, head_.size() + SummarySize());
     if (!has_room && size > kLastMetadata) return;
-    if (!file_->WriteAt(end_, std::array{Bytes(head_)})) return;
+    if (!file_->WriteAt(end_, std::array{ByteView(head_)})) return;
     metadata_.push_back({end_, head_.size(), metadata.name});
     crc_ = CombinedCrc32(crc_, Crc32(head_), head_.size());
     end_ += head_.size();
@@ -436,7 +436,7 @@ Result<void> Writer::WriteSummary() {
   const Buffer summary = Summary(end_ + out.size());
   AppendBytes(out, summary);
   const std::uint64_t size = end_ + out.size();
-  auto done = file_->WriteAt(end_, std::array{Bytes(out)});
+  auto done = file_->WriteAt(end_, std::array{ByteView(out)});
   if (done) done = file_->Truncate(size);  // parts of a chunk that failed may be behind it
   if (done) done = file_->Sync();
   if (done) {

@@ -151,7 +151,7 @@ class Writer {
   void BeginChunk();
   Result<void> WriteChunk();
   void WriteLast(std::span<const Metadata> last);
-  Result<void> WriteRecords(std::span<const Bytes> parts, std::uint32_t crc);
+  Result<void> WriteRecords(std::span<const ByteView> parts, std::uint32_t crc);
   void MakeMessageIndexes(ChunkIndex& index);
   void CountChunk(ChunkIndex index);
   Result<void> WriteSummary();

@@ -104,7 +104,7 @@ TEST(CompressionNames, AnUnknownNameIsAnErrorWithTheKnownNames) {
 
 TEST(Crc32Test, IsTheOneOfTheFormat) {
   const std::string digits = "123456789";
-  const Bytes bytes = std::as_bytes(std::span(digits));
+  const ByteView bytes = std::as_bytes(std::span(digits));
 
   EXPECT_EQ(Crc32(bytes), 0xcbf43926U);  // the check value of CRC-32/ISO-HDLC
   EXPECT_EQ(Crc32(bytes.subspan(4), Crc32(bytes.first(4))), 0xcbf43926U);

@@ -13,7 +13,7 @@ namespace tendon::mcap {
 class HandmadeFile {
  public:
   HandmadeFile() {
-    const Bytes magic = Magic();
+    const ByteView magic = Magic();
     bytes.insert(bytes.end(), magic.begin(), magic.end());
     Append(bytes, Header{"", "hand"});
   }
@@ -26,7 +26,7 @@ class HandmadeFile {
   HandmadeFile& Add(std::uint8_t opcode, std::string_view content) {
     bytes.push_back(static_cast<std::byte>(opcode));
     AppendNumber(bytes, content.size(), 8);
-    const Bytes text = std::as_bytes(std::span(content));
+    const ByteView text = std::as_bytes(std::span(content));
     bytes.insert(bytes.end(), text.begin(), text.end());
     return *this;
   }
@@ -59,7 +59,7 @@ class HandmadeFile {
     const std::uint64_t begin = summary.empty() ? 0 : bytes.size();
     bytes.insert(bytes.end(), summary.begin(), summary.end());
     Append(bytes, Footer{start.value_or(begin), 0, 0});
-    const Bytes magic = Magic();
+    const ByteView magic = Magic();
     bytes.insert(bytes.end(), magic.begin(), magic.end());
     return bytes;
   }

@@ -32,7 +32,7 @@ std::vector<Timestamp> TimesOf(const std::vector<StoredMessage>& messages) {
 }
 
 std::string ErrorOf(std::string_view text) {
-  const Bytes bytes = BytesOf(text);
+  const ByteView bytes = BytesOf(text);
   const auto reader =
       Reader::Open(std::make_unique<test::MemoryFile>(Buffer(bytes.begin(), bytes.end())));
   return reader ? "" : reader.error().message;

@@ -7,7 +7,7 @@
 namespace tendon::mcap {
 namespace {
 
-Bytes ContentOf(const Buffer& record) { return Bytes(record).subspan(kRecordHeadSize); }
+ByteView ContentOf(const Buffer& record) { return ByteView(record).subspan(kRecordHeadSize); }
 
 /// Writes the record, and reads it complete, with additional bytes, and cut at each byte.
 template <typename Record>
@@ -147,7 +147,7 @@ TEST(RecordSequence, EndsAtTheFirstThatIsNoRecord) {
   RecordSequence none(zeros);
   EXPECT_FALSE(none.Next());
   EXPECT_TRUE(none.is_malformed());
-  EXPECT_FALSE(RecordSequence(Bytes{}).Next());
+  EXPECT_FALSE(RecordSequence(ByteView{}).Next());
 }
 
 }  // namespace
