@@ -10,7 +10,7 @@ def main(root):
     root = pathlib.Path(root)
     docs = root / "docs"
     wrong = []
-    folders = ("docs", "components", "core", "resources", "tests")
+    folders = ("docs", "components", "core", "gcm_console", "gcm_gui", "resources", "tests")
     pages = [*root.glob("*.md"), *(page for folder in folders for page in (root / folder).rglob("*.md"))]
     for page in pages:
         for target in re.findall(r"\]\(([^)#\s]+)", page.read_text(encoding="utf-8")):
