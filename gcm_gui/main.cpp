@@ -189,6 +189,17 @@ QString KeptFolder() {
   return QString::fromStdString(kept.string());
 }
 
+/// Shows the window with the kept layout, and with the plots of `options`.
+void ShowWindow(tendon::gui::MainWindow& window, tendon::gui::SavedSettings& values,
+                const Options& options) {
+  if (!options.describe_ui.empty()) {
+    new tendon::gui::UiDescription(window, QString::fromStdString(options.describe_ui));
+  }
+  KeepLayout(window, values);
+  window.show();
+  if (!options.layout.empty()) window.plots().openLayout(QString::fromStdString(options.layout));
+}
+
 /// Shows a recording, with no connection to any running system.
 int RunReplay(const Options& options) {
   tendon::gui::ReplaySession session(QString::fromStdString(options.file));
@@ -197,12 +208,7 @@ int RunReplay(const Options& options) {
   parts.viewer = ViewerCommand(options);
   tendon::gui::SavedSettings values(parts.kept + QStringLiteral("/replay-window.json"));
   tendon::gui::MainWindow window(parts);
-  if (!options.describe_ui.empty()) {
-    new tendon::gui::UiDescription(window, QString::fromStdString(options.describe_ui));
-  }
-  KeepLayout(window, values);
-  window.show();
-  if (!options.layout.empty()) window.plots().openLayout(QString::fromStdString(options.layout));
+  ShowWindow(window, values, options);
   const int code = tendon::gui::GuardedApplication::exec();
   window.hide();
   return code;
@@ -242,12 +248,7 @@ int Run(const Options& options) {
   if (options.read_only) parts.read_only = tendon::gui::Words::tr(kReadOnly);
   tendon::gui::SavedSettings values(parts.kept + QStringLiteral("/window.json"));
   tendon::gui::MainWindow window(parts);
-  if (!options.describe_ui.empty()) {
-    new tendon::gui::UiDescription(window, QString::fromStdString(options.describe_ui));
-  }
-  KeepLayout(window, values);
-  window.show();
-  if (!options.layout.empty()) window.plots().openLayout(QString::fromStdString(options.layout));
+  ShowWindow(window, values, options);
   if (!options.no_tour && options.file.empty()) ShowAroundOnce(window, values);
   if (!options.file.empty()) window.files().bringUp(QString::fromStdString(options.file));
   const int code = tendon::gui::GuardedApplication::exec();
