@@ -18,7 +18,7 @@ namespace tendon {
 ///
 /// This class is only the interface. The implementation is ice/ice_broadcast.h, with IceStorm as
 /// the broker. If the rows of a state table are sent through the broker, they are one topic
-/// (RowTopic in process/telemetry/row_stream.h). `gcm broker` runs the broker (docs/broker.md).
+/// (RowTopic in process/telemetry/row_topic.h). `gcm broker` runs the broker (docs/broker.md).
 class Broadcast {
  public:
   /// A topic on the side of its publisher. The topic is removed when this object is destroyed.

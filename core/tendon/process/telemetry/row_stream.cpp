@@ -21,27 +21,6 @@ bool Includes(const RowAcknowledgements& acknowledgements, const std::shared_ptr
   return found != acknowledgements.end() && found->second.contains(handle);
 }
 
-void ReportEnd(const RowViewer& viewer, const Error& reason) {
-  const Status sent =
-      viewer.channel->Notify(message::kRowsEnded, viewer.handle, reason, viewer.lane);
-  // If the link is full, the channel is closed. Otherwise the viewer would wait for rows for ever.
-  // The viewer opens the channel again, and then gets the reason.
-  if (sent == Status(Status::kQueueFull)) viewer.channel->Close();
-}
-
-void RowTopic::Send(RowBatchWriter& batch, std::uint64_t lost, std::uint64_t next_tick) {
-  constexpr int kLongestQuiet = 25;  // calls of Send(): half a second
-  lost_table_ += lost;
-  ++silence_;
-  if (batch.rows() == 0 && lost_table_ == 0 && silence_ < kLongestQuiet) return;
-  const auto body = batch.Finish(
-      {.rows_before = rows_before_, .lost_table = lost_table_, .next_tick = next_tick});
-  rows_before_ += batch.rows();  // counted even if refused, so that viewers see the gap
-  if (!topic_->Publish(body)) return;
-  lost_table_ = 0;
-  silence_ = 0;
-}
-
 RowStream::RowStream(const StateTable& table, std::vector<std::size_t> columns, RowChoice rows)
     : table_(table),
       columns_(std::move(columns)),
