@@ -2,7 +2,7 @@
 
 #include <Ice/Ice.h>
 #include <Ice/OutgoingAsync.h>
-#include <tendon/ice/links.h>
+#include <tendon/ice/ice_link.h>
 
 #include <cstddef>
 #include <cstdint>

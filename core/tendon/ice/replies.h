@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Ice/Incoming.h>
-#include <tendon/ice/links.h>
+#include <tendon/ice/ice_link.h>
 #include <tendon/ice/pending_calls.h>
 
 #include <memory>

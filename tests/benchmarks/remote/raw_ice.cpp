@@ -1,7 +1,7 @@
 #include <Ice/Ice.h>
 #include <Ice/Incoming.h>
 #include <benchmarks/remote/raw_ice.h>
-#include <tendon/ice/links.h>
+#include <tendon/ice/connection_socket.h>
 #include <tendon/ice/settings.h>
 
 #include <chrono>
