@@ -209,7 +209,7 @@ using CsvTables = ExportTables<CsvFile>;
 /// kInvalid if there are too many columns.
 Result<CsvTables> CsvTablesOf(const mcap::Reader& reader, const mcap::Query& query,
                               const std::filesystem::path& folder, const os::StopRequest& stop) {
-  UniqueNames names;
+  TableNames names;
   std::size_t columns = 0;  // about: a member may have one less
   const auto make =
       [&](const ChannelGroup& group,

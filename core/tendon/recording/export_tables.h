@@ -102,8 +102,8 @@ class ExportTables {
   std::map<std::string, std::size_t> types_;  // their numbers, by their text
 };
 
-/// Makes names unique: the second table with the name "state" is "state-2".
-class UniqueNames {
+/// Makes the names of the tables unique: the second "state" is "state-2".
+class TableNames {
  public:
   std::string Take(const std::string& name, const std::string& suffix = "") {
     std::string unique = name + suffix;

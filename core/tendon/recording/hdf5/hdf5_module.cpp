@@ -519,7 +519,7 @@ using Hdf5Tables = ExportTables<Table>;
 /// kInvalid if there are too many columns.
 Result<Hdf5Tables> Hdf5TablesOf(const mcap::Reader& reader, const mcap::Query& query,
                                 const std::filesystem::path& file, const os::StopRequest& stop) {
-  UniqueNames names;
+  TableNames names;
   std::size_t columns = 0;  // about
   const auto make =
       [&](const ChannelGroup& group,
