@@ -10,7 +10,7 @@ namespace tendon {
 namespace {
 
 /// Precedes the body of each record.
-struct RecordHead {
+struct StoredHead {
   std::int64_t time = 0;
   std::uint32_t size = 0;
   std::uint32_t tag = 0;
@@ -56,7 +56,7 @@ HistoryRing::~HistoryRing() {
 }
 
 bool HistoryRing::Append(const HistoryRecord& record) {
-  const std::size_t needed = sizeof(RecordHead) + payload::AlignUp(record.body.size(), 8);
+  const std::size_t needed = sizeof(StoredHead) + payload::AlignUp(record.body.size(), 8);
   const auto fits = [&] {
     if (chunks_.empty()) return false;
     const Chunk& last = chunks_.back();
@@ -68,7 +68,7 @@ bool HistoryRing::Append(const HistoryRecord& record) {
   }
   Chunk& chunk = chunks_.back();
   std::byte* const place = chunk.bytes.get() + chunk.used;
-  const RecordHead head{record.time, static_cast<std::uint32_t>(record.body.size()), record.tag};
+  const StoredHead head{record.time, static_cast<std::uint32_t>(record.body.size()), record.tag};
   std::memcpy(place, &head, sizeof head);
   std::ranges::copy(record.body, place + sizeof head);
   chunk.used += needed;
@@ -168,7 +168,7 @@ std::optional<HistoryRecord> HistoryRing::Cursor::Next() {
   if (chunk_ == ring_->chunks_.size()) return std::nullopt;
   const Chunk& chunk = ring_->chunks_[chunk_];
   const std::byte* const place = chunk.bytes.get() + position_;
-  RecordHead head;
+  StoredHead head;
   std::memcpy(&head, place, sizeof head);
   HistoryRecord record{.number = chunk.first + record_,
                        .time = head.time,
