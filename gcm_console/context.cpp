@@ -39,7 +39,7 @@ bool Context::has_screen() const {
   return streams_.make_line_reader != nullptr && !IsDumbTerminal();
 }
 
-Layout Context::layout() const {
+TableLayout Context::layout() const {
   const bool is_usual = columns() > 0 && !WantsNoColor();
   return {.columns = columns(),
           .is_coloured = settings_.color == ColorChoice::kAlways ||

@@ -52,7 +52,7 @@ class Context {
   /// The session; null if there is none.
   [[nodiscard]] ShellSession* session() const { return session_; }
   /// Returns how tables are printed.
-  [[nodiscard]] Layout layout() const;
+  [[nodiscard]] TableLayout layout() const;
 
   /// Sends a request through the client, and waits for the answer. `start(client, handler)` calls
   /// one of the client's functions, which may take `times` times the time-out. Waits 500 ms longer

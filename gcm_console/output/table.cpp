@@ -16,7 +16,7 @@ using Row = std::vector<std::string>;
 constexpr std::size_t kGap = 2;
 constexpr std::size_t kIndent = 4;  // indentation of continuation lines
 
-void PrintSeparated(const Row& row, const Layout& layout, std::ostream& out) {
+void PrintSeparated(const Row& row, const TableLayout& layout, std::ostream& out) {
   for (std::size_t i = 0; i < row.size(); ++i) {
     out << (i == 0 ? "" : "\t") << Coloured(row[i], layout.is_coloured);
   }
@@ -66,12 +66,12 @@ std::vector<Column> ColumnsOf(const Row& titles, const std::vector<Row>& rows) {
   return columns;
 }
 
-std::string Painted(const std::string& text, const char* paint, const Layout& layout) {
+std::string Painted(const std::string& text, const char* paint, const TableLayout& layout) {
   return layout.is_coloured ? paint + text + kUsual : text;
 }
 
 /// Prints a row in as many lines as necessary. All rows are wrapped at the same columns.
-void PrintAligned(const Row& row, const std::vector<Column>& columns, const Layout& layout,
+void PrintAligned(const Row& row, const std::vector<Column>& columns, const TableLayout& layout,
                   const std::function<std::string(const std::string&)>& paint, std::ostream& out) {
   std::size_t used = 0;
   std::string blanks;  // before the next cell
@@ -105,7 +105,7 @@ void Table::Add(std::vector<std::string> row) {
   rows_.push_back(std::move(row));
 }
 
-void Table::Print(std::ostream& out, const Layout& layout) const {
+void Table::Print(std::ostream& out, const TableLayout& layout) const {
   if (layout.columns == 0) {
     for (const Row& row : rows_) PrintSeparated(row, layout, out);
     return;

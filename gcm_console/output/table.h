@@ -8,7 +8,7 @@
 namespace console {
 
 /// The ways to print a table.
-struct Layout {
+struct TableLayout {
   int columns = 0;  ///< width of the terminal; 0 if there is none
   bool is_coloured = false;
   bool has_titles = true;  ///< print titles on a terminal; in a pipe there are never titles
@@ -22,8 +22,8 @@ class Table {
 
   /// Adds a row, which must have as many cells as there are titles.
   void Add(std::vector<std::string> row);
-  void Print(std::ostream& out, const Layout& layout) const;
-  void Print(std::ostream& out, int columns) const { Print(out, Layout{.columns = columns}); }
+  void Print(std::ostream& out, const TableLayout& layout) const;
+  void Print(std::ostream& out, int columns) const { Print(out, TableLayout{.columns = columns}); }
 
  private:
   std::vector<std::string> titles_;

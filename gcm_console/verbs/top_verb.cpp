@@ -261,7 +261,7 @@ void Press(char key, TopKeys& keys, TopOptions& options) {
 template <typename Figures>
 std::string ScreenText(const Table& processes, const std::vector<Figures>& all,
                        const std::string& what, const TopOptions& options, const TopKeys& keys,
-                       const Layout& layout) {
+                       const TableLayout& layout) {
   std::ostringstream picture;
   processes.Print(picture, layout);
   picture << '\n'
@@ -288,7 +288,7 @@ ExitCode ShowAlways(Context& context, tendon::GcmClient& client, TopOptions opti
   TopKeys keys;
   while (!keys.wants_end) {
     const Table processes = BusiestOf(client.catalogue(), health.Look());
-    Layout layout = context.layout();
+    TableLayout layout = context.layout();
     layout.columns = tendon::os::TerminalColumns(tendon::os::Stream::kOutput);
     const auto draw = [&](auto all, const char* what) {
       Arrange(all, options);
