@@ -1,5 +1,5 @@
 #include <components/counter/counter.h>
-#include <components/recorder/recorder.h>
+#include <components/recorder/recorder_component.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <support/folder.h>
@@ -69,9 +69,9 @@ class Operator final : public tendon::Component {
   std::map<std::string, std::vector<std::string>> texts_;
 };
 
-class RecorderTest : public testing::Test {
+class RecorderComponentTest : public testing::Test {
  protected:
-  explicit RecorderTest(tendon::HistoryOptions history = {})
+  explicit RecorderComponentTest(tendon::HistoryOptions history = {})
       : process_("robot",
                  tendon::ProcessOptions{.middleware = std::make_shared<tendon::LoopbackMiddleware>(
                                             std::make_shared<tendon::LoopbackNetwork>()),
@@ -81,7 +81,7 @@ class RecorderTest : public testing::Test {
     if (configuration.folder == ".") configuration.folder = folder_.path().string();
     operator_ = &process_.Add<Operator>("operator");  // added first, so that it misses no event
     process_.Add<counter::Counter>("counter");
-    recorder_ = &process_.Add<Recorder>("recorder", std::move(configuration));
+    recorder_ = &process_.Add<RecorderComponent>("recorder", std::move(configuration));
     const auto connected =
         process_.Connect({"operator", "Recorder"}, {"robot", "recorder", "Control"});
     ASSERT_TRUE(connected) << connected.error().message;
@@ -131,11 +131,11 @@ class RecorderTest : public testing::Test {
 
   const tendon::test::Folder folder_;
   tendon::Process process_;
-  Recorder* recorder_ = nullptr;
+  RecorderComponent* recorder_ = nullptr;
   Operator* operator_ = nullptr;
 };
 
-TEST_F(RecorderTest, RecordsItsProcessFromStartToStop) {
+TEST_F(RecorderComponentTest, RecordsItsProcessFromStartToStop) {
   Begin({.patterns = {"robot/counter/**"}});
   ASSERT_TRUE(operator_->start());
   ASSERT_TRUE(operator_->EventuallyHas("Started"));
@@ -153,7 +153,7 @@ TEST_F(RecorderTest, RecordsItsProcessFromStartToStop) {
   EXPECT_EQ(Read(file)["robot/counter/state/Value"], State().rows);
 }
 
-TEST_F(RecorderTest, RecordsFromItsOwnStartOnIfConfigured) {
+TEST_F(RecorderComponentTest, RecordsFromItsOwnStartOnIfConfigured) {
   Begin({.patterns = {"**"}, .name = "flight", .record_at_start = true});
   ASSERT_TRUE(operator_->EventuallyHas("Started"));
   ASSERT_TRUE(EventuallyRows(50));
@@ -165,7 +165,7 @@ TEST_F(RecorderTest, RecordsFromItsOwnStartOnIfConfigured) {
   EXPECT_GE(Read(file)["robot/counter/state/Value"], 50U) << "its end completes the file";
 }
 
-TEST_F(RecorderTest, ASecondRecordingHasAFileOfItsOwn) {
+TEST_F(RecorderComponentTest, ASecondRecordingHasAFileOfItsOwn) {
   Begin({.patterns = {"robot/counter"}});
   for (std::size_t i = 1; i <= 2; ++i) {
     ASSERT_TRUE(operator_->start());
@@ -180,7 +180,7 @@ TEST_F(RecorderTest, ASecondRecordingHasAFileOfItsOwn) {
   (void)Read(files[1]);
 }
 
-TEST_F(RecorderTest, ASecondRecordingWithASplitHasFilesOfItsOwn) {
+TEST_F(RecorderComponentTest, ASecondRecordingWithASplitHasFilesOfItsOwn) {
   Begin({.patterns = {"robot/counter"}, .split_size = std::uint64_t{1} << 40U});
   for (std::size_t i = 1; i <= 3; ++i) {
     ASSERT_TRUE(operator_->start());
@@ -195,7 +195,7 @@ TEST_F(RecorderTest, ASecondRecordingWithASplitHasFilesOfItsOwn) {
   EXPECT_EQ(std::ranges::adjacent_find(files), files.end());
 }
 
-TEST_F(RecorderTest, AnOrderThatMakesNoSenseIsRefusedWithASentence) {
+TEST_F(RecorderComponentTest, AnOrderThatMakesNoSenseIsRefusedWithASentence) {
   Begin({.patterns = {"**"}});
   ASSERT_TRUE(operator_->stop());
   ASSERT_TRUE(operator_->EventuallyHas("Failed"));
@@ -208,7 +208,7 @@ TEST_F(RecorderTest, AnOrderThatMakesNoSenseIsRefusedWithASentence) {
   EXPECT_THAT(operator_->Texts("Failed").back(), HasSubstr("stop that recording first"));
 }
 
-TEST_F(RecorderTest, AFolderThatDoesNotExistIsReportedAndFaultsNothing) {
+TEST_F(RecorderComponentTest, AFolderThatDoesNotExistIsReportedAndFaultsNothing) {
   Begin({.patterns = {"**"}, .folder = "/does/not/exist"});
 
   ASSERT_TRUE(operator_->start());
@@ -219,7 +219,7 @@ TEST_F(RecorderTest, AFolderThatDoesNotExistIsReportedAndFaultsNothing) {
   EXPECT_FALSE(State().is_recording);
 }
 
-TEST_F(RecorderTest, SavesTheRowsThatTheTablesHoldWithoutARecording) {
+TEST_F(RecorderComponentTest, SavesTheRowsThatTheTablesHoldWithoutARecording) {
   Begin({.patterns = {"robot/counter"}});
   const auto* const table = process_.Find("counter")->tables().front();
   ASSERT_TRUE(EventuallyTrue([&] { return table->next_tick() >= 200; }));
@@ -231,9 +231,9 @@ TEST_F(RecorderTest, SavesTheRowsThatTheTablesHoldWithoutARecording) {
   EXPECT_FALSE(State().is_recording);
 }
 
-class RecorderWithoutHistoryTest : public RecorderTest {
+class RecorderWithoutHistoryTest : public RecorderComponentTest {
  protected:
-  RecorderWithoutHistoryTest() : RecorderTest({.memory = 0}) {}
+  RecorderWithoutHistoryTest() : RecorderComponentTest({.memory = 0}) {}
 };
 
 TEST_F(RecorderWithoutHistoryTest, SavesTheRowsOfTheTablesAndSaysOnceThatTheHistoryIsOff) {
@@ -247,7 +247,7 @@ TEST_F(RecorderWithoutHistoryTest, SavesTheRowsOfTheTablesAndSaysOnceThatTheHist
                 "robot: only what its state tables held: its history is off (--history-memory)"}));
 }
 
-TEST_F(RecorderTest, AnImpossibleTimeToSaveIsRefused) {
+TEST_F(RecorderComponentTest, AnImpossibleTimeToSaveIsRefused) {
   Begin({.patterns = {"**"}});
 
   ASSERT_TRUE(operator_->save_last(-1.0));
@@ -266,7 +266,7 @@ class Stepper final : public tendon::Component {
   tendon::WriteFunction<std::int32_t> set_step;
 };
 
-TEST_F(RecorderTest, BeginsAndEndsWithConditions) {
+TEST_F(RecorderComponentTest, BeginsAndEndsWithConditions) {
   auto& stepper = process_.Add<Stepper>("stepper");
   Begin({.patterns = {"robot/counter/**"},
          .start_when = "robot/counter/state.Value < 0",
@@ -294,7 +294,7 @@ TEST_F(RecorderTest, BeginsAndEndsWithConditions) {
   EXPECT_NE(negative, values.end());
 }
 
-TEST_F(RecorderTest, AConditionThatIsNeverTrueLeavesNoFile) {
+TEST_F(RecorderComponentTest, AConditionThatIsNeverTrueLeavesNoFile) {
   Begin({.patterns = {"**"}, .start_when = "robot/counter/state.Value < 0"});
   ASSERT_TRUE(operator_->start());
   ASSERT_TRUE(EventuallyTrue([&] { return State().is_waiting; }));
@@ -307,7 +307,7 @@ TEST_F(RecorderTest, AConditionThatIsNeverTrueLeavesNoFile) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
 }
 
-TEST_F(RecorderTest, AConditionOnWhatDoesNotExistIsReported) {
+TEST_F(RecorderComponentTest, AConditionOnWhatDoesNotExistIsReported) {
   Begin({.patterns = {"**"}, .start_when = "robot/counter/state.Valu < 0"});
 
   ASSERT_TRUE(operator_->start());
@@ -318,21 +318,21 @@ TEST_F(RecorderTest, AConditionOnWhatDoesNotExistIsReported) {
 }
 
 TEST(RecorderConfigurationTest, AnInvalidConfigurationIsRefused) {
-  EXPECT_THROW(Recorder("one", {.before = 2.0}), tendon::ConfigurationError);
-  EXPECT_THROW(Recorder("one", {.after = 2.0}), tendon::ConfigurationError);
-  EXPECT_THROW(Recorder("one", {.start_when = "robot/arm/state.Joints >"}),
+  EXPECT_THROW(RecorderComponent("one", {.before = 2.0}), tendon::ConfigurationError);
+  EXPECT_THROW(RecorderComponent("one", {.after = 2.0}), tendon::ConfigurationError);
+  EXPECT_THROW(RecorderComponent("one", {.start_when = "robot/arm/state.Joints >"}),
                tendon::ConfigurationError);
-  EXPECT_THROW(Recorder("one", {.patterns = {}}), tendon::ConfigurationError);
-  EXPECT_THROW(Recorder("one", {.keep = 2}), tendon::ConfigurationError);
-  EXPECT_THROW(Recorder("one", {.name = "../run"}), tendon::ConfigurationError);
-  EXPECT_THROW(Recorder("one", {.name = "runs/run"}), tendon::ConfigurationError);
-  EXPECT_NO_THROW(Recorder("one", {.name = "run.2"}));
+  EXPECT_THROW(RecorderComponent("one", {.patterns = {}}), tendon::ConfigurationError);
+  EXPECT_THROW(RecorderComponent("one", {.keep = 2}), tendon::ConfigurationError);
+  EXPECT_THROW(RecorderComponent("one", {.name = "../run"}), tendon::ConfigurationError);
+  EXPECT_THROW(RecorderComponent("one", {.name = "runs/run"}), tendon::ConfigurationError);
+  EXPECT_NO_THROW(RecorderComponent("one", {.name = "run.2"}));
 }
 
 TEST(RecorderConfigurationTest, AManagerThatIsNoProcessDoesNotGetIt) {
   tendon::LocalManager manager;
 
-  EXPECT_THROW(manager.Add<Recorder>("recorder"), tendon::ConfigurationError);
+  EXPECT_THROW(manager.Add<RecorderComponent>("recorder"), tendon::ConfigurationError);
 
   EXPECT_EQ(manager.Find("recorder"), nullptr);
 }

@@ -1,4 +1,4 @@
-#include <components/recorder/recorder.h>
+#include <components/recorder/recorder_component.h>
 #include <tendon/base/log.h>
 #include <tendon/base/text.h>
 #include <tendon/process/process.h>
@@ -28,7 +28,7 @@ void RequireCondition(const std::string& field, const std::string& condition,
 
 }  // namespace
 
-Recorder::Recorder(std::string name, Configuration configuration)
+RecorderComponent::RecorderComponent(std::string name, Configuration configuration)
     : PeriodicTask(std::move(name), kPeriod), configuration_(std::move(configuration)) {
   if (configuration_.patterns.empty()) {
     throw tendon::ConfigurationError(
@@ -48,16 +48,16 @@ Recorder::Recorder(std::string name, Configuration configuration)
   RequireCondition("stop_when", configuration_.stop_when, "after", configuration_.after);
   state_table().Add(state_, "State");
   auto& control = AddProvidedInterface("Control");
-  control.AddCommandVoid(&Recorder::StartRecording, this, "Start");
-  control.AddCommandVoid(&Recorder::StopRecording, this, "Stop");
-  control.AddCommandWrite(&Recorder::SaveLast, this, "SaveLast");
+  control.AddCommandVoid(&RecorderComponent::StartRecording, this, "Start");
+  control.AddCommandVoid(&RecorderComponent::StopRecording, this, "Stop");
+  control.AddCommandWrite(&RecorderComponent::SaveLast, this, "SaveLast");
   control.AddEvent(started_, "Started");
   control.AddEvent(stopped_, "Stopped");
   control.AddEvent(saved_, "Saved");
   control.AddEvent(failed_, "Failed");
 }
 
-void Recorder::OnAdding(tendon::LocalManager& manager) {
+void RecorderComponent::OnAdding(tendon::LocalManager& manager) {
   auto* const process = dynamic_cast<tendon::Process*>(&manager);
   if (process == nullptr) {
     throw tendon::ConfigurationError(
@@ -67,25 +67,25 @@ void Recorder::OnAdding(tendon::LocalManager& manager) {
   process_ = process->OpenLocalAccess();
 }
 
-void Recorder::Startup() {
+void RecorderComponent::Startup() {
   thread_ = std::make_unique<RecordingThread>(process_, configuration_);
   if (configuration_.record_at_start) thread_->Start();
 }
 
-void Recorder::Run() {
+void RecorderComponent::Run() {
   ProcessQueuedCommands();
   state_ = thread_->state();
   RaiseEvents();
 }
 
-void Recorder::Cleanup() {
+void RecorderComponent::Cleanup() {
   thread_->Finish();
   state_ = thread_->state();
   RaiseEvents();
   thread_.reset();
 }
 
-void Recorder::RaiseEvents() {
+void RecorderComponent::RaiseEvents() {
   for (const RecordingOutcome& outcome : thread_->TakeOutcomes()) {
     switch (outcome.kind) {
       case RecordingOutcome::Kind::kStarted:

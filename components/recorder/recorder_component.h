@@ -16,13 +16,13 @@ namespace recorder {
 ///
 /// Its cycle, at 10 Hz, only forwards orders and copies a state. Another thread does the work. The
 /// recorded components never wait for it.
-class Recorder final : public tendon::PeriodicTask, public tendon::ManagerClient {
+class RecorderComponent final : public tendon::PeriodicTask, public tendon::ManagerClient {
  public:
   using Configuration = RecorderConfiguration;
 
   /// Throws ConfigurationError if the configuration is invalid.
-  explicit Recorder(std::string name, Configuration configuration = {});
-  ~Recorder() override { Join(); }
+  explicit RecorderComponent(std::string name, Configuration configuration = {});
+  ~RecorderComponent() override { Join(); }
 
   /// Throws ConfigurationError unless the manager is a Process.
   void OnAdding(tendon::LocalManager& manager) override;
