@@ -61,7 +61,7 @@ std::string SummaryReader::ReadFooter() {
   const RecordHead head = ParseRecordHead(*tail);
   if (head.opcode != Opcode::kFooter || head.length != kFooterSize - kRecordHeadSize ||
       Parse(tail->subspan(kRecordHeadSize, static_cast<std::size_t>(head.length)), footer_) !=
-          Fit::kExact) {
+          ParseResult::kExact) {
     return "the footer is damaged";
   }
   const std::uint64_t start = footer_.summary_start;
@@ -104,7 +104,7 @@ std::string SummaryReader::ReadRecords() {
 template <typename Record>
 std::string SummaryReader::Add(const RecordView& record, std::vector<Record>& list) {
   Record read;
-  if (Parse(record.content, read) == Fit::kMalformed) return "malformed";
+  if (Parse(record.content, read) == ParseResult::kMalformed) return "malformed";
   list.push_back(std::move(read));
   return {};
 }
@@ -116,19 +116,19 @@ std::string SummaryReader::ReadRecord(const RecordView& record) {
   switch (record.opcode) {
     case Opcode::kSchema: {
       Schema schema;
-      is_read = Parse(record.content, schema) != Fit::kMalformed;
+      is_read = Parse(record.content, schema) != ParseResult::kMalformed;
       if (is_read) AddSchema(contents_, std::move(schema), offset, problems_);
       break;
     }
     case Opcode::kChannel: {
       Channel channel;
-      is_read = Parse(record.content, channel) != Fit::kMalformed;
+      is_read = Parse(record.content, channel) != ParseResult::kMalformed;
       if (is_read) AddChannel(contents_, std::move(channel), offset, problems_);
       break;
     }
     case Opcode::kChunkIndex: {
       MessageBlock block;
-      is_read = Parse(record.content, block.index) != Fit::kMalformed;
+      is_read = Parse(record.content, block.index) != ParseResult::kMalformed;
       contents_.blocks.push_back(std::move(block));
       break;
     }
@@ -140,11 +140,11 @@ std::string SummaryReader::ReadRecord(const RecordView& record) {
       break;
     case Opcode::kStatistics:
       contents_.statistics.emplace();
-      is_read = Parse(record.content, *contents_.statistics) != Fit::kMalformed;
+      is_read = Parse(record.content, *contents_.statistics) != ParseResult::kMalformed;
       break;
     case Opcode::kSummaryOffset: {
       SummaryOffset unused;
-      is_read = Parse(record.content, unused) != Fit::kMalformed;
+      is_read = Parse(record.content, unused) != ParseResult::kMalformed;
       break;
     }
     default:
@@ -163,7 +163,7 @@ void SummaryReader::ReadDataEnd() {
   DataEnd end;
   const RecordHead head = bytes ? ParseRecordHead(*bytes) : RecordHead{};
   if (head.opcode != Opcode::kDataEnd || head.length != kDataEndSize - kRecordHeadSize ||
-      Parse(bytes->subspan(kRecordHeadSize), end) != Fit::kExact) {
+      Parse(bytes->subspan(kRecordHeadSize), end) != ParseResult::kExact) {
     problems_.Add(offset,
                   "the end record of the data section is missing before the index, so the checksum "
                   "of the data section cannot be verified");
@@ -285,7 +285,7 @@ void ReadHeader(BufferedFile& file, Contents& contents, Problems& problems) {
       file.size() - kMagicSize - kRecordHeadSize >= head->length) {
     const auto content =
         file.At(kMagicSize + kRecordHeadSize, static_cast<std::size_t>(head->length));
-    if (content && Parse(*content, contents.header) != Fit::kMalformed) return;
+    if (content && Parse(*content, contents.header) != ParseResult::kMalformed) return;
   }
   contents.header = {};
   problems.Add(kMagicSize, "the header is missing or damaged, so the profile is unknown");

@@ -220,7 +220,7 @@ Result<Metadata> Reader::ReadMetadata(const MetadataIndex& index) try {
   const auto content = ReadRecord(index.offset, index.length, Opcode::kMetadata, limits_.text);
   if (!content) return Unreadable(what, content.error().message);
   Metadata metadata;
-  if (Parse(*content, metadata) == Fit::kMalformed || metadata.name != index.name) {
+  if (Parse(*content, metadata) == ParseResult::kMalformed || metadata.name != index.name) {
     return Unreadable(what, "it is damaged");
   }
   return metadata;
@@ -244,7 +244,8 @@ Result<std::vector<MessageIndex>> Reader::ReadMessageIndexes(const MessageBlock&
   RecordSequence records(bytes);
   while (const auto record = records.Next()) {
     MessageIndex index;
-    if (record->opcode != Opcode::kMessageIndex || Parse(record->content, index) != Fit::kExact) {
+    if (record->opcode != Opcode::kMessageIndex ||
+        Parse(record->content, index) != ParseResult::kExact) {
       return Unreadable(what,
                         "there is no message index at " + std::to_string(begin + record->offset));
     }
@@ -362,12 +363,12 @@ void MessageStream::Collect(const MessageBlock& block, ByteView bytes,
     Message message;
     if (record->opcode == Opcode::kChannel && !reader_->was_scanned_) {
       Channel channel;
-      if (Parse(record->content, channel) == Fit::kMalformed) continue;
+      if (Parse(record->content, channel) == ParseResult::kMalformed) continue;
       AddChannel(contents, std::move(channel), offset, problems);
       continue;
     }
     if (record->opcode != Opcode::kMessage) continue;
-    if (Parse(record->content, message) == Fit::kMalformed) {
+    if (Parse(record->content, message) == ParseResult::kMalformed) {
       problems.Add(offset, where + " has a malformed message; this message is skipped");
       is_complete_ = false;
       continue;
@@ -427,7 +428,7 @@ std::optional<Message> MessageStream::Fetch(const Source& source) {
   const auto record = sequence.Next();
   Message message;
   if (record && record->opcode == Opcode::kMessage &&
-      Parse(record->content, message) != Fit::kMalformed) {
+      Parse(record->content, message) != ParseResult::kMalformed) {
     return message;
   }
   is_complete_ = false;

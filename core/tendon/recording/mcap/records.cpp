@@ -99,9 +99,9 @@ class FieldReader {
   [[nodiscard]] bool has_more() const { return !rest_.empty(); }
   [[nodiscard]] std::size_t rest_size() const { return rest_.size(); }
   [[nodiscard]] bool is_malformed() const { return is_malformed_; }
-  [[nodiscard]] Fit fit() const {
-    if (is_malformed_) return Fit::kMalformed;
-    return rest_.empty() ? Fit::kExact : Fit::kLonger;
+  [[nodiscard]] ParseResult fit() const {
+    if (is_malformed_) return ParseResult::kMalformed;
+    return rest_.empty() ? ParseResult::kExact : ParseResult::kLonger;
   }
 
  private:
@@ -270,14 +270,14 @@ void AppendAttachmentHead(Buffer& out, const Attachment& attachment) {
   AppendNumber(out, attachment.data.size(), 8);
 }
 
-Fit Parse(ByteView content, Header& header) {
+ParseResult Parse(ByteView content, Header& header) {
   FieldReader fields(content);
   header.profile = fields.GetString();
   header.library = fields.GetString();
   return fields.fit();
 }
 
-Fit Parse(ByteView content, Footer& footer) {
+ParseResult Parse(ByteView content, Footer& footer) {
   FieldReader fields(content);
   footer.summary_start = fields.Get<std::uint64_t>();
   footer.summary_offset_start = fields.Get<std::uint64_t>();
@@ -285,7 +285,7 @@ Fit Parse(ByteView content, Footer& footer) {
   return fields.fit();
 }
 
-Fit Parse(ByteView content, Schema& schema) {
+ParseResult Parse(ByteView content, Schema& schema) {
   FieldReader fields(content);
   schema.id = fields.Get<SchemaId>();
   schema.name = fields.GetString();
@@ -294,7 +294,7 @@ Fit Parse(ByteView content, Schema& schema) {
   return fields.fit();
 }
 
-Fit Parse(ByteView content, Channel& channel) {
+ParseResult Parse(ByteView content, Channel& channel) {
   FieldReader fields(content);
   channel.id = fields.Get<ChannelId>();
   channel.schema_id = fields.Get<SchemaId>();
@@ -304,7 +304,7 @@ Fit Parse(ByteView content, Channel& channel) {
   return fields.fit();
 }
 
-Fit Parse(ByteView content, Message& message) {
+ParseResult Parse(ByteView content, Message& message) {
   FieldReader fields(content);
   message.channel_id = fields.Get<ChannelId>();
   message.sequence = fields.Get<std::uint32_t>();
@@ -314,7 +314,7 @@ Fit Parse(ByteView content, Message& message) {
   return fields.fit();
 }
 
-Fit Parse(ByteView content, MessageIndex& index) {
+ParseResult Parse(ByteView content, MessageIndex& index) {
   FieldReader fields(content);
   index.channel_id = fields.Get<ChannelId>();
   FieldReader list = fields.GetList();
@@ -330,7 +330,7 @@ Fit Parse(ByteView content, MessageIndex& index) {
   return fields.fit();
 }
 
-Fit Parse(ByteView content, ChunkIndex& index) {
+ParseResult Parse(ByteView content, ChunkIndex& index) {
   constexpr std::size_t kEntrySize = 10;  // bytes in the file
   FieldReader fields(content);
   index.message_start_time = fields.Get<Timestamp>();
@@ -352,7 +352,7 @@ Fit Parse(ByteView content, ChunkIndex& index) {
   return fields.fit();
 }
 
-Fit Parse(ByteView content, AttachmentIndex& index) {
+ParseResult Parse(ByteView content, AttachmentIndex& index) {
   FieldReader fields(content);
   index.offset = fields.Get<std::uint64_t>();
   index.length = fields.Get<std::uint64_t>();
@@ -364,14 +364,14 @@ Fit Parse(ByteView content, AttachmentIndex& index) {
   return fields.fit();
 }
 
-Fit Parse(ByteView content, Metadata& metadata) {
+ParseResult Parse(ByteView content, Metadata& metadata) {
   FieldReader fields(content);
   metadata.name = fields.GetString();
   metadata.metadata = fields.GetMap();
   return fields.fit();
 }
 
-Fit Parse(ByteView content, MetadataIndex& index) {
+ParseResult Parse(ByteView content, MetadataIndex& index) {
   FieldReader fields(content);
   index.offset = fields.Get<std::uint64_t>();
   index.length = fields.Get<std::uint64_t>();
@@ -379,7 +379,7 @@ Fit Parse(ByteView content, MetadataIndex& index) {
   return fields.fit();
 }
 
-Fit Parse(ByteView content, Statistics& statistics) {
+ParseResult Parse(ByteView content, Statistics& statistics) {
   FieldReader fields(content);
   statistics.message_count = fields.Get<std::uint64_t>();
   statistics.schema_count = fields.Get<std::uint16_t>();
@@ -399,7 +399,7 @@ Fit Parse(ByteView content, Statistics& statistics) {
   return fields.fit();
 }
 
-Fit Parse(ByteView content, SummaryOffset& offset) {
+ParseResult Parse(ByteView content, SummaryOffset& offset) {
   FieldReader fields(content);
   offset.group_opcode = fields.Get<std::uint8_t>();
   offset.group_start = fields.Get<std::uint64_t>();
@@ -407,7 +407,7 @@ Fit Parse(ByteView content, SummaryOffset& offset) {
   return fields.fit();
 }
 
-Fit Parse(ByteView content, DataEnd& end) {
+ParseResult Parse(ByteView content, DataEnd& end) {
   FieldReader fields(content);
   end.data_section_crc = fields.Get<std::uint32_t>();
   return fields.fit();

@@ -253,7 +253,7 @@ void PutNumber(std::byte* place, Number number) noexcept {
 }
 
 /// Says whether the content of a record fits its kind.
-enum class Fit : std::uint8_t {
+enum class ParseResult : std::uint8_t {
   kMalformed,  ///< too short, or a length in it is wrong
   kLonger,     ///< a later version of the format may append fields
   kExact,
@@ -262,19 +262,19 @@ enum class Fit : std::uint8_t {
 /// Reads the content of a record, which follows its head. Allocates at most a small multiple of the
 /// content's size, even if a length in it is wrong. If a key occurs twice in a map, its first value
 /// is used. After kMalformed, the content of the struct is undefined.
-[[nodiscard]] Fit Parse(ByteView content, Header& header);
-[[nodiscard]] Fit Parse(ByteView content, Footer& footer);
-[[nodiscard]] Fit Parse(ByteView content, Schema& schema);
-[[nodiscard]] Fit Parse(ByteView content, Channel& channel);
-[[nodiscard]] Fit Parse(ByteView content, Message& message);  ///< data refers to `content`
-[[nodiscard]] Fit Parse(ByteView content, MessageIndex& index);
-[[nodiscard]] Fit Parse(ByteView content, ChunkIndex& index);
-[[nodiscard]] Fit Parse(ByteView content, AttachmentIndex& index);
-[[nodiscard]] Fit Parse(ByteView content, Metadata& metadata);
-[[nodiscard]] Fit Parse(ByteView content, MetadataIndex& index);
-[[nodiscard]] Fit Parse(ByteView content, Statistics& statistics);
-[[nodiscard]] Fit Parse(ByteView content, SummaryOffset& offset);
-[[nodiscard]] Fit Parse(ByteView content, DataEnd& end);
+[[nodiscard]] ParseResult Parse(ByteView content, Header& header);
+[[nodiscard]] ParseResult Parse(ByteView content, Footer& footer);
+[[nodiscard]] ParseResult Parse(ByteView content, Schema& schema);
+[[nodiscard]] ParseResult Parse(ByteView content, Channel& channel);
+[[nodiscard]] ParseResult Parse(ByteView content, Message& message);  ///< data refers to `content`
+[[nodiscard]] ParseResult Parse(ByteView content, MessageIndex& index);
+[[nodiscard]] ParseResult Parse(ByteView content, ChunkIndex& index);
+[[nodiscard]] ParseResult Parse(ByteView content, AttachmentIndex& index);
+[[nodiscard]] ParseResult Parse(ByteView content, Metadata& metadata);
+[[nodiscard]] ParseResult Parse(ByteView content, MetadataIndex& index);
+[[nodiscard]] ParseResult Parse(ByteView content, Statistics& statistics);
+[[nodiscard]] ParseResult Parse(ByteView content, SummaryOffset& offset);
+[[nodiscard]] ParseResult Parse(ByteView content, DataEnd& end);
 
 /// Reads the first fields of a chunk or an attachment. `begin` is the begin of its content, and
 /// `size` is the size of its content. Returns the place of the records or the data in the content.

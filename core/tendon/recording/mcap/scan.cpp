@@ -36,7 +36,7 @@ class DataScan {
     trusted_ = offset_ = kMagicSize;
     while (offset_ < file_.size() && !is_finished_) {
       if (offset_ == kMagicSize && has_header && LengthFits(*head)) {
-        Accept(*head, Fit::kExact);
+        Accept(*head, ParseResult::kExact);
       } else {
         Step();
       }
@@ -53,16 +53,16 @@ class DataScan {
     return head.opcode != Opcode::kNone && file_.size() - offset_ >= kRecordHeadSize &&
            head.length <= file_.size() - offset_ - kRecordHeadSize;
   }
-  void Accept(const RecordHead& head, Fit fit);
-  Fit ReadRecord(const RecordHead& head);
-  Fit ReadSmallRecord(const RecordHead& head);
-  Fit ReadDefinition(Opcode opcode, ByteView content, std::uint64_t offset);
-  Fit ReadChunk(const RecordHead& head);
+  void Accept(const RecordHead& head, ParseResult fit);
+  ParseResult ReadRecord(const RecordHead& head);
+  ParseResult ReadSmallRecord(const RecordHead& head);
+  ParseResult ReadDefinition(Opcode opcode, ByteView content, std::uint64_t offset);
+  ParseResult ReadChunk(const RecordHead& head);
   void ReadChunkRecords(const LoadedChunk& chunk, MessageBlock& block);
-  Fit ReadMessageIndex(ByteView content);
-  Fit ReadAttachment(const RecordHead& head);
-  Fit ReadMetadata(const RecordHead& head, ByteView content);
-  Fit ReadLooseMessage(const RecordHead& head);
+  ParseResult ReadMessageIndex(ByteView content);
+  ParseResult ReadAttachment(const RecordHead& head);
+  ParseResult ReadMetadata(const RecordHead& head, ByteView content);
+  ParseResult ReadLooseMessage(const RecordHead& head);
   bool FindChannel(ChannelId id);
   void Count(const Message& message, MessageBlock& block);
   void BeginBlock();
@@ -99,9 +99,9 @@ void DataScan::Step() {
     Search();
     return;
   }
-  const Fit fit = ReadRecord(*head);
+  const ParseResult fit = ReadRecord(*head);
   if (is_finished_) return;
-  if (fit != Fit::kExact) {
+  if (fit != ParseResult::kExact) {
     // The length is trusted only if another record can follow.
     const std::uint64_t here = std::exchange(offset_, offset_ + kRecordHeadSize + head->length);
     const auto next = file_.HeadAt(offset_);
@@ -115,12 +115,12 @@ void DataScan::Step() {
   Accept(*head, fit);
 }
 
-void DataScan::Accept(const RecordHead& head, Fit fit) {
+void DataScan::Accept(const RecordHead& head, ParseResult fit) {
   offset_ += kRecordHeadSize + head.length;
-  if (fit == Fit::kExact) trusted_ = offset_;
+  if (fit == ParseResult::kExact) trusted_ = offset_;
 }
 
-Fit DataScan::ReadRecord(const RecordHead& head) {
+ParseResult DataScan::ReadRecord(const RecordHead& head) {
   const bool followed_chunk = std::exchange(follows_chunk_, false);
   switch (head.opcode) {
     case Opcode::kChunk:
@@ -147,23 +147,23 @@ Fit DataScan::ReadRecord(const RecordHead& head) {
     case Opcode::kFooter:
       // The end of a file without a summary; some have no data end either.
       is_finished_ = offset_ + kFooterSize + kMagicSize == file_.size();
-      return Fit::kExact;
+      return ParseResult::kExact;
     default:
       // Records of a summary occur here only if the DataEnd record before them is damaged.
       ++contents_.unknown_records;
-      return Fit::kLonger;
+      return ParseResult::kLonger;
   }
 }
 
-Fit DataScan::ReadSmallRecord(const RecordHead& head) {
+ParseResult DataScan::ReadSmallRecord(const RecordHead& head) {
   if (head.length > limits_.text) {
     problems_.Add(offset_, "the record" + Place(offset_) + " has " + std::to_string(head.length) +
                                " bytes, more than " + std::to_string(limits_.text) +
                                "; it is skipped");
-    return Fit::kLonger;
+    return ParseResult::kLonger;
   }
   const auto content = file_.At(offset_ + kRecordHeadSize, static_cast<std::size_t>(head.length));
-  Fit fit = Fit::kMalformed;
+  ParseResult fit = ParseResult::kMalformed;
   if (!content) {
     problems_.Add(offset_, content.error().message);
     return fit;
@@ -171,7 +171,7 @@ Fit DataScan::ReadSmallRecord(const RecordHead& head) {
   if (head.opcode == Opcode::kDataEnd) {
     DataEnd end;
     fit = Parse(*content, end);
-    is_finished_ = fit == Fit::kExact;
+    is_finished_ = fit == ParseResult::kExact;
     if (is_finished_) {
       contents_.data_section_crc = end.data_section_crc;
       contents_.data_section_end = offset_;
@@ -183,31 +183,32 @@ Fit DataScan::ReadSmallRecord(const RecordHead& head) {
   } else {
     fit = ReadDefinition(head.opcode, *content, offset_);
   }
-  if (fit == Fit::kMalformed) {
+  if (fit == ParseResult::kMalformed) {
     problems_.Add(offset_, "the record" + Place(offset_) + " is malformed; it is skipped");
   }
   return fit;
 }
 
-Fit DataScan::ReadDefinition(Opcode opcode, ByteView content, std::uint64_t offset) {
-  Fit fit = Fit::kMalformed;
+ParseResult DataScan::ReadDefinition(Opcode opcode, ByteView content, std::uint64_t offset) {
+  ParseResult fit = ParseResult::kMalformed;
   if (opcode == Opcode::kSchema) {
     Schema schema;
     fit = Parse(content, schema);
-    if (fit != Fit::kMalformed) AddSchema(contents_, std::move(schema), offset, problems_);
+    if (fit != ParseResult::kMalformed) AddSchema(contents_, std::move(schema), offset, problems_);
   } else {
     Channel channel;
     fit = Parse(content, channel);
-    if (fit != Fit::kMalformed) AddChannel(contents_, std::move(channel), offset, problems_);
+    if (fit != ParseResult::kMalformed)
+      AddChannel(contents_, std::move(channel), offset, problems_);
   }
   return fit;
 }
 
-Fit DataScan::ReadChunk(const RecordHead& head) {
+ParseResult DataScan::ReadChunk(const RecordHead& head) {
   const auto place = FindChunk(file_, offset_);
   if (!place) {
     problems_.Add(offset_, "the chunk" + Place(offset_) + " is lost: " + place.error().message);
-    return Fit::kMalformed;
+    return ParseResult::kMalformed;
   }
   follows_chunk_ = true;
   MessageBlock block;
@@ -225,7 +226,7 @@ Fit DataScan::ReadChunk(const RecordHead& head) {
   } else {
     problems_.Add(offset_, "the chunk" + Place(offset_) + " is lost: " + chunk.error().message);
   }
-  return place->is_exact ? Fit::kExact : Fit::kLonger;
+  return place->is_exact ? ParseResult::kExact : ParseResult::kLonger;
 }
 
 void DataScan::ReadChunkRecords(const LoadedChunk& chunk, MessageBlock& block) {
@@ -233,14 +234,15 @@ void DataScan::ReadChunkRecords(const LoadedChunk& chunk, MessageBlock& block) {
   while (const auto record = records.Next()) {
     if (record->opcode == Opcode::kMessage) {
       Message message;
-      if (Parse(record->content, message) != Fit::kMalformed) {
+      if (Parse(record->content, message) != ParseResult::kMalformed) {
         Count(message, block);
         continue;
       }
     } else if (record->opcode != Opcode::kSchema && record->opcode != Opcode::kChannel) {
       ++contents_.unknown_records;
       continue;
-    } else if (ReadDefinition(record->opcode, record->content, offset_) != Fit::kMalformed) {
+    } else if (ReadDefinition(record->opcode, record->content, offset_) !=
+               ParseResult::kMalformed) {
       continue;
     }
     problems_.Add(offset_, "the chunk" + Place(offset_) + " has a malformed record" +
@@ -300,10 +302,11 @@ void DataScan::Count(const Message& message, MessageBlock& block) {
   channels.emplace_back(message.channel_id, 0);
 }
 
-Fit DataScan::ReadMessageIndex(ByteView content) {
+ParseResult DataScan::ReadMessageIndex(ByteView content) {
   MessageIndex index;
-  const Fit fit = Parse(content, index);
-  if (fit == Fit::kMalformed || contents_.blocks.empty() || !contents_.blocks.back().is_chunk) {
+  const ParseResult fit = Parse(content, index);
+  if (fit == ParseResult::kMalformed || contents_.blocks.empty() ||
+      !contents_.blocks.back().is_chunk) {
     return fit;
   }
   ChunkIndex& chunk = contents_.blocks.back().index;
@@ -316,7 +319,7 @@ Fit DataScan::ReadMessageIndex(ByteView content) {
   return fit;
 }
 
-Fit DataScan::ReadAttachment(const RecordHead& head) {
+ParseResult DataScan::ReadAttachment(const RecordHead& head) {
   constexpr std::size_t kCrcSize = 4;
   Attachment attachment;
   AttachmentIndex index{.offset = offset_, .length = kRecordHeadSize + head.length};
@@ -330,7 +333,7 @@ Fit DataScan::ReadAttachment(const RecordHead& head) {
   }
   if (!used) {
     problems_.Add(offset_, "the attachment" + Place(offset_) + " is malformed; it is lost");
-    return Fit::kMalformed;
+    return ParseResult::kMalformed;
   }
   index.log_time = attachment.log_time;
   index.create_time = attachment.create_time;
@@ -338,49 +341,50 @@ Fit DataScan::ReadAttachment(const RecordHead& head) {
   index.media_type = std::move(attachment.media_type);
   const bool is_exact = *used + index.data_size + kCrcSize == head.length;
   contents_.attachments.push_back(std::move(index));
-  return is_exact ? Fit::kExact : Fit::kLonger;
+  return is_exact ? ParseResult::kExact : ParseResult::kLonger;
 }
 
-Fit DataScan::ReadMetadata(const RecordHead& head, ByteView content) {
+ParseResult DataScan::ReadMetadata(const RecordHead& head, ByteView content) {
   Metadata metadata;
-  const Fit fit = Parse(content, metadata);
-  if (fit == Fit::kMalformed) return fit;
+  const ParseResult fit = Parse(content, metadata);
+  if (fit == ParseResult::kMalformed) return fit;
   contents_.metadata.push_back({offset_, kRecordHeadSize + head.length, std::move(metadata.name)});
   return fit;
 }
 
 /// In a file with chunks, all messages are in chunks. A message outside of them may be another
 /// record with a damaged opcode, and no checksum shows this. Therefore, such messages are skipped.
-Fit DataScan::ReadLooseMessage(const RecordHead& head) {
+ParseResult DataScan::ReadLooseMessage(const RecordHead& head) {
   if (has_chunks_) {
     ++contents_.lost_messages;
     problems_.Add(offset_,
                   "the message" + Place(offset_) +
                       " is outside of the chunks, so no checksum protects it; it is skipped");
-    return Fit::kLonger;
+    return ParseResult::kLonger;
   }
   if (head.length > limits_.chunk) {
     problems_.Add(offset_, "the message" + Place(offset_) + " has " + std::to_string(head.length) +
                                " bytes, more than " + std::to_string(limits_.chunk) +
                                "; it is skipped");
     EndBlock();
-    return Fit::kLonger;
+    return ParseResult::kLonger;
   }
   const auto content =
       file_.At(offset_ + kRecordHeadSize,
                static_cast<std::size_t>(std::min<std::uint64_t>(head.length, kMessageHeadSize)));
   Message message;
-  if (!content || Parse(*content, message) == Fit::kMalformed) {
+  if (!content || Parse(*content, message) == ParseResult::kMalformed) {
     problems_.Add(offset_, "the message" + Place(offset_) + " is malformed; it is skipped");
     EndBlock();
-    return Fit::kMalformed;
+    return ParseResult::kMalformed;
   }
   const std::uint64_t size = kRecordHeadSize + head.length;
   if (loose_ && offset_ + size - loose_->index.chunk_start_offset > kLooseBlockSize) EndBlock();
   if (!loose_) BeginBlock();
   Count(message, *loose_);
   loose_->index.chunk_length = offset_ + size - loose_->index.chunk_start_offset;
-  return contents_.channels.contains(message.channel_id) ? Fit::kExact : Fit::kLonger;
+  return contents_.channels.contains(message.channel_id) ? ParseResult::kExact
+                                                         : ParseResult::kLonger;
 }
 
 void DataScan::BeginBlock() {

@@ -88,7 +88,8 @@ void Verifier::VerifyBlock(const MessageBlock& block, Statistics& found) {
   RecordSequence sequence(records->bytes());
   while (const auto record = sequence.Next()) {
     Message message;
-    if (record->opcode != Opcode::kMessage || Parse(record->content, message) == Fit::kMalformed) {
+    if (record->opcode != Opcode::kMessage ||
+        Parse(record->content, message) == ParseResult::kMalformed) {
       continue;
     }
     entries[message.channel_id].push_back({message.log_time, record->offset});

@@ -19,16 +19,16 @@ void ExpectRoundTrip(Opcode opcode, const Record& record) {
   EXPECT_EQ(head.opcode, opcode);
   EXPECT_EQ(head.length, bytes.size() - kRecordHeadSize);
   Record read;
-  EXPECT_EQ(Parse(ContentOf(bytes), read), Fit::kExact);
+  EXPECT_EQ(Parse(ContentOf(bytes), read), ParseResult::kExact);
   EXPECT_EQ(read, record);
 
   for (std::size_t size = 0; size < bytes.size() - kRecordHeadSize; ++size) {
     Record cut;
-    EXPECT_EQ(Parse(ContentOf(bytes).first(size), cut), Fit::kMalformed) << size;
+    EXPECT_EQ(Parse(ContentOf(bytes).first(size), cut), ParseResult::kMalformed) << size;
   }
   bytes.push_back(std::byte{1});  // a field of a later version
   Record longer;
-  EXPECT_EQ(Parse(ContentOf(bytes), longer), Fit::kLonger);
+  EXPECT_EQ(Parse(ContentOf(bytes), longer), ParseResult::kLonger);
   EXPECT_EQ(longer, record);
 }
 
@@ -56,7 +56,7 @@ TEST(McapRecords, AMessageReadsAsItWasWritten) {
   Append(bytes, Message{513, 70'000, 1, 2, std::as_bytes(std::span(kData))});
 
   Message read;
-  ASSERT_EQ(Parse(ContentOf(bytes), read), Fit::kExact);
+  ASSERT_EQ(Parse(ContentOf(bytes), read), ParseResult::kExact);
   EXPECT_EQ(read.channel_id, 513);
   EXPECT_EQ(read.sequence, 70'000U);
   EXPECT_EQ(read.log_time, 1U);
@@ -64,7 +64,7 @@ TEST(McapRecords, AMessageReadsAsItWasWritten) {
   EXPECT_EQ(std::string_view(reinterpret_cast<const char*>(read.data.data()), read.data.size()),
             kData);
   for (std::size_t size = 0; size < kMessageHeadSize; ++size) {
-    EXPECT_EQ(Parse(ContentOf(bytes).first(size), read), Fit::kMalformed);
+    EXPECT_EQ(Parse(ContentOf(bytes).first(size), read), ParseResult::kMalformed);
   }
 }
 
@@ -116,7 +116,7 @@ TEST(McapRecords, ALengthThatClaimsMoreThanThereIsIsMalformed) {
     Append(bytes, Header{"ros2", "tendon"});
     for (std::size_t i = 0; i < 4; ++i) bytes[kRecordHeadSize + place + i] = std::byte{0xff};
     Header header;
-    EXPECT_EQ(Parse(ContentOf(bytes), header), Fit::kMalformed);
+    EXPECT_EQ(Parse(ContentOf(bytes), header), ParseResult::kMalformed);
   }
 }
 
@@ -126,7 +126,7 @@ TEST(McapRecords, AKeyThatOccursTwiceKeepsItsFirstValue) {
   bytes[bytes.size() - 6] = std::byte{'a'};  // changes the key "b"
 
   Metadata read;
-  ASSERT_EQ(Parse(ContentOf(bytes), read), Fit::kExact);
+  ASSERT_EQ(Parse(ContentOf(bytes), read), ParseResult::kExact);
   EXPECT_EQ(read, (Metadata{"m", {{"a", "1"}}}));
 }
 
