@@ -65,6 +65,15 @@ Result<void> CheckFullName(const InterfaceName& name) {
   return CheckName("interface", name.interface);
 }
 
+/// Returns the component of an interface. Does not check that the component has the interface.
+Result<const ComponentDescription*> LookUpOwner(const Catalogue& catalogue,
+                                                const InterfaceName& name) {
+  const auto component = LookUpComponent(catalogue, name.process, name.component);
+  if (!component) return component.error();
+  if (auto checked = CheckName("interface", name.interface); !checked) return checked.error();
+  return component;
+}
+
 /// Returns the words between the names of the required and the provided interface in a sentence.
 std::string StandOf(ConnectionState state) {
   switch (state) {
@@ -142,9 +151,8 @@ Result<const ComponentDescription*> LookUpComponent(const Catalogue& catalogue,
 
 Result<const ProvidedDescription*> LookUpProvided(const Catalogue& catalogue,
                                                   const InterfaceName& name) {
-  const auto component = LookUpComponent(catalogue, name.process, name.component);
+  const auto component = LookUpOwner(catalogue, name);
   if (!component) return component.error();
-  if (auto checked = CheckName("interface", name.interface); !checked) return checked.error();
   const ComponentDescription& owner = **component;
   if (const auto* provided = FindNamed(owner.provided, name.interface)) return provided;
   if (FindNamed(owner.required, name.interface) != nullptr) {
@@ -155,9 +163,8 @@ Result<const ProvidedDescription*> LookUpProvided(const Catalogue& catalogue,
 
 Result<const RequiredDescription*> LookUpRequired(const Catalogue& catalogue,
                                                   const InterfaceName& name) {
-  const auto component = LookUpComponent(catalogue, name.process, name.component);
+  const auto component = LookUpOwner(catalogue, name);
   if (!component) return component.error();
-  if (auto checked = CheckName("interface", name.interface); !checked) return checked.error();
   const ComponentDescription& owner = **component;
   if (const auto* required = FindNamed(owner.required, name.interface)) return required;
   if (FindNamed(owner.provided, name.interface) != nullptr) {
