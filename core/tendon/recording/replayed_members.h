@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/base/clock.h>
-#include <tendon/interface/event.h>
+#include <tendon/interface/event_base.h>
 #include <tendon/interface/execution/call_observer.h>
 #include <tendon/recording/recording_reader.h>
 #include <tendon/state/state_table.h>

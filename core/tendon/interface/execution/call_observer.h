@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/base/clock.h>
-#include <tendon/interface/event.h>
+#include <tendon/interface/event_base.h>
 #include <tendon/interface/observed_call.h>
 #include <tendon/lockfree/flag.h>
 

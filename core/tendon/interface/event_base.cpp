@@ -1,4 +1,4 @@
-#include <tendon/interface/event.h>
+#include <tendon/interface/event_base.h>
 
 #include <utility>
 
