@@ -18,7 +18,7 @@ struct Batch {
   double temperature = 0.0;  // degC
 };
 
-/// What an oven is told when it is made.
+/// The configuration of an oven.
 struct OvenConfiguration {
   double heating = 100.0;  // K/s
 };
