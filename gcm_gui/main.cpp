@@ -55,9 +55,10 @@ void AddOptions(CLI::App& app, Options& options) {
   auto* gcm =
       program::AddGcmOption(app, options.gcm, "; with this option, the window never hosts a GCM");
   app.add_option("--listen", options.listen, "host a GCM at this address")->excludes(gcm);
-  app.add_option("file", options.file,
-                 "system file to apply, whose plan the window first shows; or a recording (.mcap), "
-                 "which the window shows without any running system");
+  app.add_option(
+      "file", options.file,
+      "system file to apply, after the window has shown its plan; or a recording (.mcap), "
+      "which the window shows without a running system");
   app.add_flag("--read-only", options.read_only,
                "connect with the role viewer, which cannot change anything");
   app.add_option("--layout", options.layout,

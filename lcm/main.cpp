@@ -34,13 +34,14 @@ int main(int argc, char** argv) {
       ->type_name("TIME")
       ->transform(CLI::Validator(&program::TransformMilliseconds, ""))
       ->default_str("3s");
-  app.add_option("--history-memory", options.history.memory,
-                 "memory for the past of this process, which gcm save-last saves: 64MiB, 1GiB; 0 "
-                 "keeps nothing")
+  app.add_option(
+         "--history-memory", options.history.memory,
+         "memory for the history of this process, which gcm save-last saves: 64MiB, 1GiB; 0 "
+         "keeps nothing")
       ->type_name("SIZE")
       ->transform(CLI::AsSizeValue(false))
       ->default_str("32MiB");
-  app.add_option("--history-time", history_seconds, "how much of the past is kept: 30s, 2min")
+  app.add_option("--history-time", history_seconds, "length of the history: 30s, 2min")
       ->type_name("TIME")
       ->transform(CLI::Validator(&program::TransformDuration, ""))
       ->default_str("30s");

@@ -14,7 +14,6 @@ std::string SentenceOf(const CLI::ParseError& mistake, const CLI::App& app,
 /// The following functions are for CLI::Option::transform(). They read numbers with
 /// tendon::ReadNumberLiteral(), in the same way in every locale. If a number is invalid, the
 /// returned text says what to write instead.
-/// what to write instead.
 ///
 /// Accepts a number above zero.
 std::string TransformPositive(std::string& text);

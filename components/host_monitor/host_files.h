@@ -11,7 +11,7 @@ namespace host {
 /// Returns the content of a small file; empty if the file cannot be read.
 [[nodiscard]] std::string ReadText(const std::filesystem::path& file);
 
-/// The thermometers of a machine. They are found once, and then read again and again.
+/// The thermometers of a machine. They are found once, and then read repeatedly.
 class Thermometers {
  public:
   /// Searches below `root`/sys: thermal zones first, then monitoring chips.

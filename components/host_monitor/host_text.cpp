@@ -103,7 +103,7 @@ Memory ParseMemory(std::string_view text) {
 }
 
 DiskCounters ParseDisks(std::string_view text) {
-  constexpr std::uint64_t kSector = 512;  // bytes, whatever the disk's own sector size
+  constexpr std::uint64_t kSector = 512;  // bytes, independent of the disk's own sector size
   std::map<std::string_view, DiskCounters> disks;
   while (!text.empty()) {
     std::string_view line = TakeLine(text);

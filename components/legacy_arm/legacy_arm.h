@@ -9,8 +9,8 @@
 namespace legacy {
 
 /// An arm whose interface has the usual names but other types: it uses degrees and has no event for
-/// a reached goal. So no client of arm_interface can connect to its `Control`. It moves every joint
-/// at constant speed within ±120 deg, at 100 Hz.
+/// a reached goal. Therefore, no client of arm_interface can connect to its `Control`. It moves
+/// every joint at constant speed within ±120 deg, at 100 Hz.
 class LegacyArm : public tendon::PeriodicTask {
  public:
   explicit LegacyArm(std::string name);

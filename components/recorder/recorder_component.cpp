@@ -37,8 +37,8 @@ RecorderComponent::RecorderComponent(std::string name, Configuration configurati
   if (configuration_.name.find('/') != std::string::npos ||
       configuration_.name.find("..") != std::string::npos) {
     throw tendon::ConfigurationError("'name' is " + tendon::Quoted(configuration_.name, 100) +
-                                     "; expected the begin of a file name, without / and ..; "
-                                     "'folder' is the place of the files");
+                                     "; expected the beginning of a file name, without / and ..; "
+                                     "the files are written into 'folder'");
   }
   if (configuration_.keep > 0 && configuration_.split_size == 0 &&
       configuration_.split_time == 0.0) {

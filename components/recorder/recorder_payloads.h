@@ -26,7 +26,7 @@ struct RecorderConfiguration {
   bool log = true;
   bool record_at_start = false;
   std::string start_when;  ///< a condition; empty: begins at once
-  std::string stop_when;   ///< likewise; empty: only an order ends the recording
+  std::string stop_when;   ///< a condition; empty: only an order ends the recording
   double before = 0.0;     ///< s
   double after = 0.0;      ///< s
 };
@@ -57,7 +57,7 @@ template <>
 inline constexpr auto tendon::kPayload<recorder::RecorderConfiguration> = tendon::Describe(
     "recorder.RecorderConfiguration",
     tendon::Field{"patterns", &recorder::RecorderConfiguration::patterns}.Help(
-        "Paths of this process, also with * and **, such as robot/arm/**."),
+        "Paths or patterns of objects in this process, such as robot/arm/**."),
     tendon::Field{"folder", &recorder::RecorderConfiguration::folder}.Help(
         "Folder for the files. The folder must exist."),
     tendon::Field{"name", &recorder::RecorderConfiguration::name}.Help(
@@ -81,10 +81,10 @@ inline constexpr auto tendon::kPayload<recorder::RecorderConfiguration> = tendon
         "Event, command or condition that ends the recording; empty means none."),
     tendon::Field{"before", &recorder::RecorderConfiguration::before, "s"}
         .Within(0.0, recorder::kLongestAround)
-        .Help("With start_when: time before the condition that is also written."),
+        .Help("With start_when: also write the data of this time before the start."),
     tendon::Field{"after", &recorder::RecorderConfiguration::after, "s"}
         .Within(0.0, recorder::kLongestAround)
-        .Help("With stop_when: time after the condition that is also written."));
+        .Help("With stop_when: also write the data of this time after the condition."));
 
 template <>
 inline constexpr auto tendon::kPayload<recorder::RecorderState> = tendon::Describe(

@@ -238,7 +238,7 @@ tendon::recording::FileOptions RecordingThread::NextFile() const {
                                          .keep = settings_.keep};
   options.split_time = std::chrono::duration_cast<std::chrono::nanoseconds>(
       std::chrono::duration<double>(settings_.split_time));
-  // A saved file has no number, also if recordings are split.
+  // A saved file has no number, even if recordings are split.
   std::error_code ignored;
   const auto is_used = [&] {
     return std::filesystem::exists(options.file, ignored) ||

@@ -41,7 +41,7 @@ class RecordingThread {
   void Start();
   /// Ends the recording and completes its file. Fails with kFailed if there is no recording.
   void Stop();
-  /// Saves the last `seconds` that the process has kept into a separate file.
+  /// Saves the history of the last `seconds`, which the process has kept, in a separate file.
   void SaveLast(double seconds);
   /// Executes all earlier orders, ends the recording if there is one, and waits for this.
   void Finish();
@@ -68,7 +68,7 @@ class RecordingThread {
   // Of the thread.
   std::shared_ptr<tendon::recording::LocalSystem> system_;
   std::unique_ptr<tendon::recording::Recorder> recorder_;
-  bool is_starting_ = false;                    // the process is still too busy to say what it has
+  bool is_starting_ = false;                    // the process is too busy to list its components
   tendon::recording::RecorderOptions options_;  // of the recording that is being started
   int tries_ = 0;                               // to start it
   std::uint64_t starts_ = 0;

@@ -4,7 +4,7 @@
 namespace arm {
 namespace {
 
-/// Throws if `condition` is false. Write the condition such that it is false for NaN.
+/// Throws if `condition` is false. The condition must be false for NaN.
 void Require(bool condition, const std::string& component, const std::string& sentence) {
   if (!condition) {
     throw tendon::ConfigurationError("configuration of '" + component + "': " + sentence);

@@ -60,7 +60,7 @@ inline constexpr auto tendon::kPayload<arm::ArmConfiguration> = tendon::Describe
         .Help("Maximum of each joint."),
     tendon::Field{"bandwidth", &arm::ArmConfiguration::bandwidth, "rad/s"}
         .Within(arm::kLeastBandwidth, arm::kMostBandwidth)
-        .Help("How stiffly a joint follows its reference."),
+        .Help("Stiffness with which a joint follows its reference."),
     tendon::Field{"noise", &arm::ArmConfiguration::noise, "rad"}
         .Within(0.0, arm::kMostNoise)
         .Help("Standard deviation of a measured position."));

@@ -16,7 +16,7 @@ namespace arm {
 /// keeps the limits of its configuration, and records `Joints` (measured), `Goal` and `Refused`
 /// (the number of invalid goals).
 ///
-/// Every cycle is one millisecond of motion, whatever the clock says, so a late cycle causes no
+/// Every cycle is one millisecond of motion, regardless of the clock, so a late cycle causes no
 /// jump.
 class SimulatedArm : public tendon::PeriodicTask {
  public:

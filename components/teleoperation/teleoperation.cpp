@@ -13,8 +13,8 @@ constexpr std::chrono::milliseconds kPeriod{20};
 constexpr double kStep = std::chrono::duration<double>(kPeriod).count();  // s
 
 // Ten goals are sent per second; each goal replaces the previous one. An arm that follows with
-// minimum-jerk motions lags behind by 0.6 times their duration. So each goal is sent ahead by this
-// time.
+// minimum-jerk motions lags behind by 0.6 times their duration. Therefore, each goal is sent ahead
+// by this time.
 constexpr int kCyclesPerGoal = 5;
 constexpr double kDuration = 0.4;                                          // s, duration of a goal
 constexpr double kAhead = 0.6 * kDuration + kCyclesPerGoal * kStep / 2.0;  // s

@@ -11,7 +11,7 @@ inline constexpr double kMostAmplitude = 3.0;
 /// The configuration of the tour.
 struct TeleoperationConfiguration {
   double period = 12.0;    ///< s for one round
-  double amplitude = 1.0;  ///< how far the joints swing; above 1 they can meet the limits
+  double amplitude = 1.0;  ///< amplitude of the joints; above 1, they can reach their limits
 };
 
 /// The desired posture of the arm.
@@ -35,7 +35,7 @@ inline constexpr auto tendon::kPayload<arm::TeleoperationConfiguration> = tendon
         .Help("Duration of one round."),
     tendon::Field{"amplitude", &arm::TeleoperationConfiguration::amplitude}
         .Within(0, arm::kMostAmplitude)
-        .Help("How far the joints swing; if it is above 1, the joints can reach their limits."));
+        .Help("Amplitude of the joints; above 1, the joints can reach their limits."));
 
 template <>
 inline constexpr auto tendon::kPayload<arm::Target> =

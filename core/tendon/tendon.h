@@ -1,8 +1,8 @@
 #pragma once
 
 /// Includes everything that the author of a component needs: tasks, functions and events, state
-/// tables, payloads, and the manager that connects components of one process. It includes nothing
-/// of the network.
+/// tables, payloads, and the manager that connects components of one process. It does not include
+/// headers for the network.
 
 #include <tendon/base/log.h>
 #include <tendon/interface/event.h>

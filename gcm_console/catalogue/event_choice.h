@@ -16,12 +16,12 @@ std::vector<tendon::EventSubscription> MatchingEvents(const tendon::Catalogue& c
 
 /// The commands that a pattern may match.
 enum class CommandChoice {
-  kNamed,  ///< only the command whose path the pattern is
+  kNamed,  ///< the pattern is the full path of a command and selects only this command
   kAll,    ///< like events
 };
 
-/// Returns the commands that match any of `patterns`, as MatchingEvents() does. Reads are left out,
-/// since their calls cannot be observed.
+/// Returns the commands that match any of `patterns`, as MatchingEvents() does. Leaves out reads,
+/// because their calls cannot be observed.
 std::vector<tendon::EventSubscription> MatchingCommands(const tendon::Catalogue& catalogue,
                                                         const std::vector<std::string>& patterns,
                                                         CommandChoice choice);

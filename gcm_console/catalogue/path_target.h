@@ -18,8 +18,9 @@ struct PathTarget {
   std::string noun;  ///< kind of the member: "command", "event", "function" or "event handler"
 };
 
-/// Finds "process/component/interface.member", or an object that the first parts of such a path
-/// name. kNotFound suggests similar names. kInvalid means that the path continues into a value.
+/// Finds the object with the path "process/component/interface.member", or with only the first
+/// parts of such a path. kNotFound suggests similar names. kInvalid means that the path continues
+/// into a value.
 tendon::Result<PathTarget> FindTarget(const tendon::Catalogue& catalogue, const std::string& path);
 
 /// Returns the types of a member: "arm.LinkId -> geometry_msgs.Pose", "double[7]". Empty if it has

@@ -103,8 +103,8 @@ tendon::InterfaceName TableOf(const TableChoice& choice) {
   return {choice.subscription.process, choice.subscription.component, choice.subscription.table};
 }
 
-/// Adds the path to its table, unless it was added before. A path that the user has also typed
-/// without a glob is never left out later.
+/// Adds the path to its table, unless it was added before. If the user has also typed this path
+/// without a glob, the path always stays in the table.
 void Add(const tendon::Path& path, bool is_found, ColumnChoice& choice) {
   auto& tables = choice.tables;
   const tendon::InterfaceName name = path.interface_name();

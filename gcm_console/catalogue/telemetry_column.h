@@ -48,7 +48,7 @@ tendon::Result<tendon::TableSubscription> WholeTable(const tendon::Catalogue& ca
 /// estimates.
 [[nodiscard]] std::chrono::nanoseconds AgeOf(std::chrono::nanoseconds written);
 
-/// The information that the values of a component are old and, if known, how old.
+/// The information that the values of a component are old, and their age if it is known.
 struct StaleValues {
   std::string component;  ///< "robot/arm"
   tendon::StaleReason why = tendon::StaleReason::kNone;

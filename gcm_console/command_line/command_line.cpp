@@ -109,7 +109,7 @@ std::string UnknownVerb(const std::vector<std::string>& words, const CLI::App& a
 std::string EmptyValue(const std::vector<std::string>& words, const CLI::App& app) {
   const CLI::App* part = &app;
   for (const std::string& word : words) {
-    if (word == "--") break;  // all words after "--" are arguments
+    if (word == "--") break;  // all words after "--" are arguments, not options
     if (word.starts_with("--") && word.ends_with('=')) {
       const std::string name = word.substr(0, word.size() - 1);
       const CLI::Option* option = OptionOf(part, name);
@@ -191,7 +191,7 @@ void CommandLine::AddSettings() {
   app_.add_option("--color", color_, "when to use colours")
       ->check(CLI::IsMember(Colors()))
       ->capture_default_str();
-  auto* quiet = app_.add_flag("-q,--quiet", is_quiet_, "print only results and errors, no remarks");
+  auto* quiet = app_.add_flag("-q,--quiet", is_quiet_, "print only results and errors");
   app_.add_flag("-v,--verbose", is_verbose_,
                 "print the address of the GCM, and how fast the GCM answers")
       ->excludes(quiet);

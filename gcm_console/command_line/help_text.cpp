@@ -232,17 +232,17 @@ const std::vector<Topic>& Topics() {
          "is no number"},
         {"exit", "end the shell and all background jobs"},
         {"VERB; VERB", "run several verbs one after the other"},
-        {"# WORDS", "a remark"},
+        {"# WORDS", "a comment"},
         {"A line may also begin with gcm, as in a terminal."}}},
       {"output",
        "the format of the output, and where it goes",
-       {{"Results go to the standard output, remarks and errors to the standard error."},
+       {{"Results go to the standard output, messages and errors to the standard error."},
         {"terminal", "tables with column titles; --no-header omits the titles"},
         {"pipe or file", "one line for each row, without titles; the cells are separated by tabs"},
         {"--json",
          "one document with \"schema\": 1; watch, events, hz and log: one document in each line, "
          "for each row, event, log record or gap"},
-        {"-q, -v", "-q prints no remarks; -v prints more remarks"},
+        {"-q, -v", "-q prints only results and errors; -v prints more messages"},
         {"--color WHEN",
          "when to use colours; auto means on a terminal, unless NO_COLOR is set or TERM is "
          "dumb"}}}};

@@ -8,7 +8,7 @@
 
 namespace console {
 
-/// Reads the lines of a stream; a line may have at most 1 MiB. After the last line, error() tells
+/// Reads the lines of a stream; a line may have at most 1 MiB. After the last line, error() shows
 /// whether the stream has ended or could not be read.
 class InputLines {
  public:

@@ -8,10 +8,10 @@
 
 namespace console {
 
-/// When text is coloured. kAuto means: on a terminal, unless $NO_COLOR is set.
+/// The condition under which text is coloured. kAuto: on a terminal, unless $NO_COLOR is set.
 enum class ColorChoice { kAuto, kAlways, kNever };
 
-/// Which messages are printed in addition to the results.
+/// The messages that are printed in addition to the results.
 enum class Verbosity { kNormal, kQuiet, kVerbose };
 
 /// The settings that every verb shares, from the command line.

@@ -16,14 +16,14 @@ namespace console {
 
 /// An event that a component has raised, or a call of a command.
 struct ReceivedEvent {
-  /// The time in ns since 1970 by this machine's clock: of a call, when its execution began. It is
-  /// computed from the age of the event, which is measured on the steady clock.
+  /// The time in ns since 1970 by this machine's clock; for a call, the start of its execution. It
+  /// is computed from the age of the event, which is measured on the steady clock.
   std::int64_t time_ns = 0;
   std::int64_t uncertainty_ns = -1;  ///< maximum error of `time_ns`; below 0 if unknown
   std::string path;                  ///< "robot/arm/Control.GoalReached"
   tendon::MemberDescription description;
   std::vector<std::byte> value;  ///< value of the event, encoded as CDR
-  bool is_call = false;          ///< the value is that of SchemaOfCalls()
+  bool is_call = false;          ///< the value has the type SchemaOfCalls()
 };
 
 /// The number of lost events by path.

@@ -30,11 +30,11 @@ struct TaskFigures {
   bool is_awaited = false;  ///< true if the values of a whole second may arrive soon
 };
 
-/// Receives the statistics of all tasks of a system, also of tasks that are added later.
+/// Receives the statistics of all tasks of a system, including tasks that are added later.
 class TaskFeed {
  public:
-  /// Receives the statistics of all tasks. If `only` is not empty, receives only those of the
-  /// component with this path.
+  /// Receives the statistics of all tasks. If `only` is not empty, receives only the statistics of
+  /// the component with this path.
   explicit TaskFeed(tendon::GcmClient& client, std::string only = "")
       : client_(client), only_(std::move(only)) {}
   TaskFeed(const TaskFeed&) = delete;

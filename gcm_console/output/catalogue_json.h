@@ -21,8 +21,8 @@ nlohmann::ordered_json ToJson(const tendon::ConnectionDescription& connection);
 nlohmann::ordered_json ToJson(const tendon::ConnectionCounts& counts);
 nlohmann::ordered_json ToJson(const tendon::MailboxFill& fill);
 
-/// Returns how much a process keeps of its past. If it keeps no history, only `limit_bytes` is
-/// there, which is 0.
+/// Returns the state of a process's history. If the process keeps no history, the object has only
+/// `limit_bytes`, which is 0.
 nlohmann::ordered_json ToJson(const tendon::message::ProcessHistoryState& history);
 
 /// Returns the health of a process as the GCM reports it, with its age. Unknown values are left

@@ -110,8 +110,8 @@ BrailleCanvas::BrailleCanvas(int columns, int rows)
       cells_(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0U) {}
 
 void BrailleCanvas::Set(int x, int y) {
-  // The bits of the dots in Unicode: the upper three dots of the left column come first, then those
-  // of the right column, then the lowest two.
+  // The bits of the dots in Unicode: first the upper three dots of the left column, then the upper
+  // three dots of the right column, then the lowest two dots.
   constexpr std::array<unsigned, 8> kBits = {0x01, 0x08, 0x02, 0x10, 0x04, 0x20, 0x40, 0x80};
   if (x < 0 || y < 0 || x >= width() || y >= height()) return;
   const auto cell = static_cast<std::size_t>(y / 4 * columns_ + x / 2);

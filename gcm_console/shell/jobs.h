@@ -22,7 +22,7 @@ class JobLines {
  public:
   static constexpr std::size_t kMost = 1000;
 
-  /// Adds a line, given without its line end.
+  /// Adds a line. `line` does not contain the line end.
   void Add(std::string line);
   /// Returns all lines since the last call, each with its line end.
   std::string Take();

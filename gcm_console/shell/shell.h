@@ -20,7 +20,7 @@ class Shell {
  public:
   explicit Shell(Settings settings);
 
-  /// What to do after a command of a line has failed.
+  /// The action after a command of a line has failed.
   enum class AfterFailure { kGoOn, kStop };
 
   /// Runs the commands of one line. Returns the exit code of the first command that has failed; 0

@@ -536,7 +536,7 @@ std::vector<Verb> DataVerbs() {
              app.add_option("paths", options->paths,
                             "columns of state tables, or parts of columns (.position[0]); * and ** "
                             "match several columns; if the columns are of several tables, each row "
-                            "is of one table and has - in the columns of the other tables"),
+                            "belongs to one table and shows - in the columns of the other tables"),
              WordKind::kColumn)
              ->required();
          app.add_option("--hz", options->rate,

@@ -30,7 +30,7 @@ using tendon::ErrorCode;
 using tendon::Result;
 using namespace std::chrono_literals;
 
-/// The result of a check: what was checked, the verdict, and a text.
+/// The result of a check: the checked object, the verdict, and a text.
 struct Finding {
   enum class Verdict { kGood, kBad, kUnknown };
 
@@ -275,7 +275,7 @@ class Doctor {
     return known ? known->loaded : process.plugins;
   }
   /// Checks whether the files of the plug-ins contain the code that the process runs. If `answers`
-  /// is false, `plugins` are those that the process has reported last.
+  /// is false, `plugins` comes from the last report of the process.
   void ExaminePlugins(const std::string& process,
                       const std::vector<tendon::PluginDescription>& plugins, bool answers) {
     for (const tendon::PluginDescription& plugin : plugins) {

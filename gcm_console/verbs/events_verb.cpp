@@ -167,7 +167,8 @@ class EventWriter {
   std::uint64_t lost_ = 0;
 };
 
-/// Subscribes to all events and commands that match, including those that are added later.
+/// Subscribes to all events and commands that match, including events and commands that are added
+/// later.
 class EventListeners {
  public:
   EventListeners(tendon::GcmClient& client, const std::shared_ptr<EventInbox>& inbox)
@@ -277,7 +278,7 @@ Verb::Run PrepareEvents(CLI::App& app) {
       ->required();
   app.add_flag("--commands", options->has_commands,
                "also print the calls of all commands that match, except reads; without this "
-               "option, only those of a command whose path is given");
+               "option, only the calls of commands whose full path is given");
   AddCount(app, options->count, "end after this many events");
   AddDuration(app, options->seconds);
   AddNoReconnect(app, options->ends_with_link);

@@ -54,7 +54,7 @@ struct Targets {
   std::size_t left_out = 0;
   bool has_glob = false;
 
-  /// Adds a path. A path that was given without a glob is always added, whatever its state.
+  /// Adds a path. A path that was given without a glob is always added, regardless of its state.
   void Add(const Path& path, bool is_of_glob, bool is_of_use) {
     if (std::ranges::find(paths, path) != paths.end()) return;
     if (is_of_glob && !is_of_use) {

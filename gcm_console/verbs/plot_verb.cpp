@@ -82,7 +82,8 @@ class PlottedTables {
   std::vector<Table> tables_;
 };
 
-/// Shows as many curves as fit on the screen. If some do not fit, a line at the bottom says so.
+/// Shows as many curves as fit on the screen. If some do not fit, a line at the bottom gives their
+/// number.
 void Show(const PlottedTables& plotted, double window, Screen& screen) {
   const int rows = tendon::os::TerminalRows();
   const int columns = tendon::os::TerminalColumns(tendon::os::Stream::kOutput);

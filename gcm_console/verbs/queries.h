@@ -28,8 +28,7 @@ namespace console {
 [[nodiscard]] std::optional<tendon::MailboxFill> AskFill(Context& context,
                                                          const PathTarget& target);
 
-/// Requests how much the process keeps of its past. Returns nullopt if it does not
-/// answer.
+/// Requests the state of the process's history. Returns nullopt if the process does not answer.
 [[nodiscard]] std::optional<tendon::message::ProcessHistoryState> AskHistory(
     Context& context, const std::string& process);
 

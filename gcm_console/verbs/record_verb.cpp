@@ -206,7 +206,7 @@ void PrintUnmatched(Context& context, const tendon::Catalogue& catalogue,
   for (const std::string& pattern : patterns) {
     if (!tendon::recording::Select(catalogue, {pattern}).is_empty()) continue;
     context.err() << "gcm: no table, event or command matches '" << Plain(pattern)
-                  << "' now; those that match later are recorded\n";
+                  << "' now; objects that match later are recorded\n";
   }
 }
 
@@ -272,7 +272,7 @@ Result<ExitCode> Record(Context& context, const RecordOptions& options) {
 Verb::Run PrepareRecord(CLI::App& app) {
   auto options = std::make_shared<RecordOptions>();
   WithKind(app.add_option("paths", options->paths,
-                          "processes, components, interfaces, columns, events or commands, also as "
+                          "processes, components, interfaces, columns, events or commands, or "
                           "patterns with * and **; objects that appear later are recorded, too"),
            WordKind::kPath)
       ->required();
@@ -296,8 +296,8 @@ Verb::Run PrepareRecord(CLI::App& app) {
   app.add_option("--start-when", options->start_when,
                  "write nothing until this event is raised or this command is executed, or until "
                  "this condition on a state table is true: robot/arm/Control.GoalReached, "
-                 "'robot/arm/state.Joints.position[2] > 1.2 rad'; a condition has one of > < >= <= "
-                 "== != and then a number, true, false or the name of an enumerator")
+                 "'robot/arm/state.Joints.position[2] > 1.2 rad'; a condition compares a column by "
+                 "> < >= <= == or != with a number, true, false or the name of an enumerator")
       ->type_name("CONDITION");
   app.add_option("--stop-when", options->stop_when,
                  "end when this event is raised or this command is executed, or when this "
@@ -312,7 +312,7 @@ Verb::Run PrepareRecord(CLI::App& app) {
       ->type_name("TIME")
       ->transform(CLI::Validator(&program::TransformDuration, ""));
   app.add_option("--before-memory", options->before_bytes,
-                 "the most memory for --before: 1GB (default 256 MiB)")
+                 "maximum memory for --before: 1GB (default 256 MiB)")
       ->type_name("SIZE")
       ->transform(CLI::AsSizeValue(true));
   AddCompression(app, options->compression);

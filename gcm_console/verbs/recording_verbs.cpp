@@ -154,7 +154,7 @@ struct InfoOptions {
   bool checks = false;
 };
 
-/// Says what a file with problems is, and the next step.
+/// Describes a file with problems and names the next step.
 void PrintDamage(Context& context, const mcap::Reader& reader, bool is_checked) {
   const std::string file = Plain(reader.name());
   if (reader.is_being_written()) {
@@ -204,7 +204,7 @@ ExitCode ReportCopy(Context& context, const std::string& file, const mcap::CopyR
   return PrintProblems(context, report.problems, report.problem_count);
 }
 
-/// True, once, when the user stops the program.
+/// Returns true once after the user has asked the program to stop.
 bool IsInterrupted() { return tendon::os::TerminationRequested(std::chrono::milliseconds(0)); }
 
 /// The result of work that IsInterrupted() may have stopped.
@@ -221,7 +221,7 @@ Result<ExitCode> RecoverFile(Context& context, const RecordingPart& options) {
       options.output.empty()
           ? from.parent_path() / (from.stem().string() + "-recovered" + from.extension().string())
           : std::filesystem::path(options.output);
-  tendon::os::HoldTerminationSignals();  // so that nothing is left of a file that is not complete
+  tendon::os::HoldTerminationSignals();  // so that an incomplete file is removed
   const auto report = mcap::Recover(from, to, {}, &IsInterrupted);
   if (!report) return FailureOf(context, report);
   const ExitCode code = ReportCopy(context, to.string(), *report);

@@ -38,7 +38,7 @@ struct ReplayWords {
   std::string listen = "127.0.0.1:0";
 };
 
-/// The reason why a replay has ended. kUnsent: before all was sent.
+/// The reason why a replay has ended. kUnsent: it has ended before all data was sent.
 enum class ReplayEnd { kAtTheEnd, kInterrupted, kUnsent };
 
 std::string FileNameOf(const std::string& file) {
@@ -129,11 +129,11 @@ void PrintReplayEnd(Context& context, const Replay& replay, const ReplayWords& w
   }
 }
 
-/// Waits until all is sent: processes send rows every 20 ms, and events as fast as their receivers
-/// take them.
+/// Waits until all data is sent: processes send rows every 20 ms, and events as fast as their
+/// receivers accept them.
 ReplayEnd SendRest(const Replay& replay) {
   constexpr auto kBetweenLooks = 5ms;
-  constexpr auto kMostPatience = 5s;  // with a receiver that does not read
+  constexpr auto kMostPatience = 5s;  // limit for a receiver that does not read
   const tendon::SteadyTime deadline = tendon::SteadyClock().Now() + kMostPatience;
   while (!replay.HasSentAll()) {
     if (tendon::os::TerminationRequested(kBetweenLooks)) return ReplayEnd::kInterrupted;
@@ -189,9 +189,8 @@ Result<ExitCode> ReplayFile(Context& context, const ReplayWords& words) {
   const std::chrono::duration<double> passed = tendon::SteadyClock().Now() - begin;
   PrintReplayEnd(context, **replay, words, passed.count());
   if (end == ReplayEnd::kUnsent) {
-    context.err()
-        << "gcm: the last rows or events did not reach every viewer, because one does not "
-           "read them\n";
+    context.err() << "gcm: the last rows or events did not reach every viewer, because a viewer "
+                     "does not read them\n";
   }
   const auto& problems = (*replay)->reader().problems();
   const ExitCode found = PrintProblems(context, problems.first(), problems.count());
@@ -206,7 +205,7 @@ Verb::Run PrepareReplay(CLI::App& app) {
                  "speed of the replay: 2 is twice as fast as recorded, 0.5 half as fast")
       ->type_name("NUMBER")
       ->check(CLI::Range(0.001, 1000.0));
-  app.add_flag("--loop", words->loops, "after the end, begin again from the start, until Ctrl-C");
+  app.add_flag("--loop", words->loops, "at the end, restart from the beginning, until Ctrl-C");
   app.add_option("--as", words->as, "the name of the process (default: the recorded name)");
   app.add_option("--delay", words->delay,
                  "time before the first row, so that other programs can connect (default: 1s)")

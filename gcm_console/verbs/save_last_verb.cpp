@@ -156,10 +156,10 @@ Verb::Run PrepareSaveLast(CLI::App& app) {
       ->type_name("TIME")
       ->transform(CLI::Validator(&program::TransformDuration, ""))
       ->required();
-  WithKind(app.add_option(
-               "paths", words->paths,
-               "processes, components, interfaces or columns, also as patterns with * and **"),
-           WordKind::kPath)
+  WithKind(
+      app.add_option("paths", words->paths,
+                     "processes, components, interfaces or columns, or patterns with * and **"),
+      WordKind::kPath)
       ->required();
   WithKind(app.add_option("-o,--output", words->file, "the file, such as last.mcap"),
            WordKind::kFile)

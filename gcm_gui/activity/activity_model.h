@@ -37,9 +37,10 @@ struct Action {
   std::string component;  ///< the path; for lifecycle, and for undo if known
   QString command;        ///< the path; for call
   /// For call: JSON. For a log level: the name of the level. For apply: the name of the target
-  /// system. For record: the paths as in a shell; for a saved past, with the time before them.
+  /// system. For record: the paths, as in a shell; if a history was saved, its time comes before
+  /// them.
   QString argument;
-  /// For apply: the system file, empty if not saved; for record and a saved past: its file.
+  /// For apply: the system file, empty if not saved; for a recording or a saved history: its file.
   QString file;
 
   Outcome outcome = Outcome::kRunning;

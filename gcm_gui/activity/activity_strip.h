@@ -24,7 +24,8 @@ class ActivityStrip : public TabPanel {
   ActivityStrip(const WindowParts& parts, ProblemsModel& problems, Selection& selection,
                 QWidget* parent = nullptr);
 
-  /// Not in a window that shows a recording, because its commands are for running systems.
+  /// Must not be called in a window that shows a recording, because that window has no console: the
+  /// console commands are for running systems.
   [[nodiscard]] ConsolePage& console() const { return *console_; }
 
  public Q_SLOTS:

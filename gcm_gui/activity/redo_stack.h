@@ -30,7 +30,7 @@ class RedoStack : public QObject {
   void onDone(const Action& action);
 
   SystemActions& actions_;
-  std::vector<Action> undone_;  // the action undone last is at the back
+  std::vector<Action> undone_;  // the last element is the action that was undone last
   bool is_under_way_ = false;   // a redo was requested; the next finished action is this redo
 };
 

@@ -39,8 +39,8 @@ struct ConsoleRunner::SharedState {
   bool is_done = false;  // the thread has ended
 };
 
-/// Reports the end of a line in every case: also if the thread throws an exception, or if the line
-/// is never executed.
+/// Reports the end of a line in every case, even if the thread throws an exception or the line is
+/// never executed.
 class ConsoleRunner::LineReport {
  public:
   LineReport(ConsoleRunner& runner, std::shared_ptr<GuiPoster> poster)

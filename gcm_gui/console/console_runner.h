@@ -32,7 +32,7 @@ class ConsoleRunner : public QObject {
   [[nodiscard]] bool isRunning() const { return is_running_; }
   /// Interrupts the running line, as Ctrl-C does in a terminal; does nothing if no line is running.
   void interrupt();
-  /// Requests the completions of a line. completed() is emitted as soon as no line is running.
+  /// Requests the completions of a line. completed() is emitted when no line is running any more.
   void complete(const QString& line);
 
  Q_SIGNALS:

@@ -15,10 +15,10 @@ namespace tendon::gui {
 
 class GraphScene;
 
-/// Exports the whole graph. SVG and DOT files look like those of `gcm graph`, but use the positions
-/// of the window if the user has moved components. PNG files look like the graph in the window. GUI
-/// thread. The FileWriter draws and writes files in its thread; another thread draws the picture
-/// for the clipboard.
+/// Exports the whole graph. SVG and DOT files look like the output of `gcm graph`, but use the
+/// positions of the window if the user has moved components. PNG files look like the graph in the
+/// window. GUI thread. The FileWriter draws and writes files in its thread; another thread draws
+/// the picture for the clipboard.
 class GraphExport : public QObject {
   Q_OBJECT
 

@@ -32,7 +32,7 @@ class GraphHover : public QObject {
   /// interface); `path` is empty if the pointer is on none of these. If nothing is highlighted yet,
   /// the item is highlighted only after the pointer has rested for a moment.
   void point(const QString& path);
-  /// Highlights the item without that delay; used for keyboard navigation.
+  /// Like point(), but highlights the item at once. Used for keyboard navigation.
   void pointNow(const QString& path);
   /// Shows the health of the connection of this required interface, if the pointer is on the
   /// connection.

@@ -67,8 +67,8 @@ class GraphScene : public QGraphicsScene {
   void forgetRequested(const tendon::InterfaceName& required);
   /// Shows a warning on the edge of a working connection.
   void showWarning(const tendon::InterfaceName& required, const QString& warning);
-  /// During a drag, shows the components with these paths at these positions instead of those in
-  /// nodePositions().
+  /// During a drag, shows the components with these paths at these positions instead of the
+  /// positions in nodePositions().
   void carry(const std::map<QString, QPointF>& positions);
   /// Shows refused connections as failed edges until the list no longer contains them.
   void showRefused(const tendon::gui::RefusedConnections::ByRequired& refused);

@@ -16,7 +16,8 @@ namespace {
 
 constexpr auto kName = "tendonView";
 constexpr std::chrono::seconds kPause{1};
-constexpr std::chrono::minutes kKept{10};  // how long a fault of a view without a cover is listed
+// The time for which a fault of a view without a cover is listed.
+constexpr std::chrono::minutes kKept{10};
 constexpr qsizetype kMostFaults = 50;
 
 std::int64_t Now() {

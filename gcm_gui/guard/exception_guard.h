@@ -15,7 +15,7 @@ namespace tendon::gui {
 
 class ViewCover;
 
-/// What a view was doing when it threw an exception.
+/// The activity of a view when it threw an exception.
 enum class ViewWork {
   kDrawing,   ///< painting: a cover replaces the view until the user retries
   kHandling,  ///< handling an event, a timer or a change of the system: the view stays visible
@@ -98,8 +98,8 @@ class ExceptionGuard : public QObject {
 
  Q_SIGNALS:
   void changed();
-  /// Emitted for a new fault, and again when the count of a fault is ten times that of its last
-  /// report.
+  /// Emitted for a new fault, and again when the count of a fault is ten times its count at the
+  /// last report.
   void faultReported(const tendon::gui::ViewFault& fault);
 
  private:

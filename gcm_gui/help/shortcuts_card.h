@@ -8,7 +8,7 @@ namespace tendon::gui {
 
 class Commands;
 
-/// A card that lists keys. F1 lists all keys: the present keys of the menus, and those of the
+/// A card that lists keys. F1 lists all keys: the present keys of the menus, and the keys of
 /// widgets that handle keys themselves. "?" lists only the keys of the focused widget.
 class ShortcutsCard : public OverlayCard {
   Q_OBJECT

@@ -48,7 +48,7 @@ std::vector<TourStep> WindowTour(MainWindow& window) {
            Words::tr("Your actions are listed here; you can undo each of them, or copy its command "
                      "line. Other tabs show problems, the log and a console."),
            [&window] { return Revealed(window, window.strip()); }),
-      Step(Words::tr("Everything by its name"),
+      Step(Words::tr("Find everything by name"),
            Words::tr("Ctrl+K finds all commands and all objects. F1 shows the keys. The menu Help "
                      "starts this tour again."),
            [&window] {

@@ -19,8 +19,8 @@ namespace tendon::gui {
 
 /// Every number in the state tables of one component, with its newest value, its unit and its
 /// recent trend. The first row of a column also shows the rate at which rows arrive. If the values
-/// are old, it shows instead why and how old they are. If no answer has come for a column, the rows
-/// of this column say so.
+/// are old, the first row shows their age and the reason instead. If no answer has come for a
+/// column, the rows of this column say so.
 class ValuesModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -74,7 +74,7 @@ class ValuesModel : public QAbstractTableModel {
     ColumnValues values = {};
     std::vector<QList<std::optional<NumericValue>>> trends = {};  // by field
     std::vector<SteadyTime> changed = {};                         // by field
-    SteadyTime awaited = SteadyTime::max();  // when the time limit for the answer began
+    SteadyTime awaited = SteadyTime::max();  // the time when the time limit for the answer began
     QString refusal = {};                    // why no answer came, if known
     SteadyTime arrived = {};                 // arrival time of its newest row
     RowRate rate = {};
@@ -99,7 +99,7 @@ class ValuesModel : public QAbstractTableModel {
   [[nodiscard]] QString silenceOf(const Block& block) const;
   [[nodiscard]] QString spokenOf(const RowPosition& position, const QString& field_path) const;
   [[nodiscard]] QVariant valueOf(const RowPosition& position, int role) const;
-  /// Returns all digits of a value that is shown rounded; otherwise an empty text.
+  /// Returns all digits of a value that the view shows rounded; otherwise an empty text.
   [[nodiscard]] static QString wholeOf(const RowPosition& position);
   void replaceRows(Block& block, int first, const ColumnValues& values);
 

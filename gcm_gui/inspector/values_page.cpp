@@ -34,8 +34,8 @@ ValuesPage::ValuesPage(Selection& selection, SignalSource& source, QWidget* pare
   connect(list_, &QTreeView::clicked, this, &ValuesPage::askAgain);
   connect(list_, &QTreeView::activated, this, &ValuesPage::askAgain);
   connect(list_, &QTreeView::doubleClicked, this, [this](const QModelIndex& index) {
-    // If the row shows no number, the first click of the double click has already repeated the
-    // request.
+    // A row without a number needs no action, because the first click of the double click has
+    // already repeated the request.
     if (!values_.isNumber(index.row())) return;
     Q_EMIT plotRequested(index.data(kPathRole).toString(), values_.unit(index.row()));
   });

@@ -930,7 +930,7 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>Ansicht fortsetzen (Leertaste)</translation>
     </message>
     <message>
-        <source>Pause the view, not the data (Space)</source>
+        <source>Pause the view; new data is still received (Space)</source>
         <translation>Ansicht anhalten, nicht die Daten (Leertaste)</translation>
     </message>
     <message>
@@ -1214,7 +1214,7 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>Zurück</translation>
     </message>
     <message>
-        <source>Go on after an error</source>
+        <source>Continue after an error</source>
         <translation>Nach Fehlern fortfahren</translation>
     </message>
     <message>
@@ -1274,7 +1274,7 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>Ziel %1: Schritt %2 von %3</translation>
     </message>
     <message>
-        <source>Target %1: %2 done, %3 failed, %4 left</source>
+        <source>Target %1: %2 done, %3 failed, %4 remaining</source>
         <translation>Ziel %1: %2 erledigt, %3 gescheitert, %4 übrig</translation>
     </message>
     <message>
@@ -1478,7 +1478,7 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>  dasselbe im Terminal: </translation>
     </message>
     <message>
-        <source>Values and plots come directly from the processes, so values and plots continue.</source>
+        <source>Values and plots continue, because they come directly from the processes.</source>
         <translation>Werte und Plots kommen direkt von ihren Prozessen und laufen weiter.</translation>
     </message>
     <message>
@@ -1582,7 +1582,7 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>Findet alles, was man tun kann und was es gibt  (Strg+K)</translation>
     </message>
     <message>
-        <source>Pauses the drawing, never the data  (Space)</source>
+        <source>Pauses the display; new data is still received  (Space)</source>
         <translation>Hält die Zeichnung an, nie die Daten  (Leertaste)</translation>
     </message>
     <message>
@@ -1858,7 +1858,7 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>Tab, Umschalt+Tab</translation>
     </message>
     <message>
-        <source>To the next part, to the previous part</source>
+        <source>Go to the next or previous part</source>
         <translation>Zum nächsten, zum vorigen Teil</translation>
     </message>
     <message>
@@ -1870,7 +1870,7 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>Esc</translation>
     </message>
     <message>
-        <source>Leaves the connect mode, a card, a field</source>
+        <source>Leave the connect mode, a card or a field</source>
         <translation>Verlässt den Verbindungsmodus, eine Karte, ein Feld</translation>
     </message>
     <message>
@@ -1930,7 +1930,7 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>A, B, Entf</translation>
     </message>
     <message>
-        <source>Place the cursors, remove them</source>
+        <source>Place or remove the cursors</source>
         <translation>Cursor setzen, entfernen</translation>
     </message>
     <message>
@@ -1942,7 +1942,7 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>Leertaste</translation>
     </message>
     <message>
-        <source>Hide the curve, show it</source>
+        <source>Hide or show the curve</source>
         <translation>Kurve ausblenden, einblenden</translation>
     </message>
     <message>
@@ -2042,7 +2042,7 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>Hier stehen die Aktionen; jede lässt sich rückgängig machen oder als Befehlszeile kopieren. Andere Reiter zeigen Probleme, Protokoll und eine Konsole.</translation>
     </message>
     <message>
-        <source>Everything by its name</source>
+        <source>Find everything by name</source>
         <translation>Alles über seinen Namen</translation>
     </message>
     <message>
@@ -3075,7 +3075,7 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation> kann nicht gezeigt werden: </translation>
     </message>
     <message>
-        <source>The component is told that it was suspended. If its author has written code for this case, the component starts from the current situation; otherwise the component continues its previous action.</source>
+        <source>The component is notified that it was suspended. If its author has written code for this case, the component starts from the current situation; otherwise the component continues its previous action.</source>
         <translation>Der Komponente wird gesagt, dass sie angehalten war. Wenn ihr Autor das vorgesehen hat, beginnt sie mit der jetzigen Lage; sonst setzt sie ihre vorige Aktion fort.</translation>
     </message>
     <message>
@@ -3221,11 +3221,11 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>Nichts ist ausgewählt</translation>
     </message>
     <message>
-        <source>Plot a signal (P), or choose something else to record in the menu Record.</source>
+        <source>Plot a signal (P), or select another subject in the menu Record.</source>
         <translation>Erst ein Signal plotten (P) oder im Menü Aufzeichnung etwas anderes wählen.</translation>
     </message>
     <message>
-        <source>Select a component, or choose something else to record in the menu Record.</source>
+        <source>Select a component, or select another subject in the menu Record.</source>
         <translation>Erst eine Komponente auswählen oder im Menü Aufzeichnung etwas anderes wählen.</translation>
     </message>
     <message>
@@ -3413,7 +3413,7 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>%1 kann nicht geöffnet werden, weil sich %2 nicht starten lässt</translation>
     </message>
     <message>
-        <source>%1 opens in a window of its own</source>
+        <source>%1 opens in a separate window</source>
         <translation>%1 öffnet sich in einem eigenen Fenster</translation>
     </message>
     <message>
@@ -3425,7 +3425,7 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>%1 wird geöffnet</translation>
     </message>
     <message>
-        <source>A file without an index, such as one that is still being written, is read as a whole first.</source>
+        <source>A file without an index, such as a file that is still being written, must first be read completely.</source>
         <translation>Eine Datei ohne Verzeichnis, etwa eine, die noch geschrieben wird, wird zuerst ganz gelesen.</translation>
     </message>
     <message>
@@ -3469,7 +3469,7 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>Eine Zeile oder ein Ereignis zurück</translation>
     </message>
     <message>
-        <source>One row or event on</source>
+        <source>One row or event forward</source>
         <translation>Eine Zeile oder ein Ereignis weiter</translation>
     </message>
     <message>
@@ -3489,7 +3489,7 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>Wie schnell die Aufzeichnung abgespielt wird</translation>
     </message>
     <message>
-        <source>Begin again at the end</source>
+        <source>Restart at the end</source>
         <translation>Am Ende von vorn beginnen</translation>
     </message>
     <message>
@@ -3505,7 +3505,7 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>In der Zwischenablage: %1</translation>
     </message>
     <message>
-        <source>Load what came since</source>
+        <source>Load newer data</source>
         <translation>Neues nachladen</translation>
     </message>
     <message>
@@ -3569,12 +3569,12 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>&amp;Langsamer</translation>
     </message>
     <message>
-        <source>One row or event &amp;on</source>
+        <source>One row or event for&amp;ward</source>
         <translation>Eine Zeile oder ein Ereignis &amp;weiter</translation>
     </message>
     <message>
         <source>One row or event &amp;back</source>
-        <translation>Eine Zeile oder ein Ereignis &amp;zurück</translation>
+        <translation>Eine Zeile oder ein Ereignis zurüc&amp;k</translation>
     </message>
     <message>
         <source>&amp;Next event, loss or mark</source>
@@ -3585,8 +3585,8 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>&amp;Voriges Ereignis, voriger Verlust oder vorige Marke</translation>
     </message>
     <message>
-        <source>To the be&amp;gin</source>
-        <translation>Zum A&amp;nfang</translation>
+        <source>To the be&amp;ginning</source>
+        <translation>Zum An&amp;fang</translation>
     </message>
     <message>
         <source>To the &amp;end</source>
@@ -3621,7 +3621,7 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>Strg+Links, Strg+Rechts, T</translation>
     </message>
     <message>
-        <source>Shift a recorded curve in time; to an exact value</source>
+        <source>Shift a recorded curve in time; T sets an exact shift</source>
         <translation>Eine aufgezeichnete Kurve in der Zeit verschieben; auf einen genauen Wert</translation>
     </message>
     <message>
@@ -3629,7 +3629,7 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>Verschiebung</translation>
     </message>
     <message>
-        <source>Is added to all times of the recording: “-12.5” or “+2 h 03 min”</source>
+        <source>This time is added to all times of the recording: “-12.5” or “+2 h 03 min”</source>
         <translation>Wird zu allen Zeiten der Aufzeichnung addiert: „-12.5“ oder „+2 h 03 min“</translation>
     </message>
     <message>
@@ -3657,7 +3657,7 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>%1: &quot;recording&quot; muss eine Datei sein, und &quot;shift_ns&quot; eine ganze Zahl von ns bis 100 Jahre</translation>
     </message>
     <message>
-        <source>%1 is shifted by %2; Alt+Left takes it back</source>
+        <source>%1 is shifted by %2; Alt+Left undoes the shift</source>
         <translation>%1 ist um %2 verschoben; Alt+Links nimmt es zurück</translation>
     </message>
     <message>
@@ -3705,7 +3705,7 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>wird gelesen</translation>
     </message>
     <message>
-        <source>the file is no longer there; what was read stays</source>
+        <source>the file does not exist any more; the data that was already read is still shown</source>
         <translation>die Datei ist nicht mehr da; was gelesen wurde, bleibt</translation>
     </message>
     <message>

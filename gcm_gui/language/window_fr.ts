@@ -930,7 +930,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>Reprendre la vue (Espace)</translation>
     </message>
     <message>
-        <source>Pause the view, not the data (Space)</source>
+        <source>Pause the view; new data is still received (Space)</source>
         <translation>Figer la vue, pas les données (Espace)</translation>
     </message>
     <message>
@@ -1214,7 +1214,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>Retour</translation>
     </message>
     <message>
-        <source>Go on after an error</source>
+        <source>Continue after an error</source>
         <translation>Continuer après une erreur</translation>
     </message>
     <message>
@@ -1274,7 +1274,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>Cible %1&#xa0;: étape %2 sur %3</translation>
     </message>
     <message>
-        <source>Target %1: %2 done, %3 failed, %4 left</source>
+        <source>Target %1: %2 done, %3 failed, %4 remaining</source>
         <translation>Cible %1&#xa0;: %2 faites, %3 échouées, %4 restantes</translation>
     </message>
     <message>
@@ -1478,7 +1478,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>  la même chose dans un terminal&#xa0;: </translation>
     </message>
     <message>
-        <source>Values and plots come directly from the processes, so values and plots continue.</source>
+        <source>Values and plots continue, because they come directly from the processes.</source>
         <translation>Les valeurs et les graphiques viennent directement de leurs processus et continuent.</translation>
     </message>
     <message>
@@ -1582,7 +1582,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>Trouve tout ce qui peut se faire et tout ce qui existe  (Ctrl+K)</translation>
     </message>
     <message>
-        <source>Pauses the drawing, never the data  (Space)</source>
+        <source>Pauses the display; new data is still received  (Space)</source>
         <translation>Fige le dessin, jamais les données  (Espace)</translation>
     </message>
     <message>
@@ -1858,7 +1858,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>Tab, Maj+Tab</translation>
     </message>
     <message>
-        <source>To the next part, to the previous part</source>
+        <source>Go to the next or previous part</source>
         <translation>Vers la partie suivante, précédente</translation>
     </message>
     <message>
@@ -1870,7 +1870,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>Esc</translation>
     </message>
     <message>
-        <source>Leaves the connect mode, a card, a field</source>
+        <source>Leave the connect mode, a card or a field</source>
         <translation>Quitte le mode de connexion, une fiche, un champ</translation>
     </message>
     <message>
@@ -1930,7 +1930,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>A, B, Suppr</translation>
     </message>
     <message>
-        <source>Place the cursors, remove them</source>
+        <source>Place or remove the cursors</source>
         <translation>Placer les curseurs, les retirer</translation>
     </message>
     <message>
@@ -1942,7 +1942,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>Espace</translation>
     </message>
     <message>
-        <source>Hide the curve, show it</source>
+        <source>Hide or show the curve</source>
         <translation>Masquer la courbe, la montrer</translation>
     </message>
     <message>
@@ -2042,7 +2042,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>Vos actions sont listées ici ; chacune peut être annulée, ou copiée comme ligne de commande. D&apos;autres onglets montrent les problèmes, le journal et une console.</translation>
     </message>
     <message>
-        <source>Everything by its name</source>
+        <source>Find everything by name</source>
         <translation>Tout par son nom</translation>
     </message>
     <message>
@@ -3075,7 +3075,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation> ne peut pas être affiché : </translation>
     </message>
     <message>
-        <source>The component is told that it was suspended. If its author has written code for this case, the component starts from the current situation; otherwise the component continues its previous action.</source>
+        <source>The component is notified that it was suspended. If its author has written code for this case, the component starts from the current situation; otherwise the component continues its previous action.</source>
         <translation>Le composant est informé qu&apos;il était suspendu. Si son auteur l&apos;a prévu, il part de la situation actuelle ; sinon il continue son action précédente.</translation>
     </message>
     <message>
@@ -3221,11 +3221,11 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>Rien n’est sélectionné</translation>
     </message>
     <message>
-        <source>Plot a signal (P), or choose something else to record in the menu Record.</source>
+        <source>Plot a signal (P), or select another subject in the menu Record.</source>
         <translation>Tracer un signal (P), ou choisir autre chose dans le menu Enregistrement.</translation>
     </message>
     <message>
-        <source>Select a component, or choose something else to record in the menu Record.</source>
+        <source>Select a component, or select another subject in the menu Record.</source>
         <translation>Sélectionner un composant, ou choisir autre chose dans le menu Enregistrement.</translation>
     </message>
     <message>
@@ -3413,7 +3413,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>Impossible d’ouvrir %1, car %2 ne démarre pas</translation>
     </message>
     <message>
-        <source>%1 opens in a window of its own</source>
+        <source>%1 opens in a separate window</source>
         <translation>%1 s’ouvre dans sa propre fenêtre</translation>
     </message>
     <message>
@@ -3425,7 +3425,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>Ouverture de %1</translation>
     </message>
     <message>
-        <source>A file without an index, such as one that is still being written, is read as a whole first.</source>
+        <source>A file without an index, such as a file that is still being written, must first be read completely.</source>
         <translation>Un fichier sans index, par exemple en cours d’écriture, est d’abord lu en entier.</translation>
     </message>
     <message>
@@ -3469,7 +3469,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>Reculer d’une ligne ou d’un événement</translation>
     </message>
     <message>
-        <source>One row or event on</source>
+        <source>One row or event forward</source>
         <translation>Avancer d’une ligne ou d’un événement</translation>
     </message>
     <message>
@@ -3489,7 +3489,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>Vitesse de lecture de l’enregistrement</translation>
     </message>
     <message>
-        <source>Begin again at the end</source>
+        <source>Restart at the end</source>
         <translation>Recommencer à la fin</translation>
     </message>
     <message>
@@ -3505,7 +3505,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>Dans le presse-papiers&#xa0;: %1</translation>
     </message>
     <message>
-        <source>Load what came since</source>
+        <source>Load newer data</source>
         <translation>Charger la suite</translation>
     </message>
     <message>
@@ -3569,7 +3569,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>Moins vi&amp;te</translation>
     </message>
     <message>
-        <source>One row or event &amp;on</source>
+        <source>One row or event for&amp;ward</source>
         <translation>&amp;Avancer d’une ligne ou d’un événement</translation>
     </message>
     <message>
@@ -3585,7 +3585,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>Événement, perte ou repère &amp;précédent</translation>
     </message>
     <message>
-        <source>To the be&amp;gin</source>
+        <source>To the be&amp;ginning</source>
         <translation>Au &amp;début</translation>
     </message>
     <message>
@@ -3621,7 +3621,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>Ctrl+Gauche, Ctrl+Droite, T</translation>
     </message>
     <message>
-        <source>Shift a recorded curve in time; to an exact value</source>
+        <source>Shift a recorded curve in time; T sets an exact shift</source>
         <translation>Décaler une courbe enregistrée dans le temps&#xa0;; à une valeur exacte</translation>
     </message>
     <message>
@@ -3629,7 +3629,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>Décalage en temps</translation>
     </message>
     <message>
-        <source>Is added to all times of the recording: “-12.5” or “+2 h 03 min”</source>
+        <source>This time is added to all times of the recording: “-12.5” or “+2 h 03 min”</source>
         <translation>S’ajoute à tous les temps de l’enregistrement&#xa0;: « -12.5 » ou « +2 h 03 min »</translation>
     </message>
     <message>
@@ -3657,7 +3657,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>%1&#xa0;: &quot;recording&quot; doit être un fichier, et &quot;shift_ns&quot; un nombre entier de ns jusqu’à 100 ans</translation>
     </message>
     <message>
-        <source>%1 is shifted by %2; Alt+Left takes it back</source>
+        <source>%1 is shifted by %2; Alt+Left undoes the shift</source>
         <translation>%1 est décalé de %2&#xa0;; Alt+Gauche l’annule</translation>
     </message>
     <message>
@@ -3705,7 +3705,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>en cours de lecture</translation>
     </message>
     <message>
-        <source>the file is no longer there; what was read stays</source>
+        <source>the file does not exist any more; the data that was already read is still shown</source>
         <translation>le fichier n’est plus là&#xa0;; ce qui a été lu reste</translation>
     </message>
     <message>

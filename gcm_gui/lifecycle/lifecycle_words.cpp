@@ -65,7 +65,7 @@ QString EffectOf(LifecycleVerb verb, ComponentState state) {
   const bool is_suspended = state == ComponentState::kSuspended;
   if (verb == LifecycleVerb::kStart && is_suspended) {
     return Words::tr(
-        "The component is told that it was suspended. If its author has written code for this "
+        "The component is notified that it was suspended. If its author has written code for this "
         "case, the component starts from the current situation; otherwise the component continues "
         "its previous action.");
   }

@@ -396,7 +396,7 @@ void CatalogueModel::setOutdated(bool outdated) {
   if (outdated == outdated_) return;
   outdated_ = outdated;
   if (!outdated) begun_ = now_;
-  // Qt redraws all visible rows, whatever range the signal names.
+  // Qt redraws all visible rows, regardless of the range in the signal.
   if (root_->children.empty()) return;
   Q_EMIT dataChanged(indexFor(*root_->children.front()), indexFor(*root_->children.back(), kLast));
 }

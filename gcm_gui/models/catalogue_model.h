@@ -23,8 +23,8 @@ namespace tendon::gui {
 
 /// The catalogue as a tree of processes, components, interfaces and members. Below the columns of
 /// state tables are their values. Further columns of the view show rate, age and connections. New
-/// rows are marked for ten seconds, except those of the first snapshot. An update keeps unchanged
-/// rows, even if the process was restarted. GUI thread.
+/// rows are marked for ten seconds, except the rows of the first snapshot. An update keeps
+/// unchanged rows, even if the process was restarted. GUI thread.
 class CatalogueModel : public QAbstractItemModel {
   Q_OBJECT
 

@@ -31,7 +31,7 @@ class FilterExpression {
     bool negated = false;
   };
 
-  /// Parses a word, given without its leading `-`.
+  /// Parses a word without its leading `-`.
   [[nodiscard]] static Term Read(QString word);
   [[nodiscard]] static bool Holds(const Term& term, const CatalogueItem& item);
 

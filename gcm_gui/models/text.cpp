@@ -13,7 +13,7 @@ namespace {
 constexpr double kLastExact = 1e15;  // a double can represent every integer up to this limit
 constexpr double kMostPlain = 1e12;  // larger than seconds since 1970, which must stay readable
 
-/// Formats a number with so many decimals that it has four digits.
+/// Formats a number with as many decimals as are needed for four digits.
 QString FourDigits(double value) {
   const double size = std::abs(value);
   const int decimals = size < 10 ? 3 : size < 100 ? 2 : size < 1000 ? 1 : 0;

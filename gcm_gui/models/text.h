@@ -58,8 +58,8 @@ struct Quantity {
 /// clients"; empty for 0.
 [[nodiscard]] QString CountText(std::int64_t count, const QString& one, const QString& many);
 
-/// How a signature names the types of argument and result: short "LinkId → Pose", or whole
-/// "arm.LinkId → geometry_msgs.Pose".
+/// The form in which a signature names the types of argument and result: short "LinkId → Pose", or
+/// whole "arm.LinkId → geometry_msgs.Pose".
 enum class TypeNames { kShort, kWhole };
 [[nodiscard]] QString TypesText(const MemberDescription& member, TypeNames names);
 

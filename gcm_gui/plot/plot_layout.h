@@ -14,8 +14,8 @@ class PlotPanel;
 /// loaded.
 [[nodiscard]] QByteArray LayoutOf(const PlotPanel& panel);
 
-/// Replaces all plots by those of `layout`. A curve whose signal does not exist yet waits for its
-/// signal. If the layout cannot be read, changes nothing and returns the reason.
+/// Replaces all plots by the plots of `layout`. A curve whose signal does not exist yet waits for
+/// its signal. If the layout cannot be read, changes nothing and returns the reason.
 [[nodiscard]] std::optional<QString> ShowLayout(PlotPanel& panel, const QByteArray& layout);
 
 }  // namespace tendon::gui

@@ -89,7 +89,7 @@ void PlotPanel::prepare(PlotView& given) {
     for (const CurveKey& key : keys) add(*view, key);
   });
   connect(view, &PlotView::recordingMoved, this, [this](const QString& recording, qint64 shift_ns) {
-    Q_EMIT notice(Words::tr("%1 is shifted by %2; Alt+Left takes it back")
+    Q_EMIT notice(Words::tr("%1 is shifted by %2; Alt+Left undoes the shift")
                       .arg(QFileInfo(recording).fileName(), ShiftText(shift_ns)));
   });
   connect(view, &PlotView::curvesMoved, this,
@@ -141,8 +141,8 @@ void PlotPanel::removeFrom(PlotView& view, const QString& given) {
   if (!isPlotted(path)) Q_EMIT subscriptionReleased(path);
 }
 
-// Returns the names from another plot that has this signal. The source announces the names only
-// once.
+// Returns the names of the values of this signal, from any plot that shows the signal. The source
+// announces these names only once.
 ValueNamesPointer PlotPanel::namesOf(const QString& path) const {
   for (const PlotView* view : plots()) {
     if (const Curve* curve = view->curve(path)) return curve->allNames();
@@ -171,7 +171,7 @@ void PlotPanel::append(const QString& path, std::span<const Sample> samples) {
     Curve* curve = view->curve(path);
     if (curve == nullptr) continue;
     curve->append(samples);
-    // Only the newest sample of a live curve makes a plot draw by itself.
+    // New samples of a recorded curve do not cause a redraw by themselves.
     if (curve->isRecorded()) view->curveStateChanged();
   }
 }

@@ -47,16 +47,17 @@ class PlotPanel : public QWidget {
   /// Sets the names of a signal's values in all present and future plots; null if the values are
   /// plain numbers.
   void setNames(const QString& path, const ValueNamesPointer& names);
-  /// Empties all curves of the shown system or of a recording, because samples of another time
+  /// Clears all curves of the shown system or of a recording, because samples of another time
   /// follow.
   void removeSamples(const QString& recording = {});
-  /// Sets the time of a recording, in ns of the plots' clock without its shift. Its curves have no
-  /// values outside of it.
+  /// Sets the time span of a recording, in ns of the plots' clock without the recording's shift.
+  /// Its curves have no values outside of this span.
   void setRecordedTime(const QString& recording, const TimeSpan& time);
-  /// Shifts a recording, whose time is known, so that its begin is at the left edge of the plot.
+  /// Shifts a recording so that its beginning is at the left edge of the plot. The time of the
+  /// recording must be known.
   void showBegin(PlotView& view, const QString& recording);
   /// Returns the part of a recording that the current page shows, in ns of the plots' clock without
-  /// the recording's shift; nothing if it shows no curve of it.
+  /// the recording's shift; returns nothing if the page shows no curve of this recording.
   [[nodiscard]] std::optional<TimeSpan> seenOf(const QString& recording) const;
   /// Called when the source was restarted, so that its ticks start again.
   void beginEpoch(const QString& path);
@@ -96,9 +97,9 @@ class PlotPanel : public QWidget {
   void setCandidates(std::function<QList<CurveKey>(const QString& path)> candidates);
   /// Sets the function that returns where rows of a signal were lost.
   void setLosses(std::function<RowLosses(const QString& path)> losses);
-  /// Returns why a signal is old and since when; empty if the signal is not old. `newest_ns` is the
-  /// time of its newest sample. This function is called a few times per second; the result is
-  /// passed to Curve::setStandstill().
+  /// Returns a text with the reason why a signal is old and the time since then; empty if the
+  /// signal is not old. `newest_ns` is the time of its newest sample. This function is called a few
+  /// times per second; the result is passed to Curve::setStandstill().
   using Standstills =
       std::function<QString(const QString& path, std::optional<std::int64_t> newest_ns)>;
   void setStandstills(Standstills standstills);

@@ -302,7 +302,7 @@ void PlotView::updateLive() {
 }
 
 std::int64_t PlotView::now() const {
-  // A recording is always complete up to its moment, so there is no delay to estimate.
+  // A recording is always complete up to the shown moment, so there is no delay to estimate.
   return IsMomentShown() ? ShownTime() : time_axis_->clock().now(ShownTime());
 }
 
@@ -448,7 +448,7 @@ void PlotView::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
   const QByteArray from = event->mimeData()->data(kPlotMimeType);
   if (from.isEmpty() || RecordedMomentIn(*event->mimeData())) {
-    // The moment that the other window shows is at the right edge there, so it is here, too.
+    // The other window has its shown moment at the right edge, so this plot also shows it there.
     const auto moment = RecordedMomentIn(*event->mimeData());
     const QString recording = RecordingOf(keys.front().path);
     if (moment && !isOnPage(recording)) {
@@ -641,7 +641,7 @@ QString PlotView::recordingAt(const QPointF& point) const {
   return nearest;
 }
 
-// Moves the recorded curves to where the recordings are on this time axis.
+// Moves the recorded curves to the positions of their recordings on this time axis.
 void PlotView::takeShifts() {
   for (const auto& curve : curves_.curves()) {
     if (curve->isRecorded()) curve->setShift(shift(curve->recording()));

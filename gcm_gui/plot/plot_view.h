@@ -35,7 +35,7 @@ class PlotOverlay;
 ///
 /// Redraws itself at most at 60 Hz, and less often if drawing is slow (FrameGovernor). It redraws
 /// only while it is visible, and only if something has changed. The curves keep all samples,
-/// whatever part is shown. GUI thread.
+/// including samples outside of the shown part. GUI thread.
 class PlotView : public QwtPlot {
   Q_OBJECT
 
@@ -87,16 +87,16 @@ class PlotView : public QwtPlot {
   /// Ends the present step of the history, so that the next gesture begins a new step; see
   /// SharedTimeAxis::Gesture.
   void endRun();
-  /// Moves the curves of a recording by `pixels`, to the right if they are above 0. The view stays
-  /// as it is.
+  /// Moves the curves of a recording by `pixels`, to the right if they are above 0. The visible
+  /// time does not change.
   void moveRecording(const QString& recording, double pixels);
-  /// Sets the time that is added to the times of a recording. This is a step of the history, unless
-  /// no curve of it is shown yet.
+  /// Sets the time that is added to the times of a recording. This is a step of the history if a
+  /// curve of the recording is already shown.
   void setShift(const QString& recording, std::int64_t shift_ns);
   [[nodiscard]] std::int64_t shift(const QString& recording) const;
   enum class Edge { kLeft, kRight };
-  /// Sets the shift so that this time of the recording, on the plots' clock without its shift, is
-  /// at an edge of the view.
+  /// Sets the shift so that a time of the recording is at an edge of the view. The time is on the
+  /// plots' clock, without the recording's shift.
   void align(const QString& recording, std::int64_t time_ns, Edge edge);
   /// True if this plot, or another one with this time axis, shows a curve of the recording.
   [[nodiscard]] bool isOnPage(const QString& recording) const;
@@ -112,7 +112,7 @@ class PlotView : public QwtPlot {
   [[nodiscard]] bool hasFormerView() const;
   [[nodiscard]] bool hasLaterView() const;
 
-  /// Places the cursor at the time of canvas column `x`, in a live plot too.
+  /// Places the cursor at the time of canvas column `x`, even in a live plot.
   void placeCursor(Cursor cursor, double x);
   /// Returns the cursor that is drawn within a few pixels of `x`.
   [[nodiscard]] std::optional<Cursor> cursorAt(double x) const;
@@ -165,7 +165,7 @@ class PlotView : public QwtPlot {
   void drawCanvas(QPainter* painter) override;
   [[nodiscard]] QSize minimumSizeHint() const override { return {240, 120}; }
   [[nodiscard]] QSize sizeHint() const override { return {640, 280}; }
-  /// Redraws what has changed; called by a timer.
+  /// Redraws the changed parts; called by a timer.
   void refresh();
 
  Q_SIGNALS:

@@ -80,7 +80,7 @@ void SharedTimeAxis::go(std::vector<ViewState>& from, std::vector<ViewState>& to
   const ViewState state = std::move(from.back());
   from.pop_back();
   window_ = state.window;
-  // A recording that was added later stays where it is.
+  // A recording that was added later is not moved.
   for (const auto& [recording, shift_ns] : state.shifts) shifts_[recording] = shift_ns;
   for (const auto& [set, axes] : state.axes) TakeOver(set->axes(), axes);
   endRun();

@@ -16,8 +16,8 @@
 namespace tendon::gui {
 
 /// The state that the plots of one page share: the visible time, the present time of the sources,
-/// the shifts of recordings against it, the cursors, the column under the mouse, and the history of
-/// views.
+/// the shifts of recordings relative to this time, the cursors, the column under the mouse, and the
+/// history of views.
 ///
 /// A plot that changes something must call touch(). The other plots compare revision() to notice
 /// the change. GUI thread.
@@ -47,12 +47,12 @@ class SharedTimeAxis {
   /// Sets the column under the mouse. Returns true if it has changed.
   bool setHover(std::optional<int> column);
 
-  /// The time that is added to the times of a recording; nothing if it was not set. All curves of a
-  /// recording have the same shift.
+  /// The time that is added to the times of a recording; no value if no time was set. All curves of
+  /// a recording have the same shift.
   [[nodiscard]] std::optional<std::int64_t> shift(const QString& recording) const;
   /// True if one of the plots shows a curve of this recording.
   [[nodiscard]] bool isShown(const QString& recording) const;
-  /// Sets it to at most kLongestShift in both directions.
+  /// Sets this time, limited to kLongestShift in both directions.
   void setShift(const QString& recording, std::int64_t shift_ns);
 
   void touch() { ++revision_; }

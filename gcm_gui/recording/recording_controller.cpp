@@ -31,11 +31,11 @@ QString DefaultFolder() {
   return folder + QStringLiteral("/recordings");
 }
 
-/// `robot/arm/state.Joints` for `robot/arm/state.Joints.position[0]`: a recording holds whole
-/// columns.
+/// Returns `robot/arm/state.Joints` for `robot/arm/state.Joints.position[0]`, because a recording
+/// contains whole columns.
 QString PatternOfSignal(const QString& path) { return SourceOf(path) + '.' + ColumnOf(path); }
 
-/// `robot/arm` for something in it, `robot` for the process itself.
+/// Returns `robot/arm` for an object in this component, and `robot` for the process itself.
 QString PatternOfSelection(const QString& path) {
   return path.section('/', 0, 1).section('.', 0, 0);
 }
@@ -141,10 +141,10 @@ void RecordingController::begin(std::chrono::seconds past) {
                                    ? Words::tr("Nothing is plotted")
                                    : Words::tr("Nothing is selected"),
                       .detail = scope_ == RecordingScope::kPlotted
-                                    ? Words::tr("Plot a signal (P), or choose something else to "
-                                                "record in the menu Record.")
-                                    : Words::tr("Select a component, or choose something else to "
-                                                "record in the menu Record."),
+                                    ? Words::tr("Plot a signal (P), or select another subject "
+                                                "in the menu Record.")
+                                    : Words::tr("Select a component, or select another subject "
+                                                "in the menu Record."),
                       .file = {}});
   }
   subject_ = chosenSubject();

@@ -32,8 +32,8 @@ struct RecordingReport {
   bool has_losses = false;
 };
 
-/// Records what the user has chosen, and lists each recording as an action. Has no widgets. GUI
-/// thread.
+/// Records the objects that the user has chosen, and lists each recording as an action. Has no
+/// widgets. GUI thread.
 class RecordingController : public QObject {
   Q_OBJECT
 
@@ -74,7 +74,7 @@ class RecordingController : public QObject {
   void toggle();
   void start();
   void stop();
-  /// Saves the last 30 s that the processes have kept, as a recording that ends by itself. Does
+  /// Saves the last 30 s of the processes' history, as a recording that ends by itself. Does
   /// nothing while a recording runs.
   void saveLast();
 

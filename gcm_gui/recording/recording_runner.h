@@ -25,7 +25,7 @@ struct RecordingProgress {
   recording::RecorderStatus status;
   double seconds = 0.0;  ///< time since its begin
   double rate = 0.0;     ///< growth of the file in the last seconds, in bytes per second
-  /// The reasons why a saved past is not complete: one sentence for each process or table.
+  /// The reasons why a saved history is not complete: one sentence for each process or table.
   QStringList shortfalls{};
 };
 
@@ -47,7 +47,7 @@ class RecordingRunner : public QObject {
   void refused(const QString& sentence);
   /// Emitted several times a second.
   void progressed(const tendon::gui::RecordingProgress& progress);
-  /// A process or the GCM was lost or came back; the recording goes on.
+  /// A process or the GCM was lost or came back; the recording continues.
   void interrupted(const QString& sentence);
   /// `failure` is empty if the file is complete.
   void ended(const tendon::gui::RecordingProgress& progress, const QString& failure);

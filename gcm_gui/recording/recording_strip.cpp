@@ -28,7 +28,7 @@ QLabel* MakeFigure(const char* name) {
   return label;
 }
 
-/// A figure only grows in width, so that its neighbours stay in place while it changes.
+/// The width of a figure never shrinks, so that its neighbours do not move when the figure changes.
 void ShowFigure(QLabel& label, const QString& text) {
   label.setText(text);
   label.setMinimumWidth(std::max(label.minimumWidth(), label.sizeHint().width()));

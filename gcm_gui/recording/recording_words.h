@@ -16,7 +16,7 @@ struct RecordingProgress;
 /// Returns a size as text, with powers of 1000: "1.2 MB".
 [[nodiscard]] QString BytesText(std::uint64_t bytes);
 
-/// Returns one line for each table and event with losses, which says where the losses occurred:
+/// Returns one line for each table and event with losses. The line names the places of the losses:
 /// "robot/arm/state: 12 rows lost in its process, 3 in this window, because the disk was too slow".
 [[nodiscard]] QStringList LossLines(const recording::Losses& losses);
 

@@ -43,10 +43,10 @@ class GrowthRate {
 
 /// One recording, shared by its thread and the worker.
 ///
-/// It has a GcmClient of its own and does not share the window's. A recorder requests the log and
-/// whole catalogues, and the window's listener would receive them, too. Rows of a shared client
-/// pass through one thread, so a recording of everything would delay the plots. And the file must
-/// be completed while the window and its session end.
+/// It has its own GcmClient and does not share the window's. A recorder requests the log and whole
+/// catalogues, and the window's listener would receive them, too. Rows of a shared client pass
+/// through one thread, so a recording of everything would delay the plots. In addition, the file
+/// must be completed while the window and its session end.
 class RecordingWorker::Run {
  public:
   Run(std::shared_ptr<Middleware> middleware, GcmClient::Options options, RecordingRequest request,
@@ -65,7 +65,8 @@ class RecordingWorker::Run {
     } catch (...) {
       failure = CurrentExceptionText();
     }
-    end(failure);  // now that the client is gone, which may wait for the network
+    end(failure);  // done only now, after the client was destroyed, because its destructor may wait
+                   // for the network
     const std::lock_guard lock(mutex_);
     is_done_ = true;
     changed_.notify_all();
@@ -95,7 +96,7 @@ class RecordingWorker::Run {
 
   template <typename... Args, typename... Values>
   void report(void (RecordingRunner::*signal)(Args...), const Values&... values) {
-    // The worker is used only in its own thread, and only while it lives.
+    // The worker is used only in its own thread, and only while it exists.
     poster_->post([&worker = worker_, signal, values...] { (worker.*signal)(values...); });
   }
 
@@ -153,7 +154,7 @@ class RecordingWorker::Run {
     return {};
   }
 
-  /// Calls `make(file)` with the next name until there is no file of this name.
+  /// Calls `make(file)` with one name after another until a name is not in use.
   template <typename T, typename Make>
   Result<T> withFreeName(Make make) {
     const std::filesystem::path folder = request_.folder.toStdString();
@@ -229,7 +230,8 @@ RecordingWorker::~RecordingWorker() {
 }
 
 void RecordingWorker::start(const RecordingRequest& request) {
-  if (thread_.joinable()) thread_.join();  // has told its end, which is the last thing that it does
+  if (thread_.joinable())
+    thread_.join();  // the thread has reported its end, which is its last action
   run_ = std::make_shared<Run>(middleware_, options_, request, poster_, *this);
   thread_ = std::thread([run = run_] { run->record(); });
 }

@@ -5,8 +5,9 @@
 
 namespace tendon::gui {
 
-/// The time of a recording while it is played. It runs with a speed, stops and jumps. All times are
-/// in ns: times of the recording since 1970, and `now` on any clock that never goes back.
+/// The time of a recording while it is played. It runs with an adjustable speed, and can stop and
+/// jump. All times are in ns: times of the recording since 1970, and `now` on any clock that never
+/// goes back.
 class PlaybackClock {
  public:
   /// The speeds that the user can choose, sorted.
@@ -17,11 +18,11 @@ class PlaybackClock {
   enum class Turn {
     kNone,
     kEnded,       ///< the clock has reached the end and has stopped
-    kBeganAgain,  ///< the clock has reached the end and runs from the begin again
+    kBeganAgain,  ///< the clock has reached the end and runs from the start again
   };
 
   PlaybackClock() = default;
-  /// Makes a clock that stands at the begin. `last` must not be before `first`.
+  /// Makes a clock that is stopped at the start. `last` must not be before `first`.
   PlaybackClock(std::int64_t first, std::int64_t last)
       : first_(first), last_(last), position_(first) {}
 
@@ -30,7 +31,7 @@ class PlaybackClock {
   [[nodiscard]] std::int64_t length() const { return last_ - first_; }
 
   [[nodiscard]] bool isPlaying() const { return is_playing_; }
-  /// Runs from now on. If the clock is at the end, it begins again.
+  /// Starts the clock. If it is at the end, it starts from the beginning.
   void play(std::int64_t now);
   void pause(std::int64_t now);
   [[nodiscard]] double speed() const { return speed_; }
@@ -40,14 +41,14 @@ class PlaybackClock {
   [[nodiscard]] double fasterSpeed() const;
   /// Returns the next slower speed of kSpeeds, or the present speed if there is none.
   [[nodiscard]] double slowerSpeed() const;
-  /// Says whether the clock begins again at the end.
+  /// Sets whether the clock starts from the beginning when it reaches the end.
   void setLooping(bool looping) { is_looping_ = looping; }
   [[nodiscard]] bool isLooping() const { return is_looping_; }
 
-  /// Jumps to `position`, limited to the recording. The clock goes on from there if it runs.
+  /// Jumps to `position`, limited to the recording. A running clock continues from there.
   void seek(std::int64_t position, std::int64_t now);
   [[nodiscard]] std::int64_t position(std::int64_t now) const;
-  /// Call this regularly. At the end of the recording, it stops the clock or begins again.
+  /// Call this regularly. At the end of the recording, it stops the clock or sets it to the start.
   Turn update(std::int64_t now);
 
  private:

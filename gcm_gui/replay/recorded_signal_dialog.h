@@ -17,9 +17,9 @@ namespace tendon::gui {
 
 class RowView;
 
-/// Lists the numbers in a recording, of which the user chooses some for a plot. Those whose live
-/// curves the plot shows come first, and are selected. A recording that cannot be opened is refused
-/// here, with the reason. Deletes itself when it is closed.
+/// Lists the numbers in a recording, so that the user can choose some of them for a plot. The
+/// numbers whose live curves are in the plot come first, and are selected. If the recording cannot
+/// be opened, the dialog shows the reason. Deletes itself when it is closed.
 class RecordedSignalDialog : public QDialog {
   Q_OBJECT
 
@@ -27,12 +27,12 @@ class RecordedSignalDialog : public QDialog {
   /// `plotted` are the signals that the plot shows.
   RecordedSignalDialog(const QString& file, QSet<QString> plotted, QWidget* parent);
 
-  /// The signals that are listed, and those that are selected.
+  /// The listed signals and the selected signals.
   [[nodiscard]] int count() const { return rows_.rowCount(); }
   [[nodiscard]] QList<CurveKey> selected() const;
 
  Q_SIGNALS:
-  /// Emitted with the recorded paths of the chosen signals. `begin_ns` is the begin of the
+  /// Emitted with the recorded paths of the chosen signals. `begin_ns` is the start of the
   /// recording in ns since 1970.
   void chosen(const QList<CurveKey>& keys, qint64 begin_ns);
 

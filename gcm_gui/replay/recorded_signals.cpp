@@ -21,7 +21,7 @@ constexpr std::int64_t kMostMargin = 60'000'000'000;      // ns, before and afte
 
 }  // namespace
 
-/// One open recording. Times are in ns since 1970 here, except those of samples.
+/// One open recording. Its times are in ns since 1970, except the times of samples.
 class RecordedSignals::File : public QObject {
  public:
   File(RecordedSignals& owner, QString path) : owner_(owner), path_(std::move(path)) {
@@ -49,7 +49,7 @@ class RecordedSignals::File : public QObject {
     tell(signal, failure_.isEmpty() ? Words::tr("is being read") : failure_);
   }
   void release(const QString& signal) { signals_.release(signal); }
-  /// True if the file can be closed without a wait.
+  /// True if the file can be closed without waiting.
   [[nodiscard]] bool isUnused() const { return !is_busy_ && signals_.subscribed().isEmpty(); }
 
   void follow(std::optional<TimeSpan> seen) {
@@ -89,10 +89,12 @@ class RecordedSignals::File : public QObject {
     if (step.is_jump) signals_.endJump();
     signals_.deliver();
     tellProblems(step.problems);
-    if (step.is_gone) fail(Words::tr("the file is no longer there; what was read stays"));
+    if (step.is_gone)
+      fail(Words::tr(
+          "the file does not exist any more; the data that was already read is still shown"));
   }
 
-  // Nothing of the recording is seen, so nothing is read.
+  // No part of the recording is visible, so nothing is read.
   void beOutOfSight() {
     if (std::exchange(is_past_wanted_, false)) {
       read_.reset();
@@ -119,7 +121,7 @@ class RecordedSignals::File : public QObject {
   }
 
   void passOn(const QString& signal, std::span<const Sample> samples) {
-    // From the time of a window that shows the recording to that of the plots.
+    // Converts a time of the window that shows the recording to the time of the plots.
     const std::int64_t by_ns = MovedTime(-ReplayReader::SampleTime(0, facts_.first), -WallOffset());
     std::vector<Sample> moved(samples.begin(), samples.end());
     for (Sample& sample : moved) sample.time_ns = MovedTime(sample.time_ns, by_ns);

@@ -12,19 +12,19 @@
 
 namespace tendon::gui {
 
-/// Signals of recordings beside those of the shown system. Their paths are RecordedPath()s, and the
-/// times of their samples those that the plots' clock had when they were recorded: the recorded
-/// time minus WallOffset().
+/// The signals of recordings that are plotted beside signals of the shown system. Their paths come
+/// from RecordedPath(). The times of their samples are on the plots' clock: the recorded time minus
+/// WallOffset().
 ///
-/// Each file is read in a thread of its own, by its index, and only as far as it is seen, at most
-/// an hour: a part before and after it as well, so that a small move shows no hole. It is closed
+/// Each file is read by its index, in its own thread. Only the visible part is read, at most an
+/// hour, and some time before and after it, so that a small move shows no gap. The file is closed
 /// some time after its last signal was released.
 class RecordedSignals final : public SignalSource {
   Q_OBJECT
 
  public:
-  /// Returns the part of a recording that plots show, in the time of the samples; nothing if they
-  /// show none of it.
+  /// Returns the part of a recording that is visible in plots, on the clock of the samples; empty
+  /// if no part is visible.
   using Seen = std::function<std::optional<TimeSpan>(const QString& recording)>;
 
   explicit RecordedSignals(Seen seen, QObject* parent = nullptr);
@@ -36,13 +36,14 @@ class RecordedSignals final : public SignalSource {
   [[nodiscard]] RowLosses losses(const QString& /*signal*/) const override { return {}; }
   void retry(const QString& /*column*/) override {}
 
-  /// Reads what is seen now; called by a timer.
+  /// Reads the parts that are visible now; called by a timer.
   void follow();
 
  Q_SIGNALS:
-  /// The time that the recording covers, in the time of the samples.
+  /// Emitted when a recording was opened; `time` is its time span, on the clock of the samples.
   void opened(const QString& recording, const tendon::gui::TimeSpan& time);
-  /// All samples of the recording are out of date; those of the seen part follow.
+  /// Emitted when all samples of the recording are outdated; the samples of the visible part
+  /// follow.
   void readAgain(const QString& recording);
   /// One sentence for the user.
   void notice(const QString& text);

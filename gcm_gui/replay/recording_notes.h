@@ -19,7 +19,7 @@ class RecordingNotes {
   /// `folder` is the folder of the window's saved state; if it is empty, nothing is saved.
   explicit RecordingNotes(const QString& folder);
 
-  /// Returns the files, latest first, without those that do not exist any more.
+  /// Returns the files that still exist, latest first.
   [[nodiscard]] QStringList recent() const;
   void addRecent(const QString& file);
   /// The times of the marks, in ns since 1970.

@@ -30,7 +30,7 @@ void RecordingOpener::open(const QString& file) {
                              .arg(QFileInfo(file).fileName(), program_.front()));
   }
   notes_.addRecent(path);
-  Q_EMIT notice(Words::tr("%1 opens in a window of its own").arg(QFileInfo(file).fileName()));
+  Q_EMIT notice(Words::tr("%1 opens in a separate window").arg(QFileInfo(file).fileName()));
 }
 
 QStringList RecordingOpener::recordingsIn(const QMimeData& data) {

@@ -14,8 +14,8 @@ namespace tendon::gui {
 class PlotPanel;
 class RecordingNotes;
 
-/// Curves of recordings beside those of the system that a window shows. The user chooses a file and
-/// its signals here; a drag from the window of a recording needs no choice.
+/// Curves of recordings beside the curves of the shown system. The user chooses a file and its
+/// signals, or drags signals from the window of a recording.
 class RecordingOverlay : public QObject {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class RecordingOverlay : public QObject {
   /// All must outlive it.
   RecordingOverlay(PlotPanel& panel, RecordingNotes& notes, QWidget& window);
 
-  /// Where the rows of recorded curves come from.
+  /// The source of the rows of recorded curves.
   [[nodiscard]] RecordedSignals& source() { return source_; }
   /// Lets the user choose a file, and then signals for the current plot.
   void ask();

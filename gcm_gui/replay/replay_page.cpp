@@ -50,8 +50,8 @@ void ReplayPage::refresh() {
     case ReplaySession::State::kOpening:
       title_->setText(Words::tr("%1 is being opened").arg(session_.fileName()));
       text_->setText(
-          Words::tr("A file without an index, such as one that is still being written, "
-                    "is read as a whole first."));
+          Words::tr("A file without an index, such as a file that is still being "
+                    "written, must first be read completely."));
       break;
     case ReplaySession::State::kRefused:
       title_->setText(Words::tr("%1 cannot be shown").arg(session_.fileName()));

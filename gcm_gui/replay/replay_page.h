@@ -10,8 +10,8 @@ namespace tendon::gui {
 
 class ReplaySession;
 
-/// Replaces the graph while a recording has no components to show: while it is being opened, if it
-/// cannot be opened, or if it contains none.
+/// Replaces the graph while there are no components to show: while a recording is being opened, if
+/// it cannot be opened, or if it contains no components.
 class ReplayPage final : public QWidget {
   Q_OBJECT
 

@@ -72,8 +72,8 @@ class RowCollector {
   void add(const recording::PlayedValue& value, mcap::Timestamp time) {
     if (value.channel != channel_) begin(*value.channel);
     const auto low = static_cast<std::uint32_t>(value.tick);
-    // The file has the low 32 bits of each tick. As in MissingRowsBetween(), a tick that is a
-    // little smaller is an earlier one.
+    // The file has the low 32 bits of each tick. As in MissingRowsBetween(), a slightly smaller
+    // tick belongs to an earlier row.
     const std::uint64_t former = last_tick_.value_or(low);
     const auto step = static_cast<std::int32_t>(low - static_cast<std::uint32_t>(former));
     const bool is_before_begin =
@@ -134,7 +134,7 @@ class RowCollector {
 
 }  // namespace
 
-/// The open file. Used by the thread of the reader alone.
+/// The open file. Used only by the thread of the reader.
 class ReplayReader::Reel {
  public:
   explicit Reel(Content content) : content_(content) {}

@@ -21,12 +21,12 @@
 
 namespace tendon::gui {
 
-/// What a file says about itself as a whole. Times are in ns since 1970.
+/// The properties of a whole recording. Times are in ns since 1970.
 struct RecordingFacts {
   QString file;  ///< its path
   std::int64_t first = 0;
   std::int64_t last = 0;
-  QStringList problems;                        ///< sentences about what is damaged or missing
+  QStringList problems;                        ///< sentences about damaged or missing parts
   bool has_no_end = false;                     ///< cut off, or still being written
   bool is_growing = false;                     ///< another program still writes it
   std::vector<Schema> types;                   ///< of all columns and events
@@ -35,23 +35,23 @@ struct RecordingFacts {
   std::vector<recording::PlayedSpan> losses;
 };
 
-/// What happened up to a moment of the recording, apart from the rows.
+/// The changes up to a moment of the recording, except the rows.
 struct ReplayStep {
   std::int64_t position = 0;  ///< ns since 1970
-  bool is_jump = false;       ///< what happened before is out of date
-  /// The whole catalogue, if it is not the former one with `changes`.
+  bool is_jump = false;       ///< all earlier steps are outdated
+  /// The whole catalogue; empty if the catalogue is the previous one with `changes`.
   std::optional<Catalogue> catalogue;
   std::vector<CatalogueChange> changes;
   LogBatch log;
   std::vector<EventRecord> events;
   QStringList problems;  ///< all that are known by now
-  bool is_gone = false;  ///< the file is no longer at its place
+  bool is_gone = false;  ///< the file no longer exists at its path
 };
 
 /// A column whose rows are wanted.
 struct WantedColumn {
   std::shared_ptr<ColumnFeed> feed;
-  bool with_past = false;  ///< otherwise it begins with its newest row
+  bool with_past = false;  ///< if false, it begins with its newest row
 };
 using WantedColumns = std::map<std::string, WantedColumn>;  ///< by path
 
@@ -64,35 +64,36 @@ enum class ReplayTarget {
   kPreviousLoss
 };
 
-/// Reads a recording in a thread of its own. Each function returns at once; a signal answers it, in
-/// order. The rows of columns go to their feeds before step() is emitted. GUI thread.
+/// Reads a recording in its own thread. Each function returns at once. Its result arrives as a
+/// signal; the signals are in the order of the calls. The rows of columns are passed to their feeds
+/// before stepped() is emitted. GUI thread.
 class ReplayReader : public QObject {
   Q_OBJECT
 
  public:
-  /// How much is in the lists of events and log records after a jump.
+  /// The number of entries in the lists of events and of log records after a jump.
   static constexpr std::size_t kListed = 1000;
 
-  /// What is read: all, or only the rows of columns and their losses.
+  /// The content to read: everything, or only the rows of columns and their losses.
   enum class Content { kAll, kRows };
 
   explicit ReplayReader(Content content = Content::kAll, QObject* parent = nullptr);
   ~ReplayReader() override;
 
-  /// Answered by opened() or refused(). Nothing else works before opened(), or after refused(),
-  /// which also answers a function that runs out of memory.
+  /// The result is opened() or refused(). Other functions must not be called before opened() or
+  /// after refused(). If memory is exhausted in any function, its result is refused(), too.
   void open(const QString& file);
-  /// Moves to this moment, with everything up to it: rows since `span` before it. The columns
-  /// replace all former ones. Answered by stepped().
+  /// Moves to this moment, and delivers the data before it, with the rows of the last `span`.
+  /// `columns` replace all former columns. The result is stepped().
   void jump(std::int64_t time, std::int64_t span, WantedColumns columns);
-  /// Goes on to a later moment. Answered by stepped().
+  /// Continues to a later moment. The result is stepped().
   void play(std::int64_t time);
-  /// Adds a column, which begins with its newest row. Answered by stepped().
+  /// Adds a column, which begins with its newest row. The result is stepped().
   void add(const std::string& path, std::shared_ptr<ColumnFeed> feed);
   /// Answered by found().
   void find(ReplayTarget target);
 
-  /// The time of samples at a moment of the recording.
+  /// Converts a moment of the recording to the time of samples.
   [[nodiscard]] static std::int64_t SampleTime(std::int64_t time, std::int64_t first);
 
  Q_SIGNALS:
@@ -105,7 +106,7 @@ class ReplayReader : public QObject {
  private:
   class Reel;
 
-  /// Runs a task in the thread. If it throws, refused() is the answer.
+  /// Runs a task in the thread. If the task throws, the result is refused().
   void start(std::function<void(Reel&)> task);
 
   std::shared_ptr<GuiPoster> poster_;

@@ -48,7 +48,7 @@ void ReplayRefusals::setLogLevel(const std::string& /*process*/, LogLevel /*leve
   Q_EMIT notice(reason_);
 }
 
-// Handlers are called later, as those of a running system are.
+// Handlers are called later, as for a running system.
 void ReplayRefusals::findSchema(const std::string& /*process*/, Fingerprint type,
                                 SchemaHandler handler) {
   const auto found = types_.find(type);

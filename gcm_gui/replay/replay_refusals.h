@@ -12,8 +12,8 @@
 
 namespace tendon::gui {
 
-/// Returns the sentence that says why nothing can be changed: "this window shows the recording
-/// run.mcap: nothing in it can be changed".
+/// Returns the reason why nothing can be changed: "this window shows the recording run.mcap:
+/// nothing in it can be changed".
 [[nodiscard]] QString ReplayRefusal(const QString& file);
 
 /// Refuses all changes of a recorded system. Answers requests that need only its catalogue and its
@@ -49,7 +49,7 @@ class ReplayRefusals final : public QObject,
   void diagnose(const message::Wire& wire, DiagnosisHandler handler) override;
 
   void carryOut(Plan plan, AfterError after_error, Progress progress, Done done) override;
-  // Functions of PlanRunner. There is never a plan to stop.
+  // Functions of PlanRunner. No plan is ever executed.
   void stop() override {}
 
  Q_SIGNALS:

@@ -129,16 +129,16 @@ void ReplaySession::advance() {
 void ReplaySession::startJump() {
   is_jumping_ = true;
   ++pending_;
-  // A little more than what the plots show, so that a small move shows no hole.
+  // A little more than the visible part of the plots, so that a small move shows no gap.
   past_read_ = std::min(past() + past() / 4, kLongestPast);
   reader_->jump(*std::exchange(wanted_, std::nullopt), past_read_, signals_.beginJump());
 }
 
 void ReplaySession::onStep(const ReplayStep& step) {
-  if (state_ != State::kOpen) return;  // what was asked before the reader failed
+  if (state_ != State::kOpen) return;  // the requests that were made before the reader failed
   pending_ = std::max(0, pending_ - 1);
   const qint64 now = now_.nsecsElapsed();
-  // A disk that is too slow makes the replay slower, and leaves nothing out.
+  // If the disk is too slow, the replay takes longer, but leaves nothing out.
   const auto most = static_cast<double>(kMostLate) * std::max(1.0, clock_.speed());
   const bool is_late =
       clock_.isPlaying() && static_cast<double>(clock_.position(now) - step.position) > most;
@@ -149,7 +149,7 @@ void ReplaySession::onStep(const ReplayStep& step) {
               .wall_ns = position_,
               .recording = file_});
   if (step.catalogue) {
-    // A jump within a time without changes leaves the views of the catalogue alone.
+    // A jump within a time without changes does not update the views of the catalogue.
     if (!(*step.catalogue == store_.catalogue())) store_.replace(*step.catalogue);
   } else if (!step.changes.empty()) {
     store_.apply(step.changes);

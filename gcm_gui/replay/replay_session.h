@@ -19,9 +19,9 @@
 
 namespace tendon::gui {
 
-/// A recording in the place of a running system: its catalogue, rows, events and log at one moment,
-/// which the user chooses. It sets the time that the whole program shows, so a program has at most
-/// one. GUI thread; no function waits.
+/// A session that shows a recording instead of a running system: its catalogue, rows, events and
+/// log at one moment, which the user chooses. It sets the time that the whole program shows, so a
+/// program has at most one such session. GUI thread; no function waits.
 class ReplaySession : public QObject {
   Q_OBJECT
 
@@ -59,12 +59,12 @@ class ReplaySession : public QObject {
   /// Times that the user has marked, sorted.
   [[nodiscard]] const QList<std::int64_t>& marks() const { return marks_; }
   void setMarks(const QList<std::int64_t>& marks);
-  /// Marks the present moment, or removes the mark from it.
+  /// Marks the present moment, or removes its mark.
   void toggleMark();
 
-  /// Sets the function that returns how much of the past the plots show, in ns.
+  /// Sets the function that returns the length of the time that the plots show, in ns.
   void setPastWanted(std::function<std::int64_t()> past) { past_wanted_ = std::move(past); }
-  /// Reads more of the past if the plots show more than was read.
+  /// Reads earlier rows if the plots show more than was read.
   void followPast();
 
  public Q_SLOTS:
@@ -92,7 +92,7 @@ class ReplaySession : public QObject {
   void onRefused(const QString& sentence);
   void onStep(const ReplayStep& step);
   void onFound(std::optional<std::int64_t> time);
-  /// Requests the next step, unless an answer is still awaited.
+  /// Requests the next step, unless an answer of the reader is still missing.
   void advance();
   void startJump();
   void awaitFinds(int count);
@@ -118,11 +118,12 @@ class ReplaySession : public QObject {
   QList<std::int64_t> marks_;
   std::function<std::int64_t()> past_wanted_;
   std::int64_t position_ = 0;
-  std::int64_t past_read_ = 0;          // length of the past that was read at the latest jump, ns
+  std::int64_t past_read_ =
+      0;  // time before the moment of the latest jump for which rows were read, ns
   std::int64_t read_from_ = 0;          // earliest time with rows
   std::optional<std::int64_t> wanted_;  // target of the next jump
   std::optional<std::int64_t> reopened_at_;
-  int pending_ = 0;  // number of awaited answers of the reader
+  int pending_ = 0;  // number of missing answers of the reader
   bool is_jumping_ = false;
   bool is_sought_ = false;
 

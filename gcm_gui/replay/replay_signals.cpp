@@ -6,8 +6,8 @@
 namespace tendon::gui {
 namespace {
 
-// Samples of all numbers together. Enough for one number for an hour at 1 kHz, which is the longest
-// past that a plot gets at once.
+// Samples of all numbers together. This is enough for one hour of one number at 1 kHz. No plot gets
+// a longer time at once.
 constexpr std::size_t kMostWaiting = std::size_t{1} << 22;
 
 }  // namespace

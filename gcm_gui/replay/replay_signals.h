@@ -10,8 +10,8 @@
 
 namespace tendon::gui {
 
-/// The rows of a recording as data for plots and tables. Rows up to the shown moment are there at
-/// once, as soon as a signal is subscribed.
+/// The rows of a recording as data for plots and tables. When a signal is subscribed, its rows up
+/// to the shown moment are delivered at once.
 class ReplaySignals final : public ColumnSignals {
   Q_OBJECT
 
@@ -22,7 +22,7 @@ class ReplaySignals final : public ColumnSignals {
 
   /// The used columns, with new feeds for a jump.
   [[nodiscard]] WantedColumns beginJump();
-  /// The jump has ended: the new feeds replace the old ones, and what was delivered is out of date.
+  /// Ends the jump: the new feeds replace the old ones, and all delivered samples are outdated.
   void endJump();
   /// Delivers the rows that have arrived.
   void deliver() { deliverRows(); }
@@ -32,7 +32,7 @@ class ReplaySignals final : public ColumnSignals {
   [[nodiscard]] QStringList subscribed() const;
 
  Q_SIGNALS:
-  /// A signal was subscribed, so its past is needed.
+  /// A signal was subscribed, so its earlier rows are needed.
   void pastWanted();
   /// The newest row of a column is needed.
   void columnWanted(const std::string& path, const std::shared_ptr<tendon::gui::ColumnFeed>& feed);

@@ -117,7 +117,7 @@ QWidget* ReplayStrip::buildControls() {
   SetRole(*play_, QStringLiteral("primary"));
   connect(play_, &QPushButton::clicked, &session_, &ReplaySession::togglePlaying);
   row->addWidget(play_);
-  add(QStringLiteral("forward"), "replayStep", Words::tr("One row or event on"),
+  add(QStringLiteral("forward"), "replayStep", Words::tr("One row or event forward"),
       QStringLiteral("."), [this] { session_.goTo(ReplayTarget::kNextRow); });
   add(QStringLiteral("skip_forward"), "replayNextMark", Words::tr("Next event, loss or mark"),
       QStringLiteral("Ctrl+Shift+Right"), [this] { session_.goToMark(1); });
@@ -157,7 +157,7 @@ void ReplayStrip::setUpChoices() {
   loop_->setObjectName(QStringLiteral("replayLoop"));
   loop_->setCheckable(true);
   loop_->setIcon(ThemeIcon(QStringLiteral("loop"), Token::kText));
-  loop_->setAccessibleName(Words::tr("Begin again at the end"));
+  loop_->setAccessibleName(Words::tr("Restart at the end"));
   loop_->setToolTip(loop_->accessibleName());
   connect(loop_, &QToolButton::toggled, &session_, &ReplaySession::setLooping);
 }
@@ -178,7 +178,7 @@ QWidget* ReplayStrip::buildWarning() {
     QGuiApplication::clipboard()->setText(RecoverCommand(session_.file()));
     Q_EMIT notice(Words::tr("In the clipboard: %1").arg(RecoverCommand(session_.file())));
   });
-  reload_ = MakeLinkButton(Words::tr("Load what came since"), QStringLiteral("reloadRecording"));
+  reload_ = MakeLinkButton(Words::tr("Load newer data"), QStringLiteral("reloadRecording"));
   connect(reload_, &QToolButton::clicked, &session_, &ReplaySession::reload);
   auto* close = new QToolButton;
   close->setObjectName(QStringLiteral("closeReplayWarning"));
@@ -234,7 +234,7 @@ void ReplayStrip::refresh() {
     for (const std::int64_t mark : session_.marks()) marks.push_back({mark, mark});
     slider_->setMarks(std::move(marks));
     length_->setText(MomentText(facts.last - facts.first));
-    // As wide as the longest text, so that the slider does not move.
+    // The label is as wide as the longest text, so that the slider does not move.
     moment_->setFixedWidth(
         moment_->fontMetrics().horizontalAdvance(MomentText(facts.last - facts.first)) + kGrid);
   }
@@ -259,7 +259,7 @@ void ReplayStrip::showMoment() {
       Words::tr("recorded on %1 at %2").arg(day, begin.toString(QStringLiteral("hh:mm:ss"))),
       ClockText(session_.position()));
   moment_->setText(MomentText(session_.position() - facts.first));
-  // While the user drags, the handle is where the mouse is.
+  // While the user drags, the handle follows the mouse.
   if (!slider_->isSliderDown() && !session_.isJumping()) slider_->setTime(session_.position());
 }
 

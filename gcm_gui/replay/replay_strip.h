@@ -17,7 +17,7 @@ class ReplayStripe;
 class StateLabel;
 
 /// The head of a window that shows a recording: the stripe, the buttons and the slider for the
-/// moment. If the file is not complete, a line says what is missing.
+/// moment. If the file is not complete, a line names the missing parts.
 class ReplayStrip final : public QFrame {
   Q_OBJECT
 
@@ -27,7 +27,7 @@ class ReplayStrip final : public QFrame {
 
   [[nodiscard]] ReplayStripe& stripe() const { return *stripe_; }
   [[nodiscard]] TimeSlider& slider() const { return *slider_; }
-  /// Says what is missing in the file; empty if it is complete.
+  /// Shows which parts of the file are missing; empty if the file is complete.
   [[nodiscard]] QString warning() const { return warning_text_; }
 
  Q_SIGNALS:

@@ -39,7 +39,7 @@ void ReplayStripe::paintEvent(QPaintEvent* /*event*/) {
   painter.fillRect(rect(), theme.color(Token::kWarning));
   painter.setPen(theme.color(Token::kOnAccent));
   QRect free = rect().adjusted(kInset, 0, -kInset, 0);
-  // Draws a text at the left or right end of the free place, which it takes.
+  // Draws a text at the left or right end of `free`, and removes the used part from `free`.
   const auto draw = [&](const QFont& font, const QString& text, Qt::Alignment side,
                         Qt::TextElideMode elide) {
     if (text.isEmpty() || free.width() <= 0) return;

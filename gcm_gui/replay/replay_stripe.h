@@ -13,7 +13,8 @@ class ReplayStripe final : public QWidget {
  public:
   explicit ReplayStripe(QWidget* parent = nullptr);
 
-  /// `file` is a name, `about` more about it, `time` the time of day of the moment shown.
+  /// `file` is the name of the file, `about` is further information about the file, and `time` is
+  /// the time of day of the shown moment.
   void show(const QString& file, const QString& about, const QString& time);
   /// The whole text of the line, for screen readers.
   [[nodiscard]] QString text() const;

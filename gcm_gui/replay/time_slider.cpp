@@ -45,7 +45,7 @@ TimeSlider::TimeSlider(QWidget* parent) : QAbstractSlider(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  // The value is set by a screen reader, too.
+  // A screen reader can also set the value.
   connect(this, &QAbstractSlider::actionTriggered, this, [this](int action) {
     if (action == SliderMove) Q_EMIT sought(first_ + sliderPosition() * unit_);
   });

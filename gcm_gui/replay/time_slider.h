@@ -28,7 +28,7 @@ class TimeSlider final : public QAbstractSlider {
   void setMarks(std::vector<Span> spans);
   void setTime(std::int64_t time);
   [[nodiscard]] std::int64_t time() const { return time_; }
-  /// Return the time at a column of the widget, and the column of a time.
+  /// Return the time at a column of the widget, or the column of a time.
   [[nodiscard]] std::int64_t timeAt(double x) const;
   [[nodiscard]] double xOf(std::int64_t time) const;
 
@@ -69,7 +69,7 @@ class TimeSlider final : public QAbstractSlider {
   std::optional<double> hover_;
 };
 
-/// Returns the time since the begin of the recording as text: "1:02.345", "1:02:05.120".
+/// Returns the time since the start of the recording as text: "1:02.345", "1:02:05.120".
 [[nodiscard]] QString MomentText(std::int64_t since_begin_ns);
 
 }  // namespace tendon::gui

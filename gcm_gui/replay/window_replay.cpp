@@ -48,7 +48,7 @@ std::int64_t WindowReplay::pastInSight() const {
   return past;
 }
 
-/// A view that the user holds follows again when the moment leaves it.
+/// If the shown moment leaves a held view, the view follows it again.
 void WindowReplay::showMoment() {
   if (plots_ == nullptr || plots_->isPaused() || !session_.isSought()) return;
   const std::int64_t now = ShownTime();
@@ -84,7 +84,7 @@ void WindowReplay::addCommands(Commands& commands) {
   add(Words::tr("&Slower"), Qt::Key_BracketLeft,
       [this] { session_.setSpeed(session_.clock().slowerSpeed()); });
   commands.menu(Commands::Menu::kRecord).addSeparator();
-  add(Words::tr("One row or event &on"), Qt::Key_Period,
+  add(Words::tr("One row or event for&ward"), Qt::Key_Period,
       [this] { session_.goTo(ReplayTarget::kNextRow); });
   add(Words::tr("One row or event &back"), Qt::Key_Comma,
       [this] { session_.goTo(ReplayTarget::kPreviousRow); });
@@ -92,7 +92,7 @@ void WindowReplay::addCommands(Commands& commands) {
       [this] { session_.goToMark(1); });
   add(Words::tr("P&revious event, loss or mark"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Left),
       [this] { session_.goToMark(-1); });
-  add(Words::tr("To the be&gin"), {}, [this] { session_.seek(session_.clock().first()); });
+  add(Words::tr("To the be&ginning"), {}, [this] { session_.seek(session_.clock().first()); });
   add(Words::tr("To the &end"), {}, [this] { session_.seek(session_.clock().last()); });
   commands.menu(Commands::Menu::kRecord).addSeparator();
   add(Words::tr("&Mark this moment, or remove its mark"), Qt::Key_M,

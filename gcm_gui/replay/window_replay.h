@@ -18,7 +18,7 @@ class WindowReplay : public QObject {
   Q_OBJECT
 
  public:
-  /// All arguments must outlive this object. The caller places the strip and takes ownership of it.
+  /// All arguments must outlive this object. The caller places the strip and owns it.
   WindowReplay(ReplaySession& session, RecordingNotes& notes, QObject* parent);
   ~WindowReplay() override;
 

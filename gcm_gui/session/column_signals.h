@@ -11,8 +11,9 @@
 
 namespace tendon::gui {
 
-/// What all sources of signals have in common: who uses which column, and one feed for each column,
-/// which all its users share. A source fills the feeds, and says when it delivers.
+/// The common part of all sources of signals. It stores the users of each column, and has one feed
+/// per column, which all users share. Derived classes fill the feeds, and decide when rows are
+/// delivered.
 class ColumnSignals : public SignalSource {
   Q_OBJECT
 
@@ -41,13 +42,13 @@ class ColumnSignals : public SignalSource {
   [[nodiscard]] std::map<QString, Column>& columns() { return columns_; }
   [[nodiscard]] const std::map<QString, Column>& columns() const { return columns_; }
 
-  /// Delivers the rows that are in the feeds.
+  /// Delivers all rows in the feeds.
   void deliverRows();
-  /// Delivers the newest values that are in the feeds of watched columns.
+  /// Delivers the newest values in the feeds of watched columns.
   void deliverNewest();
 
  private:
-  /// Begins to fill the feed of a column. Returns false if there can be no such column.
+  /// Begins to fill the feed of a column. Returns false if `column` cannot be the path of a column.
   virtual bool begin(const QString& column, const std::shared_ptr<ColumnFeed>& feed) = 0;
   /// Called after a signal was subscribed for the first time.
   virtual void onSubscribed() {}

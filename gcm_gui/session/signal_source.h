@@ -58,8 +58,8 @@ class SignalSource : public QObject {
   virtual void retry(const QString& column) = 0;
 
  Q_SIGNALS:
-  /// Emitted when another moment of a recording is shown. All samples are out of date; those up to
-  /// that moment follow.
+  /// Emitted when another moment of a recording is shown. All samples are outdated; the samples up
+  /// to that moment follow.
   void beganAgain();
   /// Emitted with new samples, in order and complete. They are valid only during the call.
   void samplesArrived(const QString& signal, std::span<const tendon::gui::Sample> samples);

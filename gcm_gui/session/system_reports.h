@@ -43,24 +43,22 @@ class SystemReports : public QObject {
   virtual void listen(const QObject* owner, const QStringList& patterns) = 0;
 
   virtual void askHealth(Handler<message::SystemHealth> handler) = 0;
-  /// Requests the counters of a connection from its process. The errors are those of
-  /// GcmClient::GetCounts().
+  /// Requests the counters of a connection from its process. Fails like GcmClient::GetCounts().
   virtual void askCounts(const InterfaceName& required, Handler<ConnectionCounts> handler) = 0;
   /// Requests the fill levels of the mailboxes of a component.
   virtual void askFill(const std::string& process, const std::string& component,
                        Handler<MailboxFill> handler) = 0;
-  /// Requests how much a process keeps of its past.
+  /// Requests the state of a process's history.
   virtual void askHistory(const std::string& process,
                           Handler<message::ProcessHistoryState> handler) = 0;
-  /// Requests the list of processes that the GCM has started. The errors are those of
-  /// GcmClient::GetChildren().
+  /// Requests the list of processes that the GCM has started. Fails like GcmClient::GetChildren().
   virtual void askChildren(Handler<message::Children> handler) = 0;
   /// Requests the classes from which a process can create components.
   virtual void askClasses(const std::string& process, Handler<message::Classes> handler) = 0;
 
  Q_SIGNALS:
   /// Emitted when a recording jumps to another moment. Discard all earlier log records and events.
-  /// logArrived() and eventsArrived() then deliver those up to the new moment.
+  /// logArrived() and eventsArrived() then deliver the records and events up to the new moment.
   void beganAgain();
   void logArrived(const tendon::LogBatch& batch);
   /// Emitted with events in the order of arrival. An event of an unknown type is delayed until the

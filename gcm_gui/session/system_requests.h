@@ -56,8 +56,8 @@ class CommandCalls {
 
   /// Requests the schema of a type from `process`.
   virtual void findSchema(const std::string& process, Fingerprint type, SchemaHandler handler) = 0;
-  /// Calls "robot/arm/Control.MoveTo"; `argument` is JSON, or empty for none. The call appears in
-  /// the activity list.
+  /// Calls a command by its path, such as "robot/arm/Control.MoveTo"; `argument` is JSON, or empty
+  /// for none. The call appears in the activity list.
   virtual void callCommand(const std::string& path, const std::string& argument,
                            AnswerHandler handler) = 0;
   /// Reads a value as JSON with a read command. The call is not in the activity list, because the
@@ -78,8 +78,7 @@ class ConnectionChecks {
   virtual ~ConnectionChecks() = default;
 
   /// Makes the seven checks of `gcm explain`, up to the first failure. One check asks the
-  /// provider's process, which may take as long as any other request. The errors are those of
-  /// Diagnose().
+  /// provider's process, which may take as long as any other request. Fails like Diagnose().
   virtual void diagnose(const message::Wire& wire, DiagnosisHandler handler) = 0;
 };
 

@@ -96,7 +96,7 @@ QWidget* DiffPanel::buildPlan() {
   auto* buttons = new QHBoxLayout;
   back_ = MakeButton(Words::tr("Back"), "plan.back", *buttons);
   buttons->addStretch();
-  go_on_ = new QCheckBox(Words::tr("Go on after an error"));
+  go_on_ = new QCheckBox(Words::tr("Continue after an error"));
   go_on_->setObjectName(QStringLiteral("plan.goOn"));
   buttons->addWidget(go_on_);
   stop_ = MakeButton(Words::tr("Stop"), "plan.stop", *buttons);
@@ -192,7 +192,7 @@ QString DiffPanel::planText() const {
           .arg(restore_.outcomes().size() + 1)
           .arg(plan.steps.size());
     case PlanController::Phase::kDone:
-      return Words::tr("Target %1: %2 done, %3 failed, %4 left")
+      return Words::tr("Target %1: %2 done, %3 failed, %4 remaining")
           .arg(restore_.goal())
           .arg(outcome.done)
           .arg(outcome.failed)

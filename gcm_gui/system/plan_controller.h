@@ -44,7 +44,7 @@ class PlanController : public QObject {
   /// Stops the execution after the present step.
   void stop() { runner_.stop(); }
   /// Makes a plan that restores the system to its state before execute(). The plan also stops the
-  /// processes that were started since then.
+  /// processes that were started after that state.
   void undo();
   /// Ends the preview of an undo and shows the executed plan again. Answers that have not arrived
   /// yet are ignored.

@@ -46,7 +46,7 @@ class SystemDocument : public QObject {
   [[nodiscard]] const Snapshots& snapshots() const { return snapshots_; }
 
   /// Sets the positions of components in the graph, by path. From now on these positions are saved,
-  /// instead of those in the file.
+  /// instead of the positions in the file.
   void setLayout(std::map<std::string, SystemFile::Position> layout);
   void open(const QString& path);
   /// Imports a file of the cisst component manager and writes it as a system file into the same

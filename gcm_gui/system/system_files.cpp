@@ -125,7 +125,7 @@ void SystemFiles::showDemo() {
   starts_demo_ = false;
   if (restore_.phase() != PlanController::Phase::kDone) return;
   if (const auto& error = restore_.outcome().error) {
-    showTab();  // where the failed step and the steps before it are shown
+    showTab();  // this tab shows the failed step and the steps before it
     return Q_EMIT notice(Words::tr("The demo was not started: ") + ToQString(error->message));
   }
   Q_EMIT notice(Words::tr("The demo runs: click a hollow port, then a port that lights up"));

@@ -19,8 +19,8 @@ LostBanner::LostBanner(const LinkState& link, QWidget* parent)
   SetRole(*meaning_, QStringLiteral("dim"));
   // The label may be narrower than its text. Otherwise it would make the window wider.
   meaning_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  meaning_->setText(Words::tr(
-      "Values and plots come directly from the processes, so values and plots continue."));
+  meaning_->setText(
+      Words::tr("Values and plots continue, because they come directly from the processes."));
   meaning_->setToolTip(meaning_->text());
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(kInset, 0, kInset, 0);

@@ -10,8 +10,8 @@ namespace tendon::gui {
 
 class StateLabel;
 
-/// A line across the window while its GCM is unreachable. It tells how old the shown state is, and
-/// which functions still work.
+/// A line across the window while its GCM is unreachable. It shows the age of the shown state and
+/// the functions that still work.
 class LostBanner : public QFrame {
   Q_OBJECT
 

@@ -342,7 +342,7 @@ void MainWindow::connectViews() {
   if (replay_ != nullptr) {
     connect(replay_, &WindowReplay::notice, notice_, &NoticeLine::showNotice);
     connect(parts_.replay, &ReplaySession::moved, this, [this] {
-      if (parts_.replay->isSought()) tick();  // the ages are those of another moment
+      if (parts_.replay->isSought()) tick();  // the shown ages belong to another moment
     });
   }
   connect(plots_, &PlotPanel::notice, notice_, &NoticeLine::showNotice);

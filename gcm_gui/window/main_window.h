@@ -110,7 +110,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] QSplitter* buildCentre();
   void buildPanels(QSplitter& centre);
   [[nodiscard]] QWidget* buildGraphPage();
-  /// Stands in the place of the graph while there is none.
+  /// Replaces the graph while there is none.
   [[nodiscard]] QWidget* buildEmptyPage();
   [[nodiscard]] QWidget* buildConnectionsPage();
   void connectViews();
@@ -162,7 +162,8 @@ class MainWindow : public QMainWindow {
   GcmSwitcher* other_ = nullptr;
   GcmLauncher* gcm_start_ = nullptr;
   QTimer second_;
-  std::int64_t lost_since_ = 0;  // when the GCM was lost, ns since 1970; 0 while it is reachable
+  std::int64_t lost_since_ =
+      0;  // the time when the GCM was lost, ns since 1970; 0 while it is reachable
 };
 
 }  // namespace tendon::gui

@@ -80,7 +80,7 @@ void MarkBinding::startOver() {
   compareAll();
 }
 
-/// Of what is not known yet, nothing is marked.
+/// Does not mark changes of objects that were unknown before.
 void MarkBinding::compareAll() {
   ChangedParts all;
   for (const auto& [name, entry] : store_.catalogue().processes()) all.insert({name, {}});
@@ -153,8 +153,8 @@ bool MarkBinding::isOwnCall(const QString& path) const {
   return false;
 }
 
-// Does not mark changes of connections and components. compare() marks these from the catalogue,
-// whoever made them.
+// Does not mark changes of connections and components. compare() marks these changes from the
+// catalogue, regardless of who made them.
 void MarkBinding::markAction(const Action& action) {
   const bool is_call = action.verb == Action::Verb::kCall;
   const bool is_refused = action.outcome == Action::Outcome::kRefused;

@@ -13,8 +13,8 @@ namespace tendon::gui {
 class CatalogueModel;
 class PlotPanel;
 
-/// Subscribes to the rows that the plots ask for, and passes them to the plots: those of the shown
-/// system, and those of recordings.
+/// Subscribes to the rows that the plots request, of the shown system and of recordings, and passes
+/// them to the plots.
 class PlotBinding : public QObject {
   Q_OBJECT
 

@@ -96,7 +96,7 @@ void TopBar::addButtons() {
   connect(search_, &QPushButton::clicked, this, &TopBar::paletteRequested);
   pause_->setObjectName(QStringLiteral("pause"));
   pause_->setCheckable(true);
-  pause_->setToolTip(Words::tr("Pauses the drawing, never the data  (Space)"));
+  pause_->setToolTip(Words::tr("Pauses the display; new data is still received  (Space)"));
   pause_->setFocusPolicy(Qt::TabFocus);
   connect(pause_, &QPushButton::clicked, this, &TopBar::pauseRequested);
   theme_->setObjectName(QStringLiteral("theme"));

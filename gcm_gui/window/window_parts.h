@@ -36,11 +36,11 @@ struct WindowParts {
   QString kept = {};               ///< folder for the saved state; if empty, nothing is saved
   QStringList gcm = {};  ///< `gcm` with its options; if empty, the window cannot start a GCM
   QString demo = {};     ///< system file of the demo; if empty, the demo is not offered
-  /// This program with its options, which opens a recording in a window of its own; if empty, the
-  /// window does not offer it.
+  /// The command that opens a recording in another window: this program with its options. If empty,
+  /// the window does not offer this.
   QStringList viewer = {};
   ReplaySession* replay = nullptr;  ///< the recording that the window shows; null if it shows none
-  QString read_only = {};           ///< why this window cannot change anything; empty if it can
+  QString read_only = {};  ///< the reason why this window cannot change anything; empty if it can
 };
 
 /// Returns the parts that belong to a session.

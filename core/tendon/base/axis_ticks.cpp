@@ -87,8 +87,8 @@ Decimal Multiple(const Decimal& step, std::int64_t count) {
   return {.factor = step.factor * count, .exponent = step.exponent};
 }
 
-/// Returns the largest count for which `count` times the step is not above `value`. The division
-/// gives only a first guess, because a denormal step differs from the decimal digits of its label.
+/// Returns the largest count such that count * step <= value. The division gives only a first
+/// guess, because a denormal step differs from the decimal digits of its label.
 std::int64_t StepsBelow(double value, const Decimal& step) {
   const auto is_above = [&](std::int64_t count) { return Multiple(step, count).real() > value; };
   auto low = static_cast<std::int64_t>(std::floor(value / step.real()));

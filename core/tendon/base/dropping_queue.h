@@ -6,7 +6,7 @@
 
 namespace tendon {
 
-/// The most elements and bytes that a queue holds.
+/// The largest number of elements and of bytes that a queue holds.
 struct QueueBound {
   std::size_t elements = 0;
   std::size_t bytes = 0;

@@ -26,7 +26,7 @@ void SetLogLevel(LogLevel level);
 using LogSink = std::function<void(LogLevel, std::string_view source, std::string_view message)>;
 
 /// Adds a sink, which gets every record that is not dropped. The sink is called in the thread that
-/// logs, or in the thread that logs deferred records. It is kept for the life of the process.
+/// logs, or in the thread that logs deferred records. It is kept until the process ends.
 void AddLogSink(LogSink sink);
 
 using LogTime = std::chrono::system_clock::time_point;

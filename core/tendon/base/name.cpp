@@ -52,7 +52,8 @@ std::size_t EditDistance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-/// Returns the only candidate that begins with `beginning`; empty if no candidate or several do.
+/// Returns the only candidate that begins with `beginning`; empty if there is no such candidate, or
+/// more than one.
 std::string OnlyOneThatBegins(std::string_view beginning, std::span<const std::string> candidates) {
   constexpr std::size_t kShortest = 2;
   std::string found;

@@ -12,12 +12,12 @@ namespace tendon {
 /// `\xNN`. Text longer than `most` bytes is cut, and "..." follows.
 [[nodiscard]] std::string Printable(std::string_view text, std::size_t most = 4096);
 
-/// Returns Printable(text, most) between single quotes, as messages name things.
+/// Returns Printable(text, most) between single quotes, for names in messages.
 [[nodiscard]] inline std::string Quoted(std::string_view text, std::size_t most = 4096) {
   return "'" + Printable(text, most) + "'";
 }
 
-/// Returns the text in lower case. Converts only ASCII letters, whatever the locale is.
+/// Returns the text in lower case. Converts only ASCII letters, in every locale.
 [[nodiscard]] std::string InLowerCase(std::string_view text);
 
 /// Returns "1 row", "0 rows", "12 rows".

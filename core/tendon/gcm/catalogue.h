@@ -47,8 +47,8 @@ class Catalogue {
   /// applied.
   static Catalogue At(std::uint64_t revision);
 
-  /// Returns a hash of all parts that users can distinguish. It does not cover pids, instances,
-  /// times, addresses, connection ids, reasons and warnings.
+  /// Returns a hash of all data in which users can see a difference. It does not cover pids,
+  /// instances, times, addresses, connection ids, reasons and warnings.
   [[nodiscard]] Fingerprint ContentHash() const;
 
   bool operator==(const Catalogue&) const = default;

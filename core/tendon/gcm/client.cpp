@@ -195,8 +195,8 @@ class GcmClient::Implementation {
         static_cast<int>(std::min<std::int64_t>(orders, 1'000'000)));
   }
 
-  /// Each check of the catalogue serves the handlers of all calls since the last check. Therefore,
-  /// there are at most two checks a second.
+  /// One check of the catalogue answers all calls since the previous check, so there are at most
+  /// two checks a second.
   void LearnConflictingTypes(DoneHandler handler) {
     const std::scoped_lock lock(mutex_);
     if (closing_) return;

@@ -158,7 +158,7 @@ class GcmClient {
   /// Gets the fill levels of a component's mailboxes.
   void GetFill(const std::string& process, const std::string& component,
                std::function<void(Result<MailboxFill>)> handler);
-  /// Gets how much a process keeps of its past.
+  /// Gets the amount of history that a process keeps.
   void GetProcessHistory(const std::string& process,
                          std::function<void(Result<message::ProcessHistoryState>)> handler);
   /// Reads a page of the log that a process has kept itself. Fails with kFailed if its history is

@@ -29,8 +29,8 @@ struct ConnectionFlaw {
 };
 
 /// Returns the flaws of a connection. All programs use these rules. `before` has the counts of the
-/// last check, so that only refused calls and lost events since then are reported. Without
-/// `before`, refused calls and lost events are not reported.
+/// last check; only calls that were refused and events that were lost after this check are
+/// reported. Without `before`, refused calls and lost events are not reported.
 [[nodiscard]] std::vector<ConnectionFlaw> FlawsOf(const ConnectionCounts& now,
                                                   const std::optional<ConnectionCounts>& before);
 

@@ -18,14 +18,14 @@ struct DiagnosisStep {
   enum class Verdict { kGood, kBad, kNotReached };
 
   Verdict verdict = Verdict::kNotReached;
-  std::string text;                  ///< the result, or what would be checked
-  std::string fix;                   ///< kBad: the remedy
+  std::string text;  ///< the result; if the step was not reached, the condition that it checks
+  std::string fix;   ///< kBad: the remedy
   std::vector<std::string> details;  ///< a text for each member that does not match
 
   bool operator==(const DiagnosisStep&) const = default;
 };
 
-/// Says whether one of the two processes still has a part of an inactive connection.
+/// The part of an inactive connection that one of the two processes may still have.
 struct ConnectionRemnant {
   enum class Verdict { kNothing, kSomething, kUnknown };
 

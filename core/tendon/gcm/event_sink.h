@@ -41,8 +41,8 @@ struct EventSubscription {
 /// The result of ReadPastEvents().
 struct PastEvents {
   std::uint64_t events = 0;  ///< events that were read
-  /// Events between the read events that were not kept. Events of the interface that were not
-  /// wanted are also counted.
+  /// The number of missing events: they were raised between the events that were read, but were not
+  /// kept. Includes events of the interface that were not requested.
   std::uint64_t lost = 0;
   std::optional<Error> failure;  ///< the reason why not all events could be read
 };
@@ -57,14 +57,14 @@ struct EventTime {
 };
 
 /// Receives events, in threads of the client or the middleware, one call at a time; must not block.
-/// `event` is the index in EventSubscription::events, and after these in
+/// `event` is an index in EventSubscription::events. Larger numbers are for the elements of
 /// EventSubscription::commands.
 class EventSink {
  public:
   virtual ~EventSink() = default;
   /// Called when the subscription becomes active. From now on, each event is delivered or reported
-  /// as lost. Called again after each interruption, with the types that the process has now; those
-  /// of a command are the types of its argument and its result.
+  /// as lost. Called again after each interruption, with the present types of the process. The
+  /// types of a command are those of its argument and its result.
   virtual void OnListening(const std::vector<MemberDescription>& events) = 0;
   /// Called for each event. `value` is the CDR body of the event's type; empty if the event has no
   /// type.

@@ -16,7 +16,7 @@
 /// body of a frame.
 namespace tendon {
 
-/// Says what a connect does if the required interface is already connected.
+/// The effect of a connect request if the required interface is already connected.
 enum class WhenConnected {
   kRefuse,   ///< sent as kConnect
   kReplace,  ///< sent as kReplace

@@ -8,7 +8,7 @@
 namespace tendon {
 namespace {
 
-/// Interfaces with their names. Select() lists those of present processes.
+/// Interfaces with their names. Select() lists the interfaces of present processes.
 template <typename Description>
 using Named = std::vector<std::pair<InterfaceName, const Description*>>;
 

@@ -297,7 +297,7 @@ Result<InterfaceName> LookUpConnected(const Catalogue& catalogue, const std::str
   if (found.empty()) return Error{ErrorCode::kNotFound, "no connection has the number " + text};
   std::string all;
   for (const InterfaceName& one : found) {
-    all += (all.empty() ? "" : ", ") + one.process + "/" + number + " is of " + ToString(one);
+    all += (all.empty() ? "" : ", ") + one.process + "/" + number + " belongs to " + ToString(one);
   }
   return Error{ErrorCode::kInvalid, "more than one connection has the number " + text + ": " + all};
 }

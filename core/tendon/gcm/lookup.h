@@ -30,7 +30,7 @@ Result<const RequiredDescription*> LookUpRequired(const Catalogue& catalogue,
 Result<MemberDescription> LookUpCommand(const Catalogue& catalogue, const Path& path);
 
 /// Returns the descriptions of the events, in the order of the request, and then those of the
-/// commands, as DescribeCalls() returns them. kInvalid for a read command.
+/// commands, as DescribeCalls() returns them. Fails with kInvalid for a read command.
 Result<std::vector<MemberDescription>> LookUpEvents(const Catalogue& catalogue,
                                                     const EventSubscription& wanted);
 
@@ -42,7 +42,7 @@ Result<std::vector<MemberDescription>> LookUpEvents(const Catalogue& catalogue,
 /// - kInvalid: a name is invalid.
 /// - kNotFound: the required interface does not exist, or the provided interface does not exist in
 ///   a present process.
-/// - kIncompatible: the interfaces do not fit; the text is that of Refusal().
+/// - kIncompatible: the interfaces do not fit; the text comes from Refusal().
 /// - kExists: the required interface is connected and may not be replaced.
 /// - kFailed: the process of the required side is absent.
 ///

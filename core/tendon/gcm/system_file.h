@@ -16,8 +16,8 @@
 
 namespace tendon {
 
-/// The description of a whole system, which a user writes or saves. It says which components run in
-/// which processes and states, and how they are connected. The file is JSON, version 1:
+/// The description of a whole system, which a user writes or saves. It lists the processes, their
+/// components with their states, and the connections. The file is JSON, version 1:
 ///
 ///     {
 ///       "version": 1,
@@ -34,7 +34,8 @@ namespace tendon {
 ///
 /// A component may also have these keys:
 /// - "configuration" is the argument for its constructor.
-/// - "period" is in s. The class sets the period, so this value is only compared with it.
+/// - "period" is in s. The class sets the period; this value is only compared with the period of
+///   the class.
 /// - "thread" has fields of ThreadOptions.
 /// - "runs_after" names a task of the same process. The component runs in the thread and in the
 ///   cycles of this task.

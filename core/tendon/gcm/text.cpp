@@ -115,12 +115,12 @@ std::string HistoryText(const message::ProcessHistoryState& history) {
 std::string HistoryReachText(const message::ProcessHistoryState& history,
                              std::chrono::nanoseconds wanted) {
   if (history.limit == 0) {
-    return "only what its state tables held: its history is off (--history-memory)";
+    return "only the rows in its state tables: its history is off (--history-memory)";
   }
   if (history.reach >= wanted) return {};
   const std::string reach = ReachSeconds(history.reach) + ": ";
-  if (history.reach >= history.age) return reach + "it has run no longer";
-  if (history.reach >= history.span) return reach + "it keeps no more than that";
+  if (history.reach >= history.age) return reach + "it has not been running longer";
+  if (history.reach >= history.span) return reach + "it is set to keep no more";
   return reach + "its history is full (" + HistoryText(history) + "; see --history-memory)";
 }
 

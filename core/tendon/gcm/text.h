@@ -17,9 +17,9 @@
 
 namespace tendon {
 
-/// Returns the object that a request to a GCM concerns, for the audit log: "start robot/arm".
-/// Returns an empty text for other types of requests. The body is untrusted; a malformed body also
-/// gives an empty text.
+/// Returns the object of a request to a GCM, for the audit log: "start robot/arm". Returns an empty
+/// text for other types of requests. The body is untrusted; a malformed body also gives an empty
+/// text.
 [[nodiscard]] std::string AuditObject(MessageType type, std::span<const std::byte> body);
 
 /// The largest age of a health report that is shown as current. Members report every second.
@@ -88,11 +88,11 @@ struct OutdatedPlugin {
 /// returns this process.
 [[nodiscard]] const std::string& ProcessOf(const message::HistoryEntry& step);
 
-/// Returns how much a process keeps of its past: "12.3 of 32.0 MiB, the last 30.0 s", or "off".
-/// Also says how many rows and events it has missed, if any.
+/// Describes the history that a process keeps: "12.3 of 32.0 MiB, the last 30.0 s", or "off". The
+/// text also has the numbers of missed rows and events, if any.
 [[nodiscard]] std::string HistoryText(const message::ProcessHistoryState& history);
-/// Returns how far back the past of a process reaches and why not further, for example "12.3 s: it
-/// has run no longer". Returns an empty string if it reaches back as far as `wanted`.
+/// Returns the length of a process's history, and why it is not longer, for example "12.3 s: it has
+/// not been running longer". Returns an empty string if the history covers `wanted`.
 [[nodiscard]] std::string HistoryReachText(const message::ProcessHistoryState& history,
                                            std::chrono::nanoseconds wanted);
 

@@ -106,7 +106,7 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   std::shared_ptr<LinkHandler> handler_;
 
   std::mutex mutex_;
-  std::optional<Error> reason_;  // why the link is closed or is being closed
+  std::optional<Error> reason_;  // the reason why the link is closed or is being closed
   std::size_t unsent_ = 0;       // in bytes; small requests count until they are answered
 
   /// The largest size of a frame that the peer may send; 0 after the link was closed.

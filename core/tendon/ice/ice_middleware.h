@@ -11,8 +11,8 @@ namespace tendon {
 /// Makes a middleware that sends frames as invocations of ZeroC Ice (see tendon.ice). The
 /// invocations are oneway, except for Delivery::kDirect. Both directions use the connection that
 /// the opener has made. The middleware has its own communicator with fixed settings, so ICE_CONFIG
-/// is ignored. `exposure` says whether addresses of other machines are allowed; if so, a warning is
-/// logged. From now on, the process ignores SIGPIPE.
+/// is ignored. If `exposure` allows addresses of other machines, a warning is logged. From now on,
+/// the process ignores SIGPIPE.
 std::unique_ptr<Middleware> MakeIceMiddleware(Exposure exposure);
 
 /// Makes an Ice middleware with TLS, for this machine and others. Accepts only peers with a

@@ -25,8 +25,8 @@ class Links {
   /// Calls PendingCalls::ReleaseOld() of all links.
   void ReleaseOldCalls(SteadyTime now);
 
-  /// Closes the links that `listener` has accepted. With 0, closes all links, also links that are
-  /// added later. All calls of OnClosed() have returned before this function returns.
+  /// Closes the links that `listener` has accepted. With 0, closes all links, including links that
+  /// are added later. All calls of OnClosed() have returned before this function returns.
   void CloseAll(std::uint64_t listener);
 
  private:

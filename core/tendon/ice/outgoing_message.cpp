@@ -6,7 +6,7 @@
 namespace tendon::ice {
 namespace {
 
-/// An answer of at least this size is not copied: its requester gets the memory of Ice.
+/// An answer of at least this size is not copied: the requester gets the buffer that Ice allocated.
 constexpr std::size_t kLent = std::size_t{16} << 10U;
 
 }  // namespace

@@ -28,7 +28,7 @@ class PendingCalls {
   [[nodiscard]] bool Take(const Call& call);
   /// Answers calls that are older than kOpenAtMost with an empty reply. Called regularly.
   void ReleaseOld(SteadyTime now) noexcept;
-  /// Answers all calls with an empty reply, also calls that are added later.
+  /// Answers all calls with an empty reply, including calls that are added later.
   void Release() noexcept;
 
  private:

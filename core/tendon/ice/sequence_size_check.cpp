@@ -10,7 +10,7 @@
 ///
 /// Up to version 3.7.11, the function of Ice adds in 32 bits, so a size near 2^31 passes the check.
 /// Ice calls the function for the facet in the header of a request, before it calls a servant. With
-/// a size near 2^31, Ice allocates 64 GiB, or the connection hangs for ever.
+/// a size near 2^31, Ice allocates 64 GiB, or the connection hangs forever.
 Ice::Int Ice::InputStream::readAndCheckSeqSize(Int minSize) {
   const Int size = readSize();
   const std::int64_t left = b.end() - i;

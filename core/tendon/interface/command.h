@@ -65,7 +65,7 @@ class CommandBase {
   /// server, and the largest value if no value was read.
   [[nodiscard]] virtual std::chrono::nanoseconds age() const { return {}; }
 
-  /// Sets who calls, for observers of the calls. Called once, before the first call.
+  /// Sets the name of the caller, for observers of the calls. Called once, before the first call.
   virtual void SetClient(const std::shared_ptr<const std::string>& /*client*/) {}
 
   /// For event handlers. Called with true when the component that raises the event has faulted, and

@@ -9,7 +9,7 @@
 namespace tendon {
 namespace {
 
-/// Time that a running handler gets to return.
+/// The time within which a running handler must return.
 constexpr std::chrono::milliseconds kGrace(100);
 
 /// Waits until the mailbox is empty, its component has stopped executing calls, or the deadline has
@@ -113,7 +113,8 @@ void Connection::OpenMailboxes() {
     commands_ = &provided_.inbox()->Open(capacity, command_shape, required_.callers());
   }
   if (required_.inbox() != nullptr && !required_.handlers_.empty()) {
-    // Calls are also shown by their callers, if they are refused.
+    // If a call is refused, its caller reports the call to the observers, so several threads raise
+    // this event.
     const bool shows_calls = std::ranges::any_of(required_.handlers_, [this](const auto& handler) {
       return provided_.FindEvent(handler->description().name) == nullptr;
     });

@@ -18,9 +18,9 @@ class EventBase : public MemberCaller {
  public:
   ~EventBase() override;
 
-  /// Adds a handler, which is called from now on, through a converting command if needed. `lost`
-  /// also counts the events that do not reach `handler`. `handler` and `lost` must live until
-  /// Unsubscribe() returns.
+  /// Adds a handler for all later events. If the layouts differ, it is called through a converting
+  /// command. `lost` also counts the events that do not reach `handler`. `handler` and `lost` must
+  /// live until Unsubscribe() returns.
   void Subscribe(CommandBase& handler, SharedCounter<>* lost = nullptr);
   /// Removes a handler. When this function returns, the handler does not run and is not called
   /// again.

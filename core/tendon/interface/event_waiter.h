@@ -23,8 +23,8 @@ namespace tendon {
 ///     (void)home_();
 ///     if (!homed_.Wait(2s)) ...
 ///
-/// Keeps the newest value raised since the last Wait() or Forget(). Raising costs a wake-up and
-/// never waits.
+/// Keeps the newest value raised since the last Wait() or Forget(). Raising the event costs one
+/// wake-up and never waits.
 ///
 /// Thread safety: one thread calls Wait() and Forget().
 template <typename T>

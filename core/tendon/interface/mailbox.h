@@ -52,8 +52,8 @@ class Mailbox {
     void Cover(const SlotShape& other);
   };
 
-  /// Number of bytes before the argument of a slot: the pointer to its entry, and also the time if
-  /// the slots have times.
+  /// Number of bytes before the argument of a slot: the pointer to its entry and, if the slots have
+  /// times, the time.
   static constexpr std::size_t kEntryBytes = sizeof(Entry*);
   static constexpr std::size_t kTimedEntryBytes = kEntryBytes + sizeof(SteadyTime);
   /// Returns the size of a slot in bytes; `before` is the number of bytes before its argument.
@@ -124,7 +124,7 @@ class Mailbox {
 
   [[nodiscard]] std::size_t size() const noexcept { return many_ ? many_->size() : one_->size(); }
   [[nodiscard]] std::size_t capacity() const noexcept { return capacity_; }
-  /// Number of calls that have left the mailbox. Nearly all of them were executed.
+  /// Number of calls that were taken out of the mailbox. Nearly all of them were executed.
   [[nodiscard]] std::uint64_t taken() const noexcept {
     return many_ ? many_->released() : one_->released();
   }
@@ -162,7 +162,7 @@ class Mailbox {
   Flag closed_;
   Flag abandoned_;
   Flag held_;
-  Flag observed_;  // in the word of the flags that the executing thread reads before each call
+  Flag observed_;  // in the same word as the flags that the executing thread reads before each call
   CompletionPool completions_;
   // These counters are kept apart from data that the server reads, because callers write them and
   // may retry all the time.

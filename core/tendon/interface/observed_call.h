@@ -15,7 +15,7 @@
 
 namespace tendon {
 
-/// What became of a call, as its observers see it.
+/// The outcome of a call, as its observers see it.
 enum class CallOutcome : std::int32_t {
   kExecuted,  ///< the component has executed it
   kFailed,    ///< code of the component threw an exception
@@ -49,10 +49,10 @@ inline constexpr auto kPayload<Status::Code> = DescribeEnum(
          outcome == CallOutcome::kQueued;
 }
 
-/// The beginning of an observed call. It takes 16 bytes on the wire, so the argument that follows
-/// is aligned as in a body of its own.
+/// The beginning of an observed call. It takes 16 bytes on the wire, so the argument after it is
+/// aligned as in a separate body.
 struct CallHeader {
-  std::chrono::nanoseconds took{0};  ///< from the begin of the execution to its end
+  std::chrono::nanoseconds took{0};  ///< from the start of the execution to its end
   CallOutcome outcome = CallOutcome::kExecuted;
   Status::Code status = Status::kDone;  ///< why the call was not executed
 };
@@ -73,16 +73,17 @@ inline constexpr auto kPayload<CallHeader> = Describe("tendon.CallHeader",
 /// argument and the result of the command.
 [[nodiscard]] MemberDescription DescribeCalls(MemberDescription command);
 
-/// Returns the type of an observed call: the fields of CallHeader, then `argument` and `result`,
-/// unless the command has none, then `client`: the required interface that has called.
+/// Returns the type of an observed call. Its fields are those of CallHeader, then `argument` and
+/// `result` if the command has them, then `client`, the required interface of the caller.
 [[nodiscard]] Schema SchemaOfCalls(const Schema& argument, const Schema& result);
 
-/// The reverse of SchemaOfCalls() for one field; the schema of None if `calls` has no such field.
+/// Return the argument and the result type from a schema that SchemaOfCalls() has returned; the
+/// schema of None if `calls` has no such field.
 [[nodiscard]] Schema ArgumentOfCalls(const Schema& calls);
 [[nodiscard]] Schema ResultOfCalls(const Schema& calls);
 
-/// Returns the begin of the value of an observed call, which need not be trusted: `took` is limited
-/// to 0 to one day. Returns the default if the value cannot be read.
+/// Reads the header of an observed call, which may be untrusted: `took` is limited to the range
+/// from 0 to one day. Returns a default-constructed header if the value cannot be read.
 [[nodiscard]] CallHeader HeaderOfCall(std::span<const std::byte> call);
 
 /// Encodes an observed call. If `out` is null, the result is the default of its type. All arguments
@@ -117,7 +118,8 @@ class ObservedCallWriter final : public ArgumentWriter {
  private:
   static constexpr bool kHasArgument = !std::is_same_v<In, None>;
   static constexpr bool kHasResult = !std::is_same_v<Out, None>;
-  static inline const Out kNoResult{};  // made before any call, which must not allocate
+  static inline const Out
+      kNoResult{};  // created before the first call, because a call must not allocate
 
   const CallHeader& header_;
   const In& in_;

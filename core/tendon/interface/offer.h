@@ -163,7 +163,7 @@ class QueuedOffer : public Offer {
   }
 
  protected:
-  /// Observers of `observed`, if given, see the calls.
+  /// Observers of `observed`, which may be null, see the calls.
   [[nodiscard]] std::unique_ptr<Command<In, Out>> BindTyped(Mailbox* mailbox,
                                                             const CallSwitches* observed) const {
     if constexpr (kMayReplace) {
@@ -199,7 +199,7 @@ class FilteredOffer final : public QueuedOffer<Filtered, None, Handler> {
   Filter filter_;
 };
 
-/// Says which side is faulty if code throws in the caller's thread.
+/// The side that is at fault if code throws in the caller's thread.
 enum class ExceptionPolicy {
   kCaller,     ///< the caller gets kFailed, because its argument may be the cause
   kComponent,  ///< in addition, the component is faulted

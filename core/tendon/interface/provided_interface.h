@@ -21,9 +21,9 @@ namespace tendon {
 
 /// A named set of commands and events that a component offers.
 ///
-/// Fill it in the component's constructor. A duplicate or invalid name throws ConfigurationError,
-/// and so does adding a member after the component was started. Events and the objects of methods
-/// must outlive the interface; use members of the component.
+/// Fill it in the component's constructor. A function that adds a member throws ConfigurationError
+/// if the name is a duplicate or invalid, or if the component was already started. Events and the
+/// objects of methods must outlive the interface; use members of the component.
 class ProvidedInterface {
  public:
   /// Calls are queued in `inbox` for the component's thread. If `inbox` is null, calls run in the

@@ -115,9 +115,9 @@ class RequiredInterface {
     MarkMirrored(function);
   }
 
-  /// Returns the steady-clock time at which the event was raised that the component's thread
-  /// handles, or has handled last. For an event of another process, returns the time of its
-  /// arrival. Not for direct handlers, which run when the event is raised.
+  /// Returns the time, on the steady clock, at which the present event was raised: the event that
+  /// the component's thread is handling or has handled last. For an event of another process,
+  /// returns the time of its arrival. Not for direct handlers, which run when the event is raised.
   [[nodiscard]] SteadyTime event_time() const { return event_time_; }
   /// Number of events that did not reach their handlers, because the mailbox was full, the
   /// component was not active, or a handler threw. If a handler keeps only the latest event, a

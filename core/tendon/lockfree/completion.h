@@ -35,8 +35,8 @@ class Completion {
     listener_.store(nullptr, std::memory_order_relaxed);
     return true;
   }
-  /// Called before the call is posted, by a caller that does not sleep in Await(). `listener` is
-  /// notified when the call is done, and by Interrupt(). It must outlive the record.
+  /// Called before the call is posted, by a caller that does not sleep in Await(). `listener`,
+  /// which must outlive this record, is notified when the call is done, and by Interrupt().
   void SetListener(Wakeup<Atomics>& listener) noexcept {
     listener_.store(&listener, std::memory_order_release);  // (D)
   }

@@ -14,14 +14,15 @@ namespace tendon {
 /// Thread safety: one thread makes Calls, which may be nested. Other threads use Exchange() and
 /// Get(), one thread at a time. They must not do so inside a Call, because they would wait forever.
 ///
-/// The in-call word tells which object the thread uses:
+/// The in-call word identifies the object that the thread uses:
 /// - A call stores that it uses some object, then loads the pointer, then stores which object. If
 ///   nested calls use different objects, the word stays at "some object".
 /// - The exchange stores the pointer, then reads the word. The process barrier in between is a full
 ///   fence in the call as well: either the exchange sees the call, or the call sees the new
 ///   pointer.
-/// - A user of the new object never delays the exchange, however long it runs: neither a thread
-///   that calls without a break nor a call that waits for something.
+/// - A user of the new object never delays the exchange, even if it runs for a long time.
+///   Therefore, neither a thread that calls without a break nor a call that waits for something
+///   delays it.
 template <typename T, typename Atomics = StdAtomics>
 class GuardedPointer {
  public:
@@ -88,7 +89,7 @@ class GuardedPointer {
   [[nodiscard]] T* Get() const noexcept { return pointer_.load(std::memory_order_acquire); }
 
  private:
-  // Objects are aligned, so the word of an object never equals these.
+  // Objects are aligned, so the word of an object never equals these values.
   static constexpr std::uintptr_t kNoObject = 0;
   static constexpr std::uintptr_t kSomeObject = 1;  // an object that is not known yet, or several
 

@@ -33,7 +33,7 @@ class NoticeList {
     }
   }
 
-  /// True if the receiver has not taken some notice that satisfies `predicate(const T&)`. Only for
+  /// True if a notice that satisfies `predicate(const T&)` still waits for the receiver. Only for
   /// the sending thread.
   template <typename Predicate>
   [[nodiscard]] bool HasUnread(Predicate predicate) const {

@@ -37,7 +37,8 @@ class TripleBuffer {
     return &values_[theirs_];
   }
 
-  /// True if a value waits to be taken. Only the writer makes it true, only the reader false.
+  /// True if a value waits to be taken. Only the writer makes it true, and only the reader makes it
+  /// false.
   [[nodiscard]] bool is_fresh() const noexcept {
     return (middle_.load(std::memory_order_relaxed) & kFresh) != 0;  // orders nothing
   }

@@ -18,7 +18,7 @@ class TryLock {
   /// Releases the lock. Called by the thread whose TryTake() succeeded.
   void Return() noexcept { taken_.store(false, std::memory_order_release); }  // (A)
 
-  /// Takes the lock if it is free; the destructor returns it.
+  /// Takes the lock if it is free; the destructor releases it.
   class [[nodiscard]] Hold {
    public:
     explicit Hold(TryLock& lease) noexcept : lease_(lease.TryTake() ? &lease : nullptr) {}

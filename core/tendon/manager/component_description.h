@@ -32,7 +32,7 @@ struct TableDescription {
   bool operator==(const TableDescription&) const = default;
 };
 
-/// Says whether the file of a plug-in has changed since the plug-in was loaded.
+/// Whether the file of a plug-in has changed since the plug-in was loaded.
 enum class PluginState : std::int32_t {
   kCurrent,  ///< the file contains the loaded version
   kChanged,  ///< the file contains another version; only a new process can load it
@@ -108,7 +108,7 @@ struct ConnectionDescription {
   InterfaceName required;
   InterfaceName provided;
   ConnectionState state = ConnectionState::kPending;
-  std::string reason;  ///< why the connection is pending or failed
+  std::string reason;  ///< the reason why the connection is pending or failed
   /// The functions whose values are encoded and decoded, because the two ends have different memory
   /// layouts of a type. Such calls are slower and may allocate memory.
   std::vector<std::string> converted{};

@@ -32,7 +32,7 @@ struct ComponentOrigin {
   std::string configuration{};  ///< JSON, as given to the component; empty if none was given
 };
 
-/// Settings that say how a component runs, without its class and configuration.
+/// The settings with which a component runs, without its class and configuration.
 struct RunSettings {
   std::optional<ThreadOptions> thread{};  ///< empty if it has no thread of its own
   std::string leader{};                   ///< the component after which it runs, or empty
@@ -142,17 +142,17 @@ class LocalManager {
   /// whether the stop has succeeded.
   Result<void> TransitionTo(const std::string& component, ComponentState wanted,
                             Patience patience = kPatience);
-  /// Starts all components that are not active, one after the other. The order is that in which
-  /// they were added, but leaders come before the components that run after them. `patience` is the
-  /// total time. If a start fails, starts the others nevertheless, and returns the first error.
+  /// Starts all components that are not active, one after the other, in the order in which they
+  /// were added, except that leaders come before the components that run after them. `patience` is
+  /// the total time. If a start fails, starts the others nevertheless, and returns the first error.
   Result<void> StartAll(Patience patience = kPatience);
   /// Suspends all active components in the reverse order of StartAll().
   Result<void> SuspendAll(Patience patience = kPatience);
   /// Stops all running components. Clients are stopped before their servers, so that the servers
   /// can still execute the clients' last calls. Components are stopped before their leaders.
   /// Components that do not depend on each other are stopped at the same time. If connections form
-  /// a cycle, one server must be stopped before its client; the order in which components were
-  /// added decides which one.
+  /// a cycle, one server must be stopped before its client. It is chosen by the order in which the
+  /// components were added.
   Result<void> StopAll(Patience patience = kPatience);
   /// These functions wait until the component, or all components, are in this state. They fail with
   /// kTimeout if this takes longer than `patience`, and with kFailed if a component is faulted.
@@ -176,10 +176,10 @@ class LocalManager {
   /// such component.
   [[nodiscard]] Result<MailboxFill> FillOf(const std::string& component) const;
 
-  /// How long a disconnect waits for servers to execute accepted calls.
+  /// The time for which a disconnect waits until servers have executed accepted calls.
   static constexpr std::chrono::milliseconds kDrainPatience{500};
-  /// How long the destructor waits for all components to stop before it disconnects them. This time
-  /// lets a program end within 2 s after a termination request.
+  /// The time for which the destructor waits until all components have stopped, before it
+  /// disconnects them. This time lets a program end within 2 s after a termination request.
   static constexpr std::chrono::milliseconds kEndPatience{1300};
 
  protected:

@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <thread>
 
-// The lifecycle of the components of a LocalManager: requests, and the orders of start and end.
+// The lifecycle of the components of a LocalManager: requests, and the order in which components
+// start and end.
 
 namespace tendon {
 namespace {

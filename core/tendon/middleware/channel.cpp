@@ -15,8 +15,8 @@
 namespace tendon {
 namespace {
 
-/// How many nested calls from a middleware this thread is executing. If this is not 0, the thread
-/// must not wait for an answer.
+/// The number of nested calls from a middleware that this thread is executing. If this is not 0,
+/// the thread must not wait for an answer.
 thread_local int calls_from_middleware = 0;
 
 struct MiddlewareCallScope {

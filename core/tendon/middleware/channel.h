@@ -207,7 +207,7 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   Hello peer_;            // does not change after the channel is open
   bool greeted_ = false;  // set after OnOpen()
   Lane last_lane_ = kCommonLane;
-  std::optional<Error> reason_;  // why the channel is closed or is being closed
+  std::optional<Error> reason_;  // the reason why the channel is closed or is being closed
 };
 
 template <Message T>

@@ -16,8 +16,8 @@ using message::Digest;
 using message::Greeting;
 using message::Proof;
 
-/// The data that a proof covers. Parts of variable length are encoded with their size, so that two
-/// different data never have the same bytes.
+/// The data that a proof covers. Parts of variable length are encoded with their size, so that
+/// different data never has the same encoding.
 struct Covered {
   std::uint8_t role = 0;
   Greeting opener;

@@ -68,7 +68,7 @@ class Handshake {
   /// Returns the body of the opener's kHello.
   [[nodiscard]] Bytes Greet();
 
-  /// What to do after a frame of the peer was handled.
+  /// The action after a frame of the peer was handled.
   struct Step {
     MessageType type = MessageType::kHello;
     Bytes body;

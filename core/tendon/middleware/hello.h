@@ -10,7 +10,7 @@
 
 namespace tendon {
 
-/// The name of every GCM, also in its certificate.
+/// The name of every GCM. Its certificate also contains this name.
 inline constexpr const char* kGcmName = "gcm";
 
 /// The identity and the secrets of one end of a link. handshake.h describes how they are exchanged.

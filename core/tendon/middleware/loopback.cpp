@@ -228,7 +228,8 @@ class End final : public Link, public std::enable_shared_from_this<End> {
   void SetHandler(std::shared_ptr<LinkHandler> handler) { handler_ = std::move(handler); }
 
  private:
-  /// How a frame was sent. A reply to a direct request is sent even if the link is full.
+  /// The way in which a frame was sent. A reply to a direct request is sent even if the link is
+  /// full.
   enum class Kind { kQueued, kDirect, kReply };
 
   struct DelayedFrame {

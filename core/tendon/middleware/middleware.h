@@ -152,7 +152,8 @@ class Middleware {
 };
 
 /// The machines to which links may lead. kLoopbackOnly: only this machine. kInsecure: any machine,
-/// unencrypted. kCertified: any machine, with TLS on every link, also within this machine.
+/// unencrypted. kCertified: any machine, with TLS on every link, including links within this
+/// machine.
 enum class Exposure { kLoopbackOnly, kInsecure, kCertified };
 
 /// Host and port of an address.

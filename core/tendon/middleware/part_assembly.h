@@ -53,7 +53,7 @@ class PartAssembly {
   /// With kTooMuch, sets only its header.
   Progress Add(std::uint32_t number, std::span<const std::byte> part, Frame& frame);
 
-  /// How long to wait for the next part of a frame. The sender may first handle a large message for
+  /// The time to wait for the next part of a frame. The sender may first handle a large message for
   /// up to LargeMessageInProgress::kAtMost. After that, it sends one part of each of its frames in
   /// turn, each part within PartSender::kPartTime.
   static constexpr std::chrono::seconds kPatience =

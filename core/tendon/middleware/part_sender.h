@@ -45,7 +45,7 @@ class PartSender {
  public:
   static constexpr std::size_t kPartsAhead = 4;
   static constexpr std::chrono::milliseconds kPartTime{250};
-  /// How long the result of a measurement of the link's speed is valid.
+  /// The time for which a measurement of the link's speed is valid.
   static constexpr std::chrono::milliseconds kQuickFor{1000};
 
   /// `clock` must outlive this object.

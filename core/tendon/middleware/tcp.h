@@ -9,7 +9,7 @@ namespace tendon {
 /// Makes a middleware that uses plain TCP sockets. A TCP connection carries only frames, one after
 /// the other. One thread serves all listeners and links. If the machine of a peer disappears from
 /// the network, the links to it are closed within 2 s while data is sent, otherwise within 4 s.
-/// `exposure` says whether addresses of other machines are allowed; if so, a warning is logged.
+/// If `exposure` allows addresses of other machines, a warning is logged.
 std::unique_ptr<Middleware> MakeTcpMiddleware(Exposure exposure);
 
 }  // namespace tendon

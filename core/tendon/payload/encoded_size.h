@@ -10,8 +10,8 @@ namespace tendon {
 
 namespace payload {
 
-/// Returns the offset after a value of a fixed type. `start` is the offset before the value and its
-/// alignment.
+/// Returns the offset after a value of a fixed type. `start` is the offset before the value,
+/// without the padding that aligns the value.
 template <typename T>
 constexpr std::size_t EndOf(std::size_t start) {
   if constexpr (IsPlain<T>()) {

@@ -50,7 +50,7 @@ NumericAxis::NumericAxis(const Schema& schema, std::span<const NumericValue> val
   }
 }
 
-/// Spaces the names equally, whatever their numbers are.
+/// Spaces the names equally, regardless of their numbers.
 void NumericAxis::UseNames(const Schema& schema, std::span<const NumericValue> values) {
   constexpr double kMiddle = 0.5;
   Names names;

@@ -60,7 +60,7 @@ class Schema {
   static Schema Structure(std::string name, std::vector<Field> fields);
 
   [[nodiscard]] Kind kind() const;
-  /// The name of a structure or an enum, else empty.
+  /// The name of a structure or an enum; empty for other kinds.
   [[nodiscard]] const std::string& name() const;
   /// The fields of a structure, in wire order; empty for all other kinds.
   [[nodiscard]] const std::vector<Field>& fields() const;
@@ -98,8 +98,8 @@ class Schema {
   ///       @ 0 to 2.5
   ///       speed: float64 in rad/s
   [[nodiscard]] std::string TextWithHelp() const;
-  /// Reads the result of Text() or TextWithHelp(), also from untrusted sources. Limits: 1 MiB of
-  /// text, 64 levels, a minimum_size() of 2 GiB. The error names line and column.
+  /// Reads the result of Text() or TextWithHelp(), which may come from an untrusted source. Limits:
+  /// 1 MiB of text, 64 levels, a minimum_size() of 2 GiB. The error names line and column.
   static Result<Schema> Parse(std::string_view text);
   /// Computes the fingerprint from the text at each call. Needs fingerprint.h.
   [[nodiscard]] Fingerprint fingerprint() const;

@@ -48,7 +48,7 @@ class SharedList {
   void resize(std::size_t size) { Own().resize(size); }
   void clear() { *this = {}; }
 
-  /// Makes all copies from now on share the memory of this list.
+  /// From now on, all copies share the memory of this list.
   void Share() {
     if (!shared_) shared_ = std::make_shared<const std::vector<T>>(std::exchange(own_, {}));
   }

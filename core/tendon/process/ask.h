@@ -30,7 +30,7 @@ void Ask(Worker& timer, const std::shared_ptr<Channel>& channel, MessageType typ
   });
 }
 
-/// Sends a notice without a body. While the link is full, `worker` tries again and again.
+/// Sends a notice without a body. While the link is full, `worker` repeats the attempt.
 inline void NotifyUntilSent(const std::weak_ptr<Worker>& worker,
                             const std::shared_ptr<Channel>& channel, MessageType type,
                             std::uint32_t handle, Lane lane = kCommonLane) {

@@ -81,7 +81,8 @@ void ViewerMonitor::Check(SteadyTime due) {
   const SteadyTime end = last_ping + kLongestPeerSilence;
   if (now < end) return CheckAfter(std::min(kBetweenChecks, TimeUntil(end)));
   // A late check may mean that this process was suspended and has not yet read the pings. The
-  // checks are frequent enough that a pause that delays no check cannot hide three pings.
+  // checks are frequent: a pause that is too short to delay a check is also too short for three
+  // missing pings.
   const bool is_late = now - due > kBetweenChecks;
   if (is_late || MayBeHeldUp(*channel, now, kLongestPeerSilence)) return CheckAfter(kBetweenChecks);
   channel->Close();

@@ -34,9 +34,9 @@ void MonitorPeer(const std::shared_ptr<Worker>& worker, const std::shared_ptr<Ch
 /// has accepted a channel. This side sends no requests, so nothing else checks its timeouts.
 void KeepExpiring(Worker& worker, const std::weak_ptr<Channel>& channel);
 
-/// Closes the channel of a viewer that hangs, so that the process does not send rows to it for
-/// ever. A viewer pings twice a second. After its first ping, a silence of 1.5 s closes the channel
-/// and ends its subscriptions. A viewer that was only slow opens the channel again and counts the
+/// Closes the channel of a viewer that hangs, so that the process does not send rows to it forever.
+/// A viewer pings twice a second. After its first ping, a silence of 1.5 s closes the channel and
+/// ends its subscriptions. A viewer that was only slow opens the channel again and counts the
 /// missed rows.
 class ViewerMonitor final : public std::enable_shared_from_this<ViewerMonitor> {
  public:

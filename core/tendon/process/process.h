@@ -19,7 +19,7 @@ struct ComponentProxy;
 
 inline constexpr std::uint16_t kDefaultGcmPort = 10705;
 
-/// What a process keeps of its past: rows of its state tables, events and log records.
+/// The limits of the history of a process: rows of its state tables, events and log records.
 struct HistoryOptions {
   std::size_t memory = std::size_t{32} << 20U;  ///< bytes at most; 0 keeps nothing
   std::chrono::nanoseconds span = std::chrono::seconds(30);
@@ -45,7 +45,7 @@ struct ProcessOptions {
 /// components can be connected to components of any other process, in the same way as to local
 /// components.
 ///
-/// Connections within the process are those of LocalManager. A connection to another process
+/// Connections within the process are handled by LocalManager. A connection to another process
 /// belongs to the process of the required interface. It is pending while the other process is
 /// absent, and is made again when that process returns. A crash of the GCM does not affect
 /// connections.

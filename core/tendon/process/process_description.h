@@ -36,8 +36,8 @@ struct ProcessDescription {
   std::int64_t pid = 0;
   std::string address;  ///< where viewers and peers connect
   ProcessState state = ProcessState::kAlive;
-  std::string reason;  ///< why the process is lost; for a living process, which hosts cannot reach
-                       ///< it
+  /// The reason why the process is lost; for a living process, the hosts that cannot reach it.
+  std::string reason;
   std::int64_t since = 0;  ///< time of entering `state`, ns since 1970; only for display
   std::vector<PluginDescription> plugins{};  ///< in the order of loading
 

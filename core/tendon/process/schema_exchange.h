@@ -25,7 +25,7 @@ void AnswerSchemas(std::span<const std::byte> body, Responder& responder);
                                                         const message::Schemas& answer);
 
 /// Stores the types that peers describe, so that FindSchema() finds them until the process ends.
-/// Its size is limited, whatever peers send. Thread-safe.
+/// Its size is limited, so peers cannot use up the memory. Thread-safe.
 class SchemaCache {
  public:
   /// The limits of a SchemaCache.
@@ -49,7 +49,7 @@ class SchemaCache {
 };
 
 /// Asks the peer for schemas and adds them, so that FindSchema() finds them. The default limits of
-/// SchemaCache apply to all peers together. Calls `done` exactly once, also after an error. `timer`
+/// SchemaCache apply to all peers together. Calls `done` exactly once, even after an error. `timer`
 /// provides the timeout.
 void LearnSchemas(Worker& timer, const std::shared_ptr<Channel>& channel,
                   const message::GetSchemas& wanted, std::chrono::milliseconds timeout,

@@ -68,7 +68,7 @@ struct RowBatch {
 class RowSink {
  public:
   virtual ~RowSink() = default;
-  /// Called when the subscription has become active, also after each recovery. `columns` are in the
+  /// Called when the subscription has become active, and after each recovery. `columns` are in the
   /// order of the request.
   virtual void OnSubscribed(const std::vector<Schema>& columns) = 0;
   virtual void OnRows(const RowBatch& batch) = 0;
@@ -88,8 +88,9 @@ struct TableSubscription {
 
 /// The result of ReadPast().
 struct PastRows {
-  std::uint64_t rows = 0;             ///< rows that were read
-  std::uint64_t lost = 0;             ///< rows between the read rows that were not kept
+  std::uint64_t rows = 0;  ///< rows that were read
+  std::uint64_t lost =
+      0;  ///< missing rows: they were written between the rows that were read, but were not kept
   std::chrono::nanoseconds reach{0};  ///< the age of the oldest row that was read; 0 without rows
   std::optional<Error> failure;       ///< the reason why not all rows could be read
 };
@@ -100,10 +101,10 @@ class TelemetryClient {
  public:
   virtual ~TelemetryClient() = default;
   using Id = std::uint64_t;
-  /// A process allows each client at most 2048 subscriptions. For each row of a table, it reads at
-  /// most 32 times the row's number of values for one client. Values for several subscriptions to
-  /// the same columns and rows are read once. A subscription beyond these limits, or with a column
-  /// named twice, is refused, and the sink gets OnStale().
+  /// A process allows each client at most 2048 subscriptions. If a row of a table has N values, the
+  /// process reads at most 32 N values of the row for one client. Values for several subscriptions
+  /// to the same columns and rows are read once. A subscription beyond these limits, or with a
+  /// column named twice, is refused, and the sink gets OnStale().
   virtual Id Subscribe(const TableSubscription& subscription, std::shared_ptr<RowSink> sink) = 0;
   /// Ends a subscription. After this function has returned, the sink is not called any more. Must
   /// not be called from a sink.
@@ -111,14 +112,14 @@ class TelemetryClient {
   /// Reads the rows of `table` that its process still has, in its history and in the table, and
   /// that are not older than `last`, oldest first. The sink gets OnSubscribed(), then OnRows().
   /// Then `done` is called once, in a thread of the middleware or of the client. If the client ends
-  /// first, `done` is not called. If the reading fails, the sink has already got the rows before
-  /// the failure. Errors are those of Subscribe().
+  /// first, `done` is not called. If the reading fails, the sink has received the rows before the
+  /// failure. Fails like Subscribe().
   virtual void ReadPast(const TableSubscription& table, std::chrono::nanoseconds last,
                         std::shared_ptr<RowSink> sink, std::function<void(const PastRows&)> done) {
     static_cast<void>(table);
     static_cast<void>(last);
     static_cast<void>(sink);
-    done({.failure = Error{ErrorCode::kFailed, "this client cannot read past rows"}});
+    done({.failure = Error{ErrorCode::kFailed, "this client cannot read kept rows"}});
   }
   /// Tries the subscriptions of a process again at once. Call it when the process has returned or
   /// has another address.

@@ -12,7 +12,7 @@ message::ProgramVersion OwnVersion() {
 
 Error ExplainRefusal(Error refusal, MessageType request, const std::string& peer) {
   const std::string message = "message " + std::to_string(static_cast<unsigned>(request));
-  // What GuardedHandler and ChannelHandler answer to a message that they do not know.
+  // The texts with which GuardedHandler and ChannelHandler refuse an unknown message.
   const bool is_unknown = refusal.message == message + " is not allowed for any role" ||
                           refusal.message == message + " is not understood here";
   const Right* const right = FindRight(static_cast<std::uint16_t>(request));

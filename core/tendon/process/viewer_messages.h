@@ -38,8 +38,8 @@ inline constexpr auto kRowTaken = static_cast<MessageType>(0x206);  // notice: a
 inline constexpr auto kListen =
     static_cast<MessageType>(0x207);  // request: OpenInterface -> OpenInterfaceReply
 
-/// kGetCounts asks for the counts of a connection whose required side is in the process. kGetFill
-/// asks for the fill levels of a component's mailboxes.
+/// kGetCounts requests the counts of a connection whose required side is in the process. kGetFill
+/// requests the fill levels of a component's mailboxes.
 inline constexpr auto kGetCounts =
     static_cast<MessageType>(0x208);  // request: GetCounts -> ConnectionCounts
 inline constexpr auto kGetFill =
@@ -106,8 +106,8 @@ struct SubscribeReply {
   std::vector<std::string> schemas;  ///< Schema::Text() of each column, in the order of the request
 };
 
-/// Asks for past rows of one state table. The first request has the epoch 0. Each later request
-/// continues after the reply to the request before it.
+/// Asks for the kept rows of one state table. The first request has the epoch 0. Each later request
+/// continues where the previous reply has ended.
 struct ReadRows {
   std::string component;
   std::string table;  ///< "state" or "state-NAME"
@@ -119,9 +119,10 @@ struct ReadRows {
   std::uint64_t rows_before = 0;  ///< rows that the viewer has received in earlier replies
 };
 
-/// The answer to ReadRows: as many rows as fit into 128 KiB, but at least one row if there is one.
+/// The answer to ReadRows: as many rows as fit into 128 KiB. If any row is left, the answer has at
+/// least one.
 struct ReadRowsReply {
-  SubscribeReply subscribed;    ///< without a handle; `first_tick` is that of these rows
+  SubscribeReply subscribed;    ///< without a handle; `first_tick` is the first tick of these rows
   std::int64_t now = 0;         ///< ns, on the steady clock of the process
   std::uint64_t end_tick = 0;   ///< the tick of the next row that will be written
   std::vector<std::byte> rows;  ///< the body of a kRows

@@ -68,11 +68,12 @@ struct OpenInterfaceReply {
   std::vector<std::string> latest_only{};  ///< commands that keep only the latest call
 };
 
-/// How many calls the component has executed, and its state. Sent within 5 ms after each change.
+/// The number of calls that the component has executed, and its state. Sent within 5 ms after each
+/// change.
 struct Credit {
   std::uint64_t executed = 0;  ///< number of calls executed since the connection was opened
   bool accepting = false;
-  std::string fault;  ///< the reason if the component is faulted, else empty
+  std::string fault;  ///< the reason if the component is faulted; otherwise empty
 
   bool operator==(const Credit&) const = default;
 };

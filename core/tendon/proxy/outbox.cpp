@@ -14,7 +14,7 @@ namespace {
 /// A batch with this many bytes is full; it gets no further calls.
 constexpr std::size_t kFullBatch = std::size_t{32} << 10U;
 static_assert(kMaxPayload + kFullBatch + CallBatch::kOverhead <= kMaxBodySize,
-              "the largest argument fits behind a batch that is almost full");
+              "the largest argument fits after a batch that is almost full");
 
 }  // namespace
 

@@ -101,9 +101,9 @@ class Outbox {
     std::uint64_t number = 0;  ///< number of the call in `callers`
   };
 
-  /// Gives the calling thread the right to send. The returned turn does not hold the lock, and the
-  /// thread may not send, if other calls are already taken from the inbox, the credit is used up,
-  /// or another thread is sending.
+  /// Gives the calling thread the right to send. If other calls are already taken from the inbox,
+  /// the credit is used up, or another thread is sending, the returned turn does not hold the lock,
+  /// and the thread may not send.
   [[nodiscard]] Turn TakeTurn();
   /// Sends a call directly, without the mailbox, which must be empty. Returns the total number of
   /// sent calls, including this one. Returns 0 if the link is full; then the network thread will

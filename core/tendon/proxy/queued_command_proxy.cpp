@@ -52,7 +52,8 @@ class SlotBuffers {
   }
   /// Must be called after the last use of a buffer. Frees it if all buffers together are too large.
   void FreeIfMany(std::size_t slot) noexcept {
-    const std::uint64_t freed = freed_.value();  // first, so that it is not above grown_
+    const std::uint64_t freed =
+        freed_.value();  // read before grown_, so that the difference is never below zero
     if (grown_.value() - freed <= most_kept_) return;
     freed_.Add(buffers_[slot].capacity());
     Bytes().swap(buffers_[slot]);
@@ -259,7 +260,7 @@ class QueuedCommandProxy : public CommandBase, protected Mailbox::Entry {
 };
 
 /// Behaves like LatestCommand: a newer call replaces an older one that is still queued, here or in
-/// the other process. Calls whose callers wait are queued like those of a QueuedCommandProxy.
+/// the other process. Calls whose callers wait are queued as in a QueuedCommandProxy.
 class LatestCommandProxy final : public QueuedCommandProxy {
  public:
   LatestCommandProxy(Outbox& outbox, const MemberDescription& command, std::uint32_t handle,

@@ -12,7 +12,8 @@
 namespace tendon {
 namespace {
 
-/// How long a read may be queued. The caller's deadline (by default 100 ms) is not known here.
+/// The longest time for which a read may be queued. The caller's deadline (by default 100 ms) is
+/// not known here.
 constexpr std::chrono::seconds kMostReadWait(2);
 constexpr std::size_t kMostReads = 64;
 constexpr std::size_t kMostReadBytes = std::size_t{64} << 20U;
@@ -20,16 +21,16 @@ constexpr std::size_t kMostReadBytes = std::size_t{64} << 20U;
 /// The largest number of event bytes that may be queued for a connected peer. Further events are
 /// lost and counted.
 constexpr std::size_t kMostEventBytes = std::size_t{64} << 20U;
-/// The limit for a peer that only receives events. It is smaller, because many peers may only
-/// receive events.
+/// The limit for a peer that only receives events. It is smaller, because there may be many such
+/// peers.
 constexpr std::size_t kMostHeardBytes = std::size_t{8} << 20U;
 
 /// Writes the result of a read and the status as the reply. If the link has memory for the reply,
 /// writes directly into this memory.
 class ReadReply final : public AnswerSink {
  public:
-  /// `may_be` returns true if a value of this size may be sent. `spare` is the buffer for the reply
-  /// if the link has no memory for it.
+  /// `may_be` returns true if a value of this size may be sent. If the link has no memory for the
+  /// reply, `spare` is the buffer of the reply.
   ReadReply(Responder responder, std::function<bool(std::size_t)> may_be, Bytes& spare)
       : responder_(std::move(responder)), may_be_(std::move(may_be)), spare_(spare) {}
 

@@ -31,18 +31,18 @@ class RequiredInterfaceProxy final : public NetworkJob,
                                      public std::enable_shared_from_this<RequiredInterfaceProxy>,
                                      private ExecutingCalls::Owner {
  public:
-  /// How events are sent: as kEvents, or as kTimedEvents, which include the time when each event
-  /// was raised. With kTimed, handlers also receive the calls of commands.
+  /// The message that carries events. kPlain: kEvents. kTimed: kTimedEvents, which includes the
+  /// time when each event was raised. With kTimed, handlers also receive the calls of commands.
   enum class Events { kPlain, kTimed };
 
   /// Throws ConfigurationError if the description is invalid.
   RequiredInterfaceProxy(std::shared_ptr<NetworkThread> thread, std::shared_ptr<Channel> channel,
                          const message::OpenInterface& open, Events events = Events::kPlain);
 
-  /// Makes one serial executor for commands and one for reads, if some calls run code of the
-  /// component in their caller's thread. While such a command is queued or running in the executor,
-  /// all other commands use the executor, too, so that commands keep their order. Must be called
-  /// before the proxy is connected to `server`.
+  /// If some calls run code of the component in their caller's thread, makes a serial executor for
+  /// the commands and one for the reads of this kind. While a command is queued or running in the
+  /// executor, all other commands also use the executor, so that commands keep their order. Must be
+  /// called before the proxy is connected to `server`.
   void MakeLines(const ProvidedInterface& server, CallExecutors& threads);
 
   /// Prepares the handlers that will receive the calls of commands of `server`. Must be called
@@ -67,7 +67,8 @@ class RequiredInterfaceProxy final : public NetworkJob,
   /// The connected component.
   struct Server {
     const ProvidedInterface* interface = nullptr;
-    std::function<std::string()> fault;  ///< why the component is faulted; called in any thread
+    std::function<std::string()>
+        fault;  ///< returns the reason why the component is faulted; called in any thread
   };
   /// From now on, reports to the peer the state of the server, and which calls of `connection` were
   /// executed. Returns true if the server executes calls now. The arguments must exist until
@@ -101,8 +102,8 @@ class RequiredInterfaceProxy final : public NetworkJob,
   /// Returns true if a result of this size can be sent. Logs a result that is too large, because
   /// the caller does not get it although the call was executed.
   bool CanBeSent(std::size_t function, std::size_t size);
-  /// How often the network thread checks if it must send a Credit to the peer. kIdle: never.
-  /// kRelaxed: seldom, because replies have probably reported all calls. kPrompt: often.
+  /// The rate at which the network thread checks if it must send a Credit to the peer. kIdle:
+  /// never. kRelaxed: seldom, because replies have probably reported all calls. kPrompt: often.
   enum class CreditReporting { kIdle, kRelaxed, kPrompt };
 
   /// While this object exists, a command counts as queued in the serial executor.

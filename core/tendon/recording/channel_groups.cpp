@@ -63,7 +63,7 @@ std::vector<ChannelGroup> GroupsOf(const mcap::Reader& reader, const mcap::Query
         is_column ? channel.topic.substr(0, channel.topic.rfind('/')) : channel.topic;
     const std::string run = is_column ? MetadataValue(channel, kEpochKey) : std::to_string(id);
     auto& of_path = groups[{path, run}];
-    // If a column occurs again, the recorder has chosen the columns of the table again.
+    // If a column occurs twice, the recorder has selected the columns of the table again.
     if (of_path.empty() || HasTopic(of_path.back(), channel.topic)) {
       of_path.push_back({path, ContentOf(channel), {}});
     }

@@ -46,7 +46,7 @@ struct ChannelGroup {
 };
 
 /// Returns the groups of the channels of `query`, for the exports. Leaves out channels that do not
-/// describe their values. Cost: one look at each channel; reads no message.
+/// describe their values. Cost: one step for each channel; reads no message.
 [[nodiscard]] std::vector<ChannelGroup> GroupsOf(const mcap::Reader& reader,
                                                  const mcap::Query& query);
 

@@ -32,7 +32,7 @@ bool HasTextOrSequence(const Schema& schema) {
   }
 }
 
-/// In quotes if a reader of CSV needs them.
+/// Returns the text as a CSV cell, in quotes if necessary.
 std::string Cell(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == text.npos) return text;
   std::string quoted = "\"";
@@ -65,7 +65,7 @@ std::string FileNameOf(const std::string& path) {
 
 /// One column of a table, an event, or another topic.
 struct CsvMember {
-  std::string name;  // empty if the topic has only this one
+  std::string name;  // empty if the topic has only this member
   Schema schema;
   std::vector<NumericField> numbers;
   bool has_json = false;
@@ -113,7 +113,7 @@ class CsvFile {
     return text_.size() < kMost ? Result<void>() : Write();
   }
 
-  /// Writes everything to the disk, and closes the part.
+  /// Writes everything to the disk, and closes the part file.
   Result<void> Close(CsvReport& report) {
     if (!rows_.is_empty()) EndRow(rows_.Take(), report);
     if (auto written = Write(); !written) return written;

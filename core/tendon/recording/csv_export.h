@@ -28,12 +28,12 @@ struct CsvReport : ExportReport {
 /// contains their number in `lost`. A malformed value has empty cells, and its row counts as
 /// incomplete.
 ///
-/// Creates `folder`. The files get their names when all are complete; after an error, or if `stop`
-/// returns true, there are no files. Fails with kExists if a file exists already, and then changes
-/// no file. Fails with kInvalid if no channel of the recording describes its values, or if there
-/// are more than kMostColumns columns. Fails with kFailed if the disk is full or fails.
+/// Creates `folder`. The files get their final names when all are complete. After an error, or if
+/// `stop` returns true, no file is left. Fails with kExists, and changes no file, if one of the
+/// files already exists. Fails with kInvalid if no channel of the recording describes its values,
+/// or if there are more than kMostColumns columns. Fails with kFailed if the disk is full or fails.
 ///
-/// Thread safety: that of the reader. Cost: reads each chunk once; memory for one row and 64 KiB of
+/// Thread safety: as for the reader. Cost: reads each chunk once; memory for one row and 64 KiB of
 /// each file.
 Result<CsvReport> ExportCsv(mcap::Reader& reader, const mcap::Query& query,
                             const std::filesystem::path& folder, const os::StopRequest& stop = {});

@@ -25,7 +25,8 @@ ProcessDescription DescriptionOf(const LocalAccess& process) {
 }
 
 Hello HelloOfRecorder() {
-  const auto cookie = LoopbackCookie();  // without it, the refusal of the process says what to do
+  const auto cookie = LoopbackCookie();  // if there is none, the process refuses the request, and
+                                         // the refusal contains the remedy
   return {.instance = os::RandomNumber(), .name = kProgram, .cookie = cookie ? *cookie : 0};
 }
 

@@ -17,11 +17,11 @@
 
 namespace tendon::recording {
 
-/// The own process as a system that can be recorded, without a GCM and without a network: its
-/// components and connections, their rows and events, and its log. The component `Recorder` uses
-/// it. Rows are read as for any viewer, so the recorded components never wait.
+/// The process of the program as a system that can be recorded, without a GCM and without a
+/// network: its components and connections, their rows and events, and its log. The component
+/// `Recorder` uses it. Rows are read as for any viewer, so the recorded components never wait.
 ///
-/// Thread safety: that of RecordedSystem. This object has five threads, which mostly wait. It must
+/// Thread safety: as for RecordedSystem. This object has five threads, which mostly wait. It must
 /// be destroyed before the process.
 class LocalSystem final : public RecordedSystem {
  public:
@@ -33,8 +33,8 @@ class LocalSystem final : public RecordedSystem {
               std::chrono::milliseconds timeout = std::chrono::seconds(2));
   ~LocalSystem() override;
 
-  /// Looks at the process first, which takes about 10 us for each component. While the process is
-  /// busy with a request, returns the revision of the last look.
+  /// First checks the process, which takes about 10 us for each component. While the process is
+  /// busy with a request, returns the revision of the last check.
   std::uint64_t revision() override;
   [[nodiscard]] Catalogue catalogue() const override;
   /// Returns kFailed if the process was always busy.

@@ -12,9 +12,9 @@
 namespace tendon::recording {
 namespace {
 
-/// If the message indexes are larger, in bytes, Spans() does not read them.
+/// The maximum size in bytes of the message indexes that Spans() reads.
 constexpr std::uint64_t kMostIndexed = std::uint64_t{16} << 20U;
-/// How many chunks are searched for the newest value of a column.
+/// The number of chunks that are searched for the newest value of a column.
 constexpr std::size_t kMostSearched = 64;
 /// A day before the latest time that fits in a signed 64-bit number, so that sums of times fit,
 /// too.
@@ -41,9 +41,9 @@ void Append(std::vector<mcap::ChannelId>& to, const std::vector<mcap::ChannelId>
 
 /// Searches backwards through the file, in pieces. Calls `visit` with a stream of the messages of
 /// `channels` in the latest piece up to `until`, then in the piece before it, and so on, until
-/// `visit` returns true, but at most `most` times. `blocks` are sorted by their end, latest first.
-/// `visit` may remove some of `channels`; pieces that contain only these are then neither read nor
-/// counted.
+/// `visit` returns true, or until it was called `most` times. `blocks` are sorted by their end,
+/// latest first. `visit` may remove some of `channels`; pieces that contain only these are then
+/// neither read nor counted.
 template <typename Visit>
 void SearchBack(mcap::Reader& reader, const std::vector<const mcap::MessageBlock*>& blocks,
                 mcap::Timestamp until, const std::vector<mcap::ChannelId>& channels,

@@ -23,7 +23,7 @@ namespace tendon::recording {
 struct PlayedChannel {
   std::string path;  ///< "robot/arm/state.Joints"
   Schema schema;
-  std::uint64_t run = 0;  ///< the epoch of the source; its ticks begin again with each run
+  std::uint64_t run = 0;  ///< the epoch of the source; the ticks restart with each run
   bool is_event = false;
 };
 
@@ -66,14 +66,14 @@ struct PlayedSpan {
 ///     auto playback = Playback::Open(std::move(reader));
 ///     (*playback)->Choose({"robot/arm/state.Joints"});
 ///     (*playback)->Seek(time);                     // the past: Past(), CatalogueNow()
-///     (*playback)->PlayUpTo(time + 33ms, handler);  // what happens from there on
+///     (*playback)->PlayUpTo(time + 33ms, handler); // the following items
 ///
 /// Uses the index of the file: the cost of each function depends on how much it returns, not on the
 /// size of the file. If a file has no index, its reader has read the whole file once.
 ///
 /// Handlers always get events, log records, losses and changes of the catalogue. They get values
-/// only of chosen columns, because values are nearly the whole file. Calls of commands are left
-/// out, because a component may be called in every cycle.
+/// only of chosen columns, because values make up most of the file. Calls of commands are left out,
+/// because a component may be called in every cycle.
 ///
 /// Thread safety: one thread at a time.
 class Playback {
@@ -103,8 +103,8 @@ class Playback {
   /// Chooses the columns whose values PlayUpTo() passes to its handler. Ignores unknown columns.
   void Choose(const std::vector<std::string>& columns);
 
-  /// The position: all items up to this time have happened. At the begin, the position is before
-  /// the first message.
+  /// The position: all items up to this time have happened. At first, the position is before the
+  /// first message.
   [[nodiscard]] mcap::Timestamp position() const { return position_; }
   /// Moves the position without calling a handler.
   void Seek(mcap::Timestamp time);
@@ -120,7 +120,7 @@ class Playback {
 
   /// Calls the handler for the values of `columns` from `from` to the position, and for the losses
   /// in this span if they are wanted. If a column has no value in this span, its newest earlier
-  /// value is used, if it is in the last 64 chunks that have values of such columns.
+  /// value is used, provided that it is in the last 64 chunks with values of these columns.
   void Past(const std::vector<std::string>& columns, mcap::Timestamp from, WithLosses losses,
             const Handler& handler);
   /// Calls the handler for the last `most` events or log records up to the position, oldest first.
@@ -128,11 +128,12 @@ class Playback {
   void LastEvents(std::size_t most, const Handler& handler);
   void LastLog(std::size_t most, const Handler& handler);
 
-  /// Return the time of the next row of a chosen column, or the next event, after the position, and
-  /// of the last one before it.
+  /// Return the time of the next, or of the previous, row of a chosen column or event, relative to
+  /// the position.
   [[nodiscard]] std::optional<mcap::Timestamp> NextStep();
   [[nodiscard]] std::optional<mcap::Timestamp> PreviousStep();
-  /// Return the time of the next event or loss after `time`, and of the last one before it.
+  /// Return the time of the next event or loss after `time`, or of the last event or loss before
+  /// it.
   [[nodiscard]] std::optional<mcap::Timestamp> FindNext(Kind kind, mcap::Timestamp time);
   [[nodiscard]] std::optional<mcap::Timestamp> FindPrevious(Kind kind, mcap::Timestamp time);
   /// Returns the time spans that contain events or losses: one for each event or loss or, in a

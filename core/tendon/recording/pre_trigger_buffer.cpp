@@ -15,7 +15,7 @@ SteadyTime TimeOfRecord(const LogEntry& entry, std::int64_t wall_minus_steady) {
   return SteadyTime(std::chrono::nanoseconds(entry.record.time - wall_minus_steady));
 }
 
-/// Keeps the rows from `begin` to before `end`.
+/// Keeps the rows from `begin` up to, but not including, `end`.
 void KeepRows(RowsEntry& rows, std::size_t begin, std::size_t end) {
   const std::size_t width = rows.source->members.size();
   const auto bytes_of = [&](std::size_t first, std::size_t last) {
@@ -34,7 +34,7 @@ void KeepRows(RowsEntry& rows, std::size_t begin, std::size_t end) {
   keep(rows.cell_sizes, begin * width, end * width);
   keep(rows.ticks, begin, end);
   keep(rows.times, begin, end);
-  if (begin > 0) rows.lost_before = {};  // they were lost before the rows that are gone
+  if (begin > 0) rows.lost_before = {};  // these rows were lost before the removed rows
 }
 
 }  // namespace
@@ -72,7 +72,8 @@ LostRows LostBefore(const RecordingEntry& entry) {
 }
 
 void PreTriggerBuffer::Add(RecordingEntry entry, SteadyTime now) {
-  constexpr std::chrono::seconds kLatest(1);  // until a trigger that has fired is known
+  // The longest delay until the recorder knows that a trigger has fired.
+  constexpr std::chrono::seconds kLatest(1);
   const std::size_t size = SizeOf(entry);
   const SteadyTime last = TimesOf(entry, wall_minus_steady_).last;
   entries_.push_back({std::move(entry), size, last});
@@ -127,7 +128,7 @@ void PreTriggerBuffer::DropOldest(bool is_too_old) {
 
 std::deque<RecordingEntry> PreTriggerBuffer::TakeSince(SteadyTime from) {
   ForgetDroppedBefore(from);
-  // Changes of the catalogue are kept, whatever their time, so that the file has the whole
+  // All changes of the catalogue are kept, including old ones, so that the file has the whole
   // catalogue.
   std::deque<RecordingEntry> taken;
   if (has_catalogue_) {

@@ -23,8 +23,8 @@ struct EntryTimes {
 /// of log records, which are wall times.
 [[nodiscard]] EntryTimes TimesOf(const RecordingEntry& entry, std::int64_t wall_minus_steady);
 
-/// Removes the rows before `from` and those after `to`. Returns false if nothing of the entry is
-/// left. Leaves changes of the catalogue as they are.
+/// Removes the rows before `from` and the rows after `to`. Returns false if the entry becomes
+/// empty. Does not change entries with changes of the catalogue.
 [[nodiscard]] bool Trim(RecordingEntry& entry, SteadyTime from, SteadyTime to,
                         std::int64_t wall_minus_steady);
 
@@ -33,7 +33,7 @@ struct EntryTimes {
 
 /// The entries of the last seconds, while a recorder waits for its condition to start. Both the age
 /// and the bytes of the entries are limited. An entry that is dropped because of the limit of bytes
-/// counts as missing, but not one that is dropped because of its age.
+/// counts as missing; an entry that is dropped because of its age does not.
 ///
 /// Thread safety: one thread at a time; the recorder's writing thread uses it. Cost: an entry is
 /// moved in and out, and never copied.
@@ -45,14 +45,14 @@ class PreTriggerBuffer {
 
   /// Adds an entry, and drops the oldest ones. `now` does not go backwards.
   void Add(RecordingEntry entry, SteadyTime now);
-  /// Removes and returns all entries since `from`. The first one is the catalogue as it was then.
+  /// Removes and returns all entries since `from`. The first entry is the catalogue of that time.
   std::deque<RecordingEntry> TakeSince(SteadyTime from);
 
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
   /// For each table: the rows that were lost before the entries that TakeSince() has returned.
   [[nodiscard]] const std::map<std::string, LostRows>& losses() const { return losses_; }
-  /// Returns how many entries since `from` were dropped because of the limit of bytes. Rows count
-  /// as lost by the recorder.
+  /// Returns how many entries since `from` were dropped because of the limit of bytes. Dropped rows
+  /// count as lost by the recorder.
   [[nodiscard]] Losses MissingSince(SteadyTime from) const;
   /// For each table: the rows that were lost before the rows that MissingSince() counts.
   [[nodiscard]] std::map<std::string, LostRows> LostBeforeMissingSince(SteadyTime from) const;

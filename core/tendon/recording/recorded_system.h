@@ -12,8 +12,8 @@
 
 namespace tendon::recording {
 
-/// A system that a recorder can record: either all processes that a GCM knows, or only the own
-/// process.
+/// A system that a recorder can record: either all processes that a GCM knows, or only the process
+/// of the program.
 ///
 /// Thread safety: any thread may call all functions, but handlers and sinks may not. The recorder
 /// calls them in its follower thread, and in the thread that starts and stops it.

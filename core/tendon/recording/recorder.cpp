@@ -26,7 +26,7 @@ std::int64_t WallMinusSteady() {
   return WallTime() - SteadyClock().Now().time_since_epoch().count();
 }
 
-/// Finds mistakes now, instead of when the condition becomes true.
+/// Finds mistakes now, before the condition becomes true.
 Result<void> CheckFree(const FileOptions& options) {
   const std::filesystem::path file = FileName(options, 1);
   const std::filesystem::path folder = file.parent_path();
@@ -107,7 +107,7 @@ Recorder::Recorder(std::shared_ptr<RecordedSystem> system, std::shared_ptr<Recor
       past_(options_.before, options_.before_bytes, WallMinusSteady()),
       armed_(SteadyClock().Now()) {
   if (!triggers_.start) started_ = armed_;
-  FollowOnce(false);  // so that the first rows are those of now
+  FollowOnce(false);  // so that the recording begins with present rows
   PublishStatus();
   following_thread_ = std::thread([this] {
     os::NameThisThread("rec follower");
@@ -188,9 +188,9 @@ void Recorder::Follow() {
   }
 }
 
-/// If it may not wait, leaves out events whose types must be asked for.
+/// If this function may not wait, it leaves out events whose types must be requested.
 void Recorder::FollowOnce(bool may_wait) {
-  // Read first: the client has the new catalogue before the queue counts it.
+  // This must be read first, because the client has the new catalogue before the queue counts it.
   const std::uint64_t snapshots = queue_->snapshots();
   if (has_all_events_ && system_->revision() == revision_ && snapshots == snapshots_) return;
   const Catalogue catalogue = system_->catalogue();
@@ -222,8 +222,8 @@ void Recorder::NoteGoneProcesses(const Catalogue& catalogue) {
 }
 
 /// Returns true if a process has ended. A new GCM does not know a process before the process has
-/// joined. Therefore, a process that is only missing in the catalogue keeps its subscriptions. They
-/// recover by themselves and count their losses.
+/// joined. Therefore, a process that is only missing in the catalogue keeps its subscriptions.
+/// These subscriptions recover by themselves and count their losses.
 bool Recorder::IsEnded(const Catalogue& catalogue, const std::string& process) const {
   const ProcessEntry* entry = catalogue.FindProcess(process);
   if (entry != nullptr) return entry->process.state == ProcessState::kAlive;
@@ -275,7 +275,7 @@ bool Recorder::FollowEvents(const std::vector<EventSubscription>& wanted,
     const bool is_complete =
         std::ranges::all_of(types, [&](const Fingerprint& type) { return found.contains(type); });
     const auto id = system_->Listen(one, queue_->SinkOf(one, std::move(found)));
-    // An incomplete list is asked for again after the next change of the catalogue.
+    // An incomplete list is requested again after the next change of the catalogue.
     now[key] = {one, is_complete ? types : std::vector<Fingerprint>(), id};
   }
   for (auto& [key, rest] : listeners_) {
@@ -330,7 +330,7 @@ void Recorder::EndSubscriptions() {
   for (const auto& [name, listener] : listeners_) system_->StopListening(listener.id);
 }
 
-/// The writing thread. After a failure, it counts what arrives as lost.
+/// The writing thread. After a failure, it counts arriving entries as lost.
 void Recorder::WriteUntilStopped() {
   while (true) {
     bool is_last = false;
@@ -368,8 +368,8 @@ Result<void> Recorder::WriteSome() {
 }
 
 Result<void> Recorder::Write(RecordingEntry entry) {
-  // The event or call that ends the recording is a part of it, although the trigger, which has a
-  // subscription of its own, may have noted a somewhat earlier time.
+  // The event or call that ends the recording is a part of it. The trigger has its own
+  // subscription, so it may have stored a slightly earlier time for this event or call.
   constexpr auto kSameEvent = 200ms;
   const bool is_event = std::holds_alternative<EventEntry>(entry);
   const SteadyTime to = is_event && to_ != SteadyTime::max() ? to_ + kSameEvent : to_;
@@ -382,7 +382,7 @@ Result<void> Recorder::Write(RecordingEntry entry) {
   return is_wanted ? WriteOrNotice(entry) : Result<void>();
 }
 
-/// Goes on if the file cannot hold an entry, such as rows with a type that is too large.
+/// Continues if the file cannot hold an entry, such as rows with a type that is too large.
 Result<void> Recorder::WriteOrNotice(const RecordingEntry& entry) {
   if (!writer_) {
     const std::scoped_lock lock(mutex_);
@@ -437,8 +437,8 @@ Result<void> Recorder::Begin(SteadyTime start) {
   return result;
 }
 
-/// While it waits: keeps the losses of events and of the log, to tell later which of them were
-/// before the recording. At most about 100 of them are kept.
+/// While the recorder waits, keeps the losses of events and of the log, so that losses before the
+/// recording can be subtracted later. At most about 100 of them are kept.
 void Recorder::KeepLosses() {
   constexpr auto kShortest = 100ms;
   constexpr int kMost = 100;
@@ -446,7 +446,8 @@ void Recorder::KeepLosses() {
   const auto pause = std::max<std::chrono::nanoseconds>(kShortest, options_.before / kMost);
   if (!kept_losses_.empty() && now - kept_losses_.back().first < pause) return;
   kept_losses_.emplace_back(now, queue_->losses());
-  constexpr auto kLatest = 1s;  // until a trigger that has fired is known
+  constexpr auto kLatest =
+      1s;  // the longest delay until the recorder knows that a trigger has fired
   while (kept_losses_.size() > 1 && kept_losses_[1].first <= now - options_.before - kLatest) {
     kept_losses_.pop_front();
   }

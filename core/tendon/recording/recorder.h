@@ -32,7 +32,7 @@ struct RecorderOptions {
   bool has_log = true;
   /// Writes nothing before this condition is true; then the file is created.
   std::optional<Condition> start_when{};
-  /// The recording is finished when this condition becomes true after its begin.
+  /// The recording ends when this condition becomes true after the recording has started.
   std::optional<Condition> stop_when{};
   /// The recording begins this long before `start_when` becomes true.
   std::chrono::nanoseconds before{0};
@@ -68,10 +68,11 @@ struct RecorderStatus {
 
 /// Records a running system into MCAP files, until Stop() or an error: all rows of the chosen
 /// tables, the chosen events and commands, the log, and all changes of the catalogue. Processes may
-/// come and go; tables and interfaces that appear later are recorded too if they fit a pattern. If
-/// the GCM ends, the recording goes on, because rows and events come from the processes directly.
+/// come and go; tables and interfaces that appear later are also recorded if they match a pattern.
+/// If the GCM ends, the recording continues, because rows and events come directly from the
+/// processes.
 ///
-/// With a condition to start, the recorder receives everything from its own start on. When the
+/// With a condition to start, the recorder receives data from the moment it is created. When the
 /// condition becomes true, it writes only entries that are not older than RecorderOptions::before.
 /// Both conditions are evaluated for every row, event and call.
 ///
@@ -105,9 +106,9 @@ class Recorder {
   /// Calls Stop() and ignores its result.
   ~Recorder();
 
-  /// Ends all subscriptions, writes what has arrived, and completes the file. Returns the reason if
-  /// the recording had stopped before, or the file cannot be completed. A second call returns the
-  /// same result.
+  /// Ends all subscriptions, writes all entries that have arrived, and completes the file. Returns
+  /// the reason if the recording had already stopped, or if the file cannot be completed. A second
+  /// call returns the same result.
   Result<void> Stop();
 
   [[nodiscard]] RecorderStatus status() const;
@@ -145,8 +146,8 @@ class Recorder {
   void NoteGoneProcesses(const Catalogue& catalogue);
   [[nodiscard]] bool IsEnded(const Catalogue& catalogue, const std::string& process) const;
   void FollowTables(const std::vector<TableSubscription>& wanted, const Catalogue& catalogue);
-  /// Follows events and commands. Returns false if some are left out, because their types must be
-  /// requested first.
+  /// Follows events and commands. Returns false if some of them are left out, because their types
+  /// must be requested first.
   bool FollowEvents(const std::vector<EventSubscription>& wanted, const Catalogue& catalogue,
                     bool may_wait);
   std::map<Fingerprint, Schema> TypesOf(const Catalogue& catalogue, const EventSubscription& events,
@@ -185,7 +186,7 @@ class Recorder {
   bool has_all_events_ = false;
 
   // Used by the thread that writes, and after its end by Stop().
-  std::unique_ptr<RecordingWriter> writer_;  // null before the start, or if no file can be made
+  std::unique_ptr<RecordingWriter> writer_;  // null before the start, or if no file can be created
   bool is_waiting_;                          // waits for the condition to start
   SteadyTime next_sync_;
   Triggers triggers_;
@@ -201,7 +202,7 @@ class Recorder {
   bool follows_ = true;
   bool is_drained_ = false;  // nothing more will arrive
   RecorderStatus status_;
-  Losses losses_before_;   // losses before the begin of the recording
+  Losses losses_before_;   // losses before the start of the recording
   Losses missing_before_;  // see RecorderStatus::before_rows_missing
   Losses unwritten_;       // entries that have arrived and are not in the file
   std::set<std::string> refused_paths_;

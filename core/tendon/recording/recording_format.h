@@ -15,15 +15,16 @@
 ///   slashes: `robot/arm/state/Joints`. A row of a table is one message on each of the table's
 ///   channels; they have the same log time and sequence. The sequence is the low 32 bits of the
 ///   row's tick. Each event, and each call of a command, is one message. The log time of a call is
-///   the begin of its execution, and its type is that of SchemaOfCalls().
+///   the time when its execution began; its type is the result of SchemaOfCalls().
 /// - The log time is the time of this machine's clock, ns since 1970. The publish time is the time
 ///   on the clock of the source plus kClockKey.
-/// - The data of a message is a CDR body behind kEncapsulationSize bytes, as in ROS 2. The schema
+/// - The data of a message is kEncapsulationSize bytes and then a CDR body, as in ROS 2. The schema
 ///   is a ROS 2 message definition; the channel's metadata has the Tendon schema, too.
-/// - When a source starts again, its ticks begin again. Then it gets new channels, with another
-///   kEpochKey.
-/// - The recorder writes the log, the losses and the catalogue on three topics of its own.
-/// - Metadata at the begin and the end of a file describe the recording, and an attachment holds
+/// - When a source is restarted, its ticks restart. For the new run, it gets new channels, with
+///   another kEpochKey.
+/// - The recorder writes the log, the losses and the catalogue on three separate topics.
+/// - Metadata at the beginning and at the end of a file describe the recording, and an attachment
+///   holds
 ///   the system file.
 ///
 /// Names of Tendon's own metadata begin with `tendon.`, names of its own topics with `tendon/`.
@@ -39,7 +40,7 @@ inline constexpr const char* kLossTopic = "tendon/lost";            // Loss
 inline constexpr const char* kCatalogueTopic = "tendon/catalogue";  // CatalogueChange
 
 // Names of metadata and attachments.
-inline constexpr const char* kAboutMetadata = "tendon.recording";  // at the begin of each file
+inline constexpr const char* kAboutMetadata = "tendon.recording";  // at the beginning of each file
 inline constexpr const char* kEndMetadata = "tendon.end";          // counts, at the end
 inline constexpr const char* kLossMetadata = "tendon.lost";        // losses by path, at the end
 inline constexpr const char* kSystemAttachment = "system.json";
@@ -54,7 +55,8 @@ inline constexpr const char* kClockKey = "tendon.clock_ns";
 /// The maximum error of the log time of a row, in ns, at the time when the channel was made.
 /// Missing if it is unknown.
 inline constexpr const char* kClockUncertaintyKey = "tendon.clock_uncertainty_ns";
-/// The unit of a number, behind the path of its field: "tendon.unit.position" is "rad".
+/// The prefix of a key for the unit of a number; the path of its field follows:
+/// "tendon.unit.position" is "rad".
 inline constexpr const char* kUnitKey = "tendon.unit";
 
 // Kinds of channels: values of kKindKey.
@@ -68,7 +70,7 @@ inline constexpr const char* kOtherKind = "other";
 inline constexpr std::size_t kEncapsulationSize = 4;
 
 /// Returns the CDR body of a message; empty if the data is not little-endian CDR of the first
-/// version. No value has an empty body.
+/// version. The body of a value is never empty.
 [[nodiscard]] mcap::ByteView BodyOf(mcap::ByteView data);
 /// Makes the data of a message from a CDR body. Reuses the memory of `data`.
 void Encapsulate(mcap::ByteView body, mcap::Buffer& data);

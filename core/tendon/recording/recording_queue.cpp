@@ -237,7 +237,7 @@ void RecordingQueue::OnChanges(const std::vector<CatalogueChange>& changes) {
   CatalogueEntry next{false, SteadyClock().Now(), changes};
   const std::size_t size = SizeOf(next);
   const std::scoped_lock lock(mutex_);
-  // Without these changes, the later ones have no meaning.
+  // Without these changes, later changes cannot be applied.
   if (!needs_snapshot_) needs_snapshot_ = !Push(std::move(next), size);
 }
 
@@ -258,7 +258,7 @@ void RecordingQueue::OnLog(const LogBatch& batch) {
   }
 }
 
-/// An entry that is larger than the bound is taken if it is the only one.
+/// An entry that is larger than the bound is accepted if it is the only one.
 bool RecordingQueue::Push(RecordingEntry entry, std::size_t size) {
   if (is_closed_) return true;
   if (!entries_.empty() && bytes_ + size > most_bytes_) return false;

@@ -47,20 +47,20 @@ class RecordingQueue final : public GcmListener,
   std::deque<RecordingEntry> Take(std::chrono::nanoseconds patience);
   /// Lets Take() return.
   void Wake();
-  /// Drops all entries, and all that arrive from now on, without counting them as lost.
+  /// Drops all entries, and all later entries, without counting them as lost.
   void Close();
 
   [[nodiscard]] Losses losses() const;
-  /// Returns and forgets, for each table, the losses of rows after the last accepted row.
+  /// Returns and resets, for each table, the losses of rows after the last accepted row.
   [[nodiscard]] std::map<std::string, LostRows> TakeTrailingLosses();
   [[nodiscard]] std::size_t waiting_bytes() const;
   /// Returns sentences about interruptions since the last call: at most 100, each once.
   std::vector<std::string> TakeNotices();
   [[nodiscard]] bool is_gcm_lost() const;
-  /// True if all log records that the GCM had when it was asked have arrived.
+  /// True if all log records that the GCM had at the time of the request have arrived.
   [[nodiscard]] bool has_past_log() const;
   /// The number of times that the whole catalogue has arrived. If the number changes, the catalogue
-  /// may be that of another GCM, with other revisions.
+  /// may come from another GCM, with other revisions.
   [[nodiscard]] std::uint64_t snapshots() const;
   /// True if changes of the catalogue did not fit. Then call GcmClient::Resync().
   [[nodiscard]] bool needs_snapshot() const;

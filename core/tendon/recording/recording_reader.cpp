@@ -20,10 +20,10 @@ class RecordingReader::Lane {
     std::vector<std::byte> body;
   };
 
-  /// What the messages of a channel are.
+  /// The kind of the messages of a channel.
   struct ChannelPlace {
     std::size_t member = 0;
-    std::uint64_t run = 0;  // another number for each epoch of the source
+    std::uint64_t run = 0;  // a different number for each epoch of the source
   };
 
   explicit Lane(std::size_t source) : source_(source) {}
@@ -45,7 +45,7 @@ class RecordingReader::Lane {
     Advance();
   }
 
-  /// Begins again with the ticks of the file.
+  /// Starts again with the ticks of the file, as if no row had been read.
   virtual void ForgetTicks() {}
 
   /// The next item; null at the end.
@@ -254,7 +254,7 @@ void RecordingReader::MakeLanes() {
   if (has_log) lanes_.push_back(std::move(log));
 }
 
-/// From all messages of the catalogue, also those outside of the part.
+/// From all messages of the catalogue, including messages outside of the part.
 void RecordingReader::ReadDescriptions() {
   mcap::Query query;
   query.order = mcap::Query::Order::kFile;

@@ -38,7 +38,7 @@ struct RecordedSource {
 };
 
 /// A row of a table. Its ticks only increase: if the source was restarted, the ticks in the file
-/// begin again, but here they continue with the next tick.
+/// start again at the beginning, but the ticks of these rows continue.
 struct RecordedRow {
   std::uint64_t tick = 0;
   std::vector<std::vector<std::byte>> cells;  ///< CDR bodies, by column; empty if there is no value
@@ -62,8 +62,8 @@ struct RecordedCounts {
   std::uint64_t events = 0;
   std::uint64_t commands = 0;  ///< calls
   std::uint64_t log = 0;       ///< records
-  /// The number of messages that are left out, because their channels are not Tendon's or the type
-  /// of their path has changed.
+  /// The number of messages that are left out, because their channels were not written by Tendon or
+  /// the type of their path has changed.
   std::uint64_t left_out = 0;
   mcap::Timestamp first_time = 0;
   mcap::Timestamp last_time = 0;
@@ -101,7 +101,7 @@ class RecordingReader {
 
   /// Returns the next item, or nothing at the end.
   std::optional<RecordedItem> Next();
-  /// Begins again: the next item is the first one. The ticks continue to increase.
+  /// Returns to the beginning: the next item is the first one. The ticks continue to increase.
   void Rewind();
 
  private:

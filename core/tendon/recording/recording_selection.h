@@ -27,7 +27,7 @@ struct RecordingSelection {
 [[nodiscard]] RecordingSelection Select(const Catalogue& catalogue,
                                         const std::vector<std::string>& patterns);
 
-/// Describes a recording of these patterns: by whom and what is recorded, and the system as a
+/// Describes a recording of these patterns: the user, the recorded paths, and the system as a
 /// system file.
 [[nodiscard]] Heading HeadingFor(const Catalogue& catalogue,
                                  const std::vector<std::string>& patterns);

@@ -107,7 +107,7 @@ void RecordingWriter::ForgetWritten() {
   while (!accepted_.empty() && is_written(accepted_.front())) accepted_.pop_front();
 }
 
-/// How many of `one` were in a chunk that could not be written.
+/// The number of messages of `one` in a chunk that could not be written.
 std::uint64_t RecordingWriter::UnwrittenOf(const Accepted& one) const {
   if (!writer_->failure()) return 0;
   const std::uint64_t written = writer_->written().messages;
@@ -212,8 +212,8 @@ Result<void> RecordingWriter::BeginNextFileIfDue() {
   return BeginFile();
 }
 
-/// A component that is restarted again and again uses up the channels of a file. Another file helps
-/// only against channels of earlier runs.
+/// A component that is restarted again and again uses up the channels of a file. A new file helps
+/// only if most channels belong to earlier runs.
 bool RecordingWriter::HasManyOldChannels() const {
   if (channel_count_ <= kMostChannels / 2) return false;
   std::size_t used = 0;
@@ -311,7 +311,7 @@ Result<RecordingWriter::Channels*> RecordingWriter::ChannelsOf(
               .refusal = {}};
   channels.sequences.resize(source->members.size());
   if (auto added = AddChannels(channels, run); !added) {
-    channels.refusal = added.error();  // so that nothing is added again for each entry
+    channels.refusal = added.error();  // so that no channel is added again for each entry
     return added.error();
   }
   return &channels;
@@ -405,7 +405,7 @@ Result<void> RecordingWriter::Put(const EventEntry& event) {
   return put;
 }
 
-/// Leaves out what was logged before the recording.
+/// Leaves out records that were logged before the recording.
 Result<void> RecordingWriter::Put(const LogEntry& entry) {
   const message::LogRecord& record = entry.record;
   if (record.time < begin_) return {};

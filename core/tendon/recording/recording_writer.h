@@ -30,10 +30,10 @@ struct FileOptions {
   std::uint64_t split_size = 0;            ///< approximate size of a file, in bytes; 0: no limit
   std::chrono::nanoseconds split_time{0};  ///< 0: no limit
   std::size_t keep = 0;                    ///< number of newest files to keep; 0: all
-  /// Creates a file; if empty, the system's function is used. Tests simulate a slow or failing disk
-  /// with it.
+  /// Creates a file; if empty, the function of the operating system is used. Tests simulate a slow
+  /// or failing disk with it.
   std::function<Result<std::unique_ptr<os::WritableFile>>(const std::filesystem::path&)> create{};
-  /// Log records that are older than the begin by at most this time belong to the recording.
+  /// Log records that are at most this much older than the start belong to the recording.
   std::chrono::nanoseconds past{0};
 };
 
@@ -63,10 +63,10 @@ struct Counts {
 /// A column is a channel with the topic `robot/arm/state/Joints`. A row is one message on each
 /// channel of its table, with the low 32 bits of the tick as the sequence. The log time is the time
 /// of the row on this machine's clock; later corrections of the wall time have no effect on it. A
-/// source that starts again gets new channels, because its ticks begin again.
+/// restarted source gets new channels, because its ticks restart.
 ///
-/// Thread safety: one thread at a time; the recorder's writing thread uses it. Cost: that of
-/// mcap::Writer for each cell of a row.
+/// Thread safety: one thread at a time; the recorder's writing thread uses it. Cost: as for
+/// mcap::Writer, for each cell of a row.
 class RecordingWriter {
  public:
   /// Begins a recording now. Fails with kExists if there is a file with this name.
@@ -81,19 +81,19 @@ class RecordingWriter {
   Result<void> Write(const RecordingEntry& entry);
   /// Writes a loss that no rows follow. Its time is the present time.
   Result<void> WriteLoss(const std::string& path, const LostRows& lost);
-  /// Writes a loss at `time`, which is in the past.
+  /// Writes a loss at an earlier `time`.
   Result<void> WriteLoss(const std::string& path, const LostRows& lost, SteadyTime time);
   /// Waits until all data is on the disk.
   Result<void> Sync();
-  /// Writes the losses of the whole recording, which are losses() and `others`, and completes the
-  /// file. Returns the failure of an earlier Write() if there was one.
+  /// Writes the losses of the whole recording, which are the sum of losses() and `others`, and
+  /// completes the file. Returns the failure of an earlier Write() if there was one.
   Result<void> Close(const Losses& others);
 
-  /// The entries that were given to Write() and are in no file: refused entries and, after a
+  /// The entries that were passed to Write() and are in no file: refused entries and, after a
   /// failure, the entries of the chunk that could not be written. Rows count as lost by the
   /// recorder.
   [[nodiscard]] Losses losses() const;
-  /// The content of the files and of the present chunk.
+  /// The content of the files, including the present chunk.
   [[nodiscard]] Counts counts() const;
   /// The file that is being written.
   [[nodiscard]] const std::filesystem::path& file() const { return files_.back().first; }
@@ -113,7 +113,7 @@ class RecordingWriter {
     std::vector<mcap::ChannelId> ids;      // by member
     std::vector<std::uint32_t> sequences;  // of the next event or call, by member
     std::int64_t clock = 0;                // see kClockKey
-    std::optional<Error> refusal;          // why the file cannot hold this source
+    std::optional<Error> refusal;          // the reason why the file cannot hold this source
   };
   /// A channel of the recorder itself.
   struct OwnChannel {

@@ -20,7 +20,7 @@ constexpr auto kBetweenPasses = 10ms;
 /// overwrite rows that nobody has read yet. The tables keep rows for one second.
 constexpr auto kMostLate = 100ms;
 
-// A recording may come from others, so its use of this machine's resources is limited.
+// A recording may come from an untrusted source, so its use of this machine's resources is limited.
 constexpr std::size_t kMostTableBytes = std::size_t{1} << 30U;
 constexpr std::chrono::hours kLongest(24 * 365 * 10);  // so that no sum of times overflows
 
@@ -168,7 +168,7 @@ Result<void> Replay::WaitUntilJoined(std::chrono::milliseconds timeout) const {
 std::chrono::nanoseconds Replay::PeriodOf(const RecordedSource& source) const {
   const auto span = static_cast<double>(source.last_time - source.first_time);
   const auto steps = static_cast<double>(std::max<std::uint64_t>(2, source.count) - 1);
-  constexpr double kHour = 3.6e12;  // ns; a longer period makes no table shorter
+  constexpr double kHour = 3.6e12;  // ns; a longer period does not make the table shorter
   return std::chrono::nanoseconds(
       std::max<std::int64_t>(1, std::llround(std::min(span / steps / options_.rate, kHour))));
 }

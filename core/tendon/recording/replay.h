@@ -22,7 +22,7 @@ struct ReplayOptions {
   double rate = 1.0;   ///< 2: twice as fast as recorded
   bool loops = false;  ///< begins again at the end
   std::string as;      ///< the name of the process; empty: as recorded
-  /// The time between the first Play() and the first row, in which others can connect and
+  /// The time between the first Play() and the first row, in which other programs can connect and
   /// subscribe.
   std::chrono::nanoseconds delay{0};
 };
@@ -39,8 +39,8 @@ struct ReplayStatus {
 };
 
 /// Plays a recording in a running system: each recorded process appears as a process with the
-/// recorded components. They have the state tables, events and commands of the real ones, so that
-/// other components connect and subscribe to them as usual. Commands are refused (see
+/// recorded components. They have the state tables, events and commands of the original components,
+/// so that other components can connect and subscribe to them as usual. Commands are refused (see
 /// ReplayedComponent); observers of commands see the recorded calls. The log is sent again, too.
 ///
 /// Rows have the recorded ticks and values. The time between two rows is the difference of their
@@ -83,8 +83,8 @@ class Replay {
   /// the time of the next call, or nothing at the end. Must be called after Start().
   std::optional<SteadyTime> Play(SteadyTime now);
 
-  /// True if everything that Play() has written and raised is sent to all viewers and clients. Must
-  /// be called after Start(). See Process::HasSentAll().
+  /// True if all rows and events from Play() were sent to all viewers and clients. Must be called
+  /// after Start(). See Process::HasSentAll().
   [[nodiscard]] bool HasSentAll() const;
 
   [[nodiscard]] ReplayStatus status() const { return status_; }
@@ -109,7 +109,7 @@ class Replay {
   std::map<std::string, std::unique_ptr<Process>> processes_;  // by recorded name
 
   std::optional<RecordedItem> next_;
-  std::optional<SteadyTime> begin_;  // begin of this pass
+  std::optional<SteadyTime> begin_;  // start of this pass
   mcap::Timestamp last_time_ = 0;    // time of the latest item
   ReplayStatus status_;
 };

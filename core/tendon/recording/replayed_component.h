@@ -14,9 +14,9 @@ namespace tendon::recording {
 
 /// A component with the interfaces of a recorded component: its state tables, events and commands.
 /// Observers of its commands see only the recorded calls. All commands are refused, except some
-/// read commands: if the type of the reply is a structure that is the type of exactly one column of
-/// the component, and this column was recorded, the reply is the newest value of the column, as it
-/// usually is.
+/// read commands. If the reply is a structure, exactly one column of the component has the same
+/// type, and this column was recorded, the reply is the newest value of the column. In most
+/// components, such a command returns this value.
 class ReplayedComponent final : public Component {
  public:
   struct Options {

@@ -46,8 +46,8 @@ struct NamedReplayedCommand {
 };
 
 /// The state tables, events and calls of a recorded component. The replay writes to this object,
-/// and a ReplayedComponent offers it to others. The ReplayedComponent may end earlier. `source` is
-/// the index in RecordingReader::sources().
+/// and a ReplayedComponent offers it to others. The ReplayedComponent may be destroyed earlier.
+/// `source` is the index in RecordingReader::sources().
 ///
 /// Thread safety: one thread writes rows and raises events, after all members were added.
 class ReplayedMembers {

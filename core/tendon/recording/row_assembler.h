@@ -44,7 +44,7 @@ class RowAssembler {
   explicit RowAssembler(std::size_t columns) { row_.cells.resize(columns); }
 
   [[nodiscard]] bool is_empty() const { return is_empty_; }
-  /// Returns true if the message belongs to the present row, or there is none yet.
+  /// Returns true if the message belongs to the present row, or if there is no present row.
   [[nodiscard]] bool Accepts(std::size_t column, const RowKey& key) const;
   /// Adds the cell of a message that was accepted. Copies its body.
   void Add(std::size_t column, const RowKey& key, const mcap::Message& message);

@@ -19,7 +19,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Saves the past of a system into one file.
+/// Saves the history of a system into one file.
 class PastWriter {
  public:
   PastWriter(RecordedSystem& system, std::shared_ptr<RecordingQueue> queue, RecordingWriter& writer,
@@ -50,8 +50,9 @@ class PastWriter {
     return SavedEvents{ToString(events.provided), *std::move(past)};
   }
 
-  /// Reads the log that the process has kept itself. Returns the reason if it does not send all of
-  /// it. Then the file gets those of the other records that the GCM has.
+  /// Reads the log that the process has kept itself. If the process does not send all of it,
+  /// returns the reason. In this case, the missing records are taken from the GCM, as far as it has
+  /// them.
   std::optional<Error> ReadLog(const std::string& process) {
     const auto skipped = skipped_.find(process);
     if (skipped != skipped_.end()) return skipped->second;
@@ -63,7 +64,7 @@ class PastWriter {
       auto page = system_.ReadLog(process, wanted);
       if (!page) return page.error();
       if (pages == 0) end = page->end;
-      // The process may have dropped records since the last page.
+      // The process may have dropped records after the previous page.
       if (received.empty() || page->since > received.back().until) {
         received.push_back({page->since, page->since});
       }
@@ -79,10 +80,11 @@ class PastWriter {
       if (page->next <= wanted.first) break;
       wanted.first = page->next;
     }
-    return Error{ErrorCode::kInvalid, "process '" + process + "' sent a log without an end"};
+    return Error{ErrorCode::kInvalid, "process '" + process + "' sent a log that does not end"};
   }
 
-  /// Writes the log records of all processes, including those that only the GCM has, by time.
+  /// Writes the log records of all processes, including records that only the GCM has, sorted by
+  /// time.
   Result<void> SaveLog() {
     auto has_all = WriteUntil([this] { return queue_->has_past_log(); });
     if (!has_all) return has_all.error();
@@ -94,20 +96,21 @@ class PastWriter {
     return WriteLog();
   }
 
-  /// Hands everything that has arrived to the writer, which counts what the file does not get.
+  /// Passes all entries that have arrived to the writer, which counts the entries that it cannot
+  /// write.
   void WriteRest() {
     while (queue_->waiting_bytes() > 0) (void)WriteSome(0ms);
     (void)WriteLog();
   }
 
  private:
-  /// The times, in ns since 1970, between which a process has sent all its log records.
+  /// The time span, in ns since 1970, for which a process has sent all its log records.
   struct ReceivedLog {
     std::int64_t since = 0;  // a record of this time may be missing
     std::int64_t until = 0;
   };
 
-  /// Nothing more is read from this process, because each reading would wait in vain.
+  /// Nothing more is read from this process, because each request would time out.
   void Skip(const std::string& process, const Error& reason) { skipped_.emplace(process, reason); }
 
   /// Calls `begin(done)`, and waits for the end of this reading. If nothing arrives for
@@ -146,8 +149,8 @@ class PastWriter {
     }
   }
 
-  /// Returns the number of entries that have arrived. Goes on after a failure. Log records are not
-  /// written yet, because SaveLog() needs all of them.
+  /// Returns the number of entries that have arrived. Continues after a failure. Log records are
+  /// not written yet, because SaveLog() needs all of them.
   Result<std::size_t> WriteSome(std::chrono::nanoseconds patience) {
     const std::deque<RecordingEntry> entries = queue_->Take(patience);
     Result<void> result;
@@ -162,7 +165,7 @@ class PastWriter {
     return entries.size();
   }
 
-  /// Writes the log records that have arrived, by time. Goes on after a failure.
+  /// Writes the log records that have arrived, by time. Continues after a failure.
   Result<void> WriteLog() {
     std::vector<message::LogRecord> records = std::exchange(log_, {});
     std::ranges::move(std::exchange(log_of_gcm_, {}), std::back_inserter(records));
@@ -174,15 +177,15 @@ class PastWriter {
     return result;
   }
 
-  /// If the file cannot hold the entry, this is no failure. The writer counts it as lost.
+  /// An entry that the file cannot hold is not a failure, because the writer counts it as lost.
   Result<void> Write(const RecordingEntry& entry) {
     auto written = writer_.Write(entry);
     if (!written && written.error().code == ErrorCode::kInvalid) return {};
     return written;
   }
 
-  /// Returns the types of the events. If the process does not answer for a type, it is missing, and
-  /// its events are lost.
+  /// Returns the types of the events. A type is missing if the process does not return it; its
+  /// events are then lost.
   std::map<Fingerprint, Schema> TypesOf(const EventSubscription& events,
                                         const Catalogue& catalogue) {
     std::map<Fingerprint, Schema> types;
@@ -296,7 +299,7 @@ Result<SaveLastReport> SaveLast(RecordedSystem& system,
     past_writer.WriteRest();
     queue->Close();
     auto closed = (*writer)->Close(queue->losses());
-    return closed ? failure : closed.error();  // that also says whether the file has an index
+    return closed ? failure : closed.error();  // this error also says whether the file has an index
   };
   for (const TableSubscription& table : selection.tables) {
     auto saved = past_writer.SaveTable(table);

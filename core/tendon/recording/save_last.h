@@ -15,7 +15,7 @@
 
 namespace tendon::recording {
 
-/// What SaveLast() saves, and where.
+/// The data that SaveLast() saves, and the file.
 struct SaveLastOptions {
   std::vector<std::string> patterns;
   FileOptions files;                 ///< one file: without a split
@@ -43,11 +43,11 @@ struct SavedProcess {
   Error failure{};                     ///< the reason if `history` is empty
   std::optional<Error> log_failure{};  ///< the reason why not all of its log could be read
 };
-/// Returns how far back the process could be saved and why not further, for example "12.3 s: it has
-/// run no longer". Returns an empty string if all of `wanted` could be saved.
+/// Returns the time span of the saved history, and why it is not longer, for example "12.3 s: it
+/// has not been running longer". Returns an empty string if all of `wanted` could be saved.
 [[nodiscard]] std::string ReachText(const SavedProcess& process, std::chrono::nanoseconds wanted);
 
-/// What SaveLast() has saved.
+/// The report about the saved data.
 struct SaveLastReport {
   std::vector<SavedTable> tables{};
   std::vector<SavedEvents> events{};
@@ -57,28 +57,28 @@ struct SaveLastReport {
   std::filesystem::path file;
 };
 
-/// Returns true if the events could not be saved because their process keeps no history, which
-/// ReachText() says.
+/// Returns true if the events could not be saved because their process keeps no history;
+/// ReachText() contains this reason.
 [[nodiscard]] bool IsToldByProcess(const SavedEvents& events, const SaveLastReport& report);
 /// Returns a sentence for each log that could not be read completely, and for each table, event and
 /// log with entries that were sent, but are not in the file.
 [[nodiscard]] std::vector<std::string> LossesOf(const SaveLastReport& report);
-/// Returns the sentences of LossesOf(), and a sentence for each process that reaches back less than
-/// `wanted`, and for each table and interface that could not be saved completely.
+/// Returns the sentences of LossesOf(), and a sentence for each process whose history is shorter
+/// than `wanted`, and for each table and interface that could not be saved completely.
 [[nodiscard]] std::vector<std::string> ShortfallsOf(const SaveLastReport& report,
                                                     std::chrono::nanoseconds wanted);
 
-/// Writes what the running system still remembers of the last seconds into a new file: the rows,
-/// events and log records that the processes have kept (process/history), the log records that only
-/// the GCM has, and the present catalogue. A process that keeps no history still has the rows in
-/// its state tables, about the last second.
+/// Writes the kept history of the running system into a new file: the rows, events and log records
+/// that the processes have kept (process/history), the log records that only the GCM has, and the
+/// present catalogue. If a process keeps no history, only the rows in its state tables are saved,
+/// which is about the last second.
 ///
-/// `queue` is the listener of `system`. Waits until all is written; each reading ends early if
-/// nothing arrives for the timeout. Then nothing more is read from this process. kNotFound if no
-/// table and no event fits a pattern; kFailed if the process of a LocalSystem is busy, so that its
-/// tables are not known; kExists if there is a file of this name. If a table or the events of an
-/// interface cannot be read, or only in part, their entry in the report says why, and the others
-/// are saved. Must not be called in a handler.
+/// `queue` is the listener of `system`. Waits until everything is written. If nothing arrives from
+/// a process for the timeout, the reading ends, and nothing more is read from this process. Fails
+/// with kNotFound if no table and no event matches a pattern, with kFailed if the process of a
+/// LocalSystem is busy, so that its tables are unknown, and with kExists if there is a file with
+/// this name. If a table or the events of an interface cannot be read completely, the reason is in
+/// their entry of the report, and the other data is saved. Must not be called in a handler.
 Result<SaveLastReport> SaveLast(RecordedSystem& system,
                                 const std::shared_ptr<RecordingQueue>& queue,
                                 SaveLastOptions options);

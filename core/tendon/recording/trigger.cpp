@@ -55,7 +55,7 @@ class Trigger::TableWatch final : public RowSink {
   TableWatch(Condition condition, std::shared_ptr<Matches> matches)
       : condition_(std::move(condition)), matches_(std::move(matches)) {}
 
-  /// A restarted process may have another type; then no row matches.
+  /// A restarted process may use another type for the column; then no row matches.
   void OnSubscribed(const std::vector<Schema>& columns) override {
     auto test = CellTest::Make(condition_, columns.front());
     const std::scoped_lock lock(mutex_);
@@ -82,8 +82,8 @@ class Trigger::TableWatch final : public RowSink {
   std::optional<CellTest> test_;
 };
 
-/// Waits for events, or for the ends of calls of a command that were not refused. A call is no
-/// match when it begins: the rows since then need not be kept any more.
+/// Waits for events, or for the end of a call of a command, unless the call was refused. A call
+/// matches only when it ends, because the rows from its start on may no longer be kept.
 class Trigger::EventWatch final : public EventSink {
  public:
   EventWatch(std::shared_ptr<Matches> matches, bool is_command)

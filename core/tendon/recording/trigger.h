@@ -12,7 +12,7 @@ namespace tendon::recording {
 
 /// Watches a condition in a running system: evaluates it for every row of its table, or waits for
 /// its events or for the executed calls of its command. A trigger has its own subscription, so the
-/// paths of the recording need not include the condition. A recorder has one trigger for its begin
+/// paths of the recording need not include the condition. A recorder has one trigger for its start
 /// and one for its end.
 ///
 /// Thread safety: any thread may call all functions, but handlers and sinks may not. Cost: a

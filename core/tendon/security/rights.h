@@ -48,8 +48,8 @@ inline constexpr auto kRights = std::to_array<Right>({
     {0x20e, "read past rows", Role::kViewer, Audit::kRefusals},
     // process/history/history_messages.h
     {0x218, "read past events", Role::kViewer, Audit::kRefusals},
-    {0x219, "read the past log", Role::kViewer, Audit::kRefusals},
-    {0x21a, "read the use of the history", Role::kViewer, Audit::kRefusals},
+    {0x219, "read the kept log", Role::kViewer, Audit::kRefusals},
+    {0x21a, "read the state of the history", Role::kViewer, Audit::kRefusals},
     // process/membership_messages.h
     {0x300, "join", Role::kOperator, Audit::kRefusals},  // logged separately
     {0x301, "report a change", Role::kOperator, Audit::kRefusals},

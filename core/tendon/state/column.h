@@ -95,7 +95,7 @@ class Column final : public ColumnBase {
     std::uint64_t tick = 0;
     return ReadNewestCell(value, tick, [](const Word* /*row*/) {});
   }
-  /// Reads the newest value, and also the stamp of its row.
+  /// Reads the newest value and the stamp of its row.
   Status ReadNewest(T& value, RowStamp& stamp) const noexcept {
     return ReadNewestCell(value, stamp.tick, [&](const Word* row) { stamp.time = TimeOf(row); });
   }

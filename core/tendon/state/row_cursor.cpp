@@ -21,7 +21,7 @@ bool RowCursor::Read(std::int64_t& time) {
     return true;
   }
   const std::uint64_t oldest = table_.oldest_tick();
-  if (next_tick_ >= oldest) {  // the writer has left out this tick; see AdvanceTo()
+  if (next_tick_ >= oldest) {  // the writer has skipped this tick; see AdvanceTo()
     ++next_tick_;
     ++lost_;
     return false;

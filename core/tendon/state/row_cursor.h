@@ -29,7 +29,7 @@ class RowCursor {
   std::uint64_t Begin();
   /// Copies the next row, which must exist. Returns false if the row was overwritten while it was
   /// read. In this case, skips to a newer row. Each repetition skips more rows. Also returns false,
-  /// and skips this tick, if the writer has left it out.
+  /// and skips this tick, if the writer has skipped it.
   bool Read(std::int64_t& time);
   /// Returns the last row that was read.
   [[nodiscard]] std::span<std::uint64_t> row() { return row_; }

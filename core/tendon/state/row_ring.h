@@ -134,7 +134,8 @@ class RowRing {
     std::uint64_t high = next_tick();
     if (high == first_) return RowResult::kNotYet;
     bool is_found = false;
-    while (low < high) {  // rows before `low` are lost or not later; rows from `high` on are later
+    while (low < high) {  // rows before `low` are lost, or not later than `time`; rows from `high`
+                          // on are later than `time`
       const std::uint64_t middle = low + (high - low) / 2;
       std::int64_t its_time = 0;
       const bool is_lost = ReadTime(middle, its_time) != RowResult::kDone;

@@ -45,7 +45,7 @@ StateTable::StateTable(std::string name) : name_(std::move(name)), epoch_(Random
 void StateTable::SetLength(std::size_t rows) {
   if (!rows_.is_empty()) {
     throw ConfigurationError("state table '" + name_ +
-                             "' holds rows already: its length cannot change; set it before the "
+                             "' already holds rows: its length cannot change; set it before the "
                              "component starts");
   }
   if (rows == 0 || rows > kMaximumLength) {
@@ -74,7 +74,7 @@ void StateTable::Prepare() {
 void StateTable::SetFirstTick(std::uint64_t tick) {
   if (!rows_.is_empty()) {
     throw ConfigurationError("state table '" + name_ +
-                             "' holds rows already: its first tick cannot change");
+                             "' already holds rows: its first tick cannot change");
   }
   rows_.SetFirstTick(tick);
 }

@@ -57,7 +57,7 @@ class StateTable {
 
   /// Makes `body` a column of a type that is known only at run time: before each row it must hold a
   /// CDR body of `schema`. A body that is empty, or has more than `capacity` bytes, is left out of
-  /// its row. Errors are those of Add().
+  /// its row. Fails like Add().
   void AddEncoded(const std::vector<std::byte>& body, const Schema& schema, std::string name,
                   std::size_t capacity);
 
@@ -102,7 +102,7 @@ class StateTable {
   /// ConfigurationError if there are rows.
   void SetFirstTick(std::uint64_t tick);
   /// Like Advance(), but skips the ticks before `tick`, which count as overwritten. `tick` must not
-  /// be below next_tick(). For the first row, `tick` must be that of SetFirstTick().
+  /// be below next_tick(). For the first row, `tick` must be the tick that SetFirstTick() has set.
   void AdvanceTo(std::uint64_t tick, SteadyTime now) noexcept;
   /// Called by a task after its cycle. Calls Advance(), unless AdvanceOnlyByHand() was called or
   /// the shortest interval has not passed.
@@ -134,7 +134,8 @@ class StateTable {
   }
   /// Returns the column with this name; null if no column has it.
   [[nodiscard]] const ColumnBase* Find(std::string_view name) const noexcept;
-  /// Returns the column of `variable`. Throws ConfigurationError if it is no column.
+  /// Returns the column of `variable`. Throws ConfigurationError if `variable` is not a column of
+  /// the table.
   template <Payload T>
   [[nodiscard]] const Column<T>& Find(const T& variable) const {
     return static_cast<const Column<T>&>(Find(&variable, typeid(T)));

@@ -27,7 +27,7 @@ void CallbackTask::ServeWaiting() {
   const std::unique_lock lock(driving_, std::try_to_lock);
   if (!lock || !has_orders()) return;
   ObeyOrders();
-  TaskLifecycle::Unbind(*this);  // because the driver's thread makes the cycles
+  TaskLifecycle::Unbind(*this);  // because the driver's thread executes the cycles
 }
 
 }  // namespace tendon

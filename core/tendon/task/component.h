@@ -26,7 +26,7 @@
 
 namespace tendon {
 
-/// How long a request waits until the component is in the requested state.
+/// The time for which a request waits until the component is in the requested state.
 using Patience = std::chrono::nanoseconds;
 inline constexpr Patience kPatience = std::chrono::seconds(10);
 /// The request does not wait: the state changes later, when the component's thread handles the
@@ -38,9 +38,9 @@ inline constexpr Patience kNoWait{0};
 /// thread.
 ///
 /// If a function of the author throws an exception, only this component becomes faulted. Then calls
-/// from its peers, also reads, return kNotActive. Peers that wait for a call or an event of the
-/// component stop waiting; a wait for an event returns kNotActive. Queued calls are dropped. The
-/// connections stay, and work again after a restart. The tables can still be read through the
+/// from its peers, including reads, return kNotActive. Peers that wait for a call or an event of
+/// the component stop waiting; a wait for an event returns kNotActive. Queued calls are dropped.
+/// The connections stay, and work again after a restart. The tables can still be read through the
 /// component's `state` interfaces.
 ///
 /// The constructor of a derived class adds the interfaces. The class overrides Configure() and the

@@ -14,7 +14,7 @@ enum class ComponentState : std::int32_t {
   kConstructed,
   kReady,  ///< configured, but not started
   kActive,
-  kSuspended,  ///< makes no cycles, but keeps its data; a start resumes it
+  kSuspended,  ///< executes no cycles, but keeps its data; a start resumes it
   kFinished,
   kFaulted,  ///< one of its functions has thrown; a start configures it again
 };
@@ -44,8 +44,9 @@ enum class LifecycleRequest : std::uint16_t { kStart, kSuspend, kStop };
 struct Transition {
   ComponentState from;
   LifecycleRequest request;
-  ComponentState to;           ///< equal to `from` if the request is refused
-  std::string_view refusal{};  ///< continues "component 'arm' is active"; empty if allowed
+  ComponentState to;  ///< equal to `from` if the request is refused
+  std::string_view
+      refusal{};  ///< the text after "component 'arm' is active"; empty if the request is allowed
   bool configures_first = false;
 };
 

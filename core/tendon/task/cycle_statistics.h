@@ -8,8 +8,8 @@ namespace tendon {
 
 /// Statistics of a task's last cycle; the column `Cycle` of its default state table.
 struct CycleStatistics {
-  double period = 0.0;         ///< s from the begin of the previous cycle; 0 in the first cycle
-  double lateness = 0.0;       ///< s from the due time to the begin of the cycle
+  double period = 0.0;         ///< s from the start of the previous cycle; 0 in the first cycle
+  double lateness = 0.0;       ///< s from the due time to the start of the cycle
   double compute = 0.0;        ///< s that the previous cycle took
   double load = 0.0;           ///< compute / wanted period; 0 if there is no period
   std::uint64_t overruns = 0;  ///< cycles skipped since the start, because others took too long

@@ -33,7 +33,7 @@ class NodePositions : public QObject {
 
  public Q_SLOTS:
   /// Moves several components in one step. If `key` is the same as in the previous step, the move
-  /// becomes a part of that step. So many small moves by keys are undone together.
+  /// becomes a part of that step. In this way, many small moves by keys are undone together.
   void move(const std::map<QString, QPointF>& moved, const QString& key = {});
   /// Returns all components to their automatic positions.
   void reset();

@@ -131,8 +131,8 @@ void CurveLayer::drawLines(QPainter& painter, const Curve& curve, const Envelope
 }
 
 // Returns the radius of a dot. The radius grows with the distance between samples. At the smallest
-// distance, the radius is half the width of the line. So no dot suddenly appears or disappears when
-// one more sample becomes visible.
+// distance, the radius is half the width of the line. Therefore, no dot suddenly appears or
+// disappears when one more sample becomes visible.
 double CurveLayer::DotRadius(double distance) {
   const double part = (distance - kNearest) / (kDotDistance - kNearest);
   return kThickness / 2 + std::clamp(part, 0.0, 1.0) * (kDotRadius - kThickness / 2);

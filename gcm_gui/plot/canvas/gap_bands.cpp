@@ -39,7 +39,7 @@ void GapBands::draw(QPainter* painter, const QwtScaleMap& x_map, const QwtScaleM
   QSet<QString> sources;  // handled already; all columns of a table have the same gaps
   for (const auto& curve : curves_.curves()) {
     const QString source = SourceOf(curve->path());
-    // A band over the whole height would be taken for one of the live curves.
+    // A band over the whole height would look like a gap of the live curves.
     if (curve->isRecorded()) continue;
     if (curve->samples().empty() || !curve->isVisible() || sources.contains(source)) continue;
     sources << source;
@@ -72,7 +72,7 @@ std::vector<GapBands::Band> GapBands::bandsOf(const Curve& curve, const QwtScale
   };
   std::vector<Band> bands;
   for (const Gap& gap : curve.samples().gaps()) {
-    // The rows have arrived, and only the curve is interrupted. So there is no band.
+    // The rows have arrived, and only the curve is interrupted. Therefore, there is no band.
     if (gap.cause == Gap::Cause::kNoValue) continue;
     Band band{.left = x_of(gap.from_ns),
               .right = x_of(gap.to_ns),

@@ -102,7 +102,8 @@ void CurveEditor::addShift(std::int64_t shift_ns) {
   shift_ = new QLineEdit(ShiftText(shift_ns));
   shift_->setObjectName("curveEditor.shift");
   shift_->setAccessibleName(Words::tr("Shift"));
-  shift_->setToolTip(Words::tr("Is added to all times of the recording: “-12.5” or “+2 h 03 min”"));
+  shift_->setToolTip(
+      Words::tr("This time is added to all times of the recording: “-12.5” or “+2 h 03 min”"));
   shift_->setFont(Theme::instance().mono());
   fields_->insertRow(0, Words::tr("Shift"), shift_);
   setTabOrder(shift_, factor_);

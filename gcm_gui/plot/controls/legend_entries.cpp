@@ -61,7 +61,7 @@ std::vector<LegendEntry> LegendEntriesOf(const CurveSet& curves, std::optional<s
                                          const TimeSpan& seen, bool statistics) {
   std::vector<LegendEntry> entries;
   for (const auto& curve : curves.curves()) {
-    // What a recording holds beyond the visible time was read in advance.
+    // Samples of a recording beyond the visible time were read in advance.
     const auto value = at_ns                 ? curve->numberAt(*at_ns)
                        : curve->isRecorded() ? curve->numberAt(seen.to_ns)
                                              : curve->latestNumber();

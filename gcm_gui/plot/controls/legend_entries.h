@@ -15,9 +15,10 @@ namespace tendon::gui {
 [[nodiscard]] QString NumberOf(const ExactNumber& number, const Curve& curve,
                                const CurveSet& curves);
 
-/// Returns the rows of the legend. The rows contain the values at `at_ns`; without `at_ns`, the
-/// present values and, for recorded curves, those at the end of the visible time. The rows may also
-/// contain the statistics of that time. O(curves) + O(samples in the visible time).
+/// Returns the rows of the legend. The rows contain the values at `at_ns`; without `at_ns`, they
+/// contain the present values of live curves, and the values of recorded curves at the end of the
+/// visible time. The rows may also contain statistics of the visible time. O(curves) + O(samples in
+/// the visible time).
 [[nodiscard]] std::vector<LegendEntry> LegendEntriesOf(const CurveSet& curves,
                                                        std::optional<std::int64_t> at_ns,
                                                        const TimeSpan& seen, bool statistics);

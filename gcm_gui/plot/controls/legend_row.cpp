@@ -114,7 +114,7 @@ bool LegendRow::event(QEvent* event) {
 void LegendRow::paintMark(QPainter& painter) const {
   const Theme& theme = Theme::instance();
   if (isPointedAt()) return PaintIcon(painter, markRect(), "close", Token::kText);
-  // An old value keeps the colour of its curve, and so does a recorded one.
+  // Old values and recorded values keep the colour of their curve.
   const QColor color =
       isRemappable() ? theme.color(Token::kStale) : theme.curve(entry_.color_index);
   const int top = (height() - kSwatchHeight) / 2;

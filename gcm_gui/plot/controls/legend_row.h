@@ -69,7 +69,7 @@ class LegendRow : public QWidget {
   [[nodiscard]] QRect valueRect() const;
   void paintMark(QPainter& painter) const;
   [[nodiscard]] bool isGrey() const { return entry_.stale || entry_.old; }
-  /// True if another signal is offered in place of the value.
+  /// True if the row offers another signal instead of a value.
   [[nodiscard]] bool isRemappable() const { return entry_.stale && entry_.recording.isEmpty(); }
   [[nodiscard]] bool isPointedAt() const { return underMouse() || hasFocus(); }
 

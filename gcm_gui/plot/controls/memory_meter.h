@@ -5,8 +5,8 @@
 
 namespace tendon::gui {
 
-/// Shows how much of the memory for samples is used, as a bar a few pixels high. The tool tip says
-/// the same in words.
+/// Shows how much of the memory for samples is used, as a bar a few pixels high. The tool tip
+/// contains the same information in words.
 class MemoryMeter : public QWidget {
   Q_OBJECT
 

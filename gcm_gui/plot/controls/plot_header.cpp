@@ -168,7 +168,7 @@ void PlotHeader::setPaused(bool paused) {
   pause_->setIcon(ThemeIcon(paused ? "play" : "pause", paused ? Token::kAccent : Token::kDim));
   pause_->setAccessibleName(paused ? Words::tr("Resume the view") : Words::tr("Pause the view"));
   pause_->setToolTip(paused ? Words::tr("Resume the view (Space)")
-                            : Words::tr("Pause the view, not the data (Space)"));
+                            : Words::tr("Pause the view; new data is still received (Space)"));
 }
 
 }  // namespace tendon::gui

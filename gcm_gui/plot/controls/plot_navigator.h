@@ -14,7 +14,7 @@ namespace tendon::gui {
 
 class PlotView;
 
-/// Handles the mouse and the keys on the canvas of a plot, also while new data arrives:
+/// Handles the mouse and the keys on the canvas of a plot, even while new data arrives:
 ///
 /// - wheel: zoom in time around the mouse; Ctrl+wheel: zoom in values; horizontal wheel: move in
 /// time

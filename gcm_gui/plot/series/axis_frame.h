@@ -7,13 +7,13 @@
 namespace tendon::gui {
 
 /// Maps values to places on an axis: place = (value - base) / 10^exponent. On a logarithmic axis,
-/// the place is the logarithm of this number. So the places are ordinary numbers, even if the
-/// values are close together and far from 0, or near the largest double.
+/// the place is the logarithm of this number. Therefore, the places are ordinary numbers, even if
+/// the values are close together and far from 0, or near the largest double.
 struct AxisFrame {
   /// A round number near the values if the values are far from 0; otherwise 0. The base is shown
   /// beside the unit.
   double base = 0;
-  /// Not 0 only if the distances between values are too large for a double.
+  /// 0, unless the distances between values are too large for a double.
   int exponent = 0;
 
   /// Returns the place of a value at this distance from the base.

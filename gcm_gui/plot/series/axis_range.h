@@ -19,8 +19,8 @@ struct AxisRange {
 /// The scale of a value axis.
 enum class ValueScale { kLinear, kLogarithmic };
 
-/// The kind of values on an axis. Two different whole numbers differ by at least 1, and so do the
-/// labels of their axis.
+/// The kind of values on an axis. Two different whole numbers differ by at least 1, so the labels
+/// of their axis also differ by at least 1.
 enum class NumberKind { kReal, kWhole };
 
 /// Returns the place of a value on an axis: the value itself, or its decimal logarithm. On a

@@ -80,8 +80,8 @@ class Writer {
     text_.append('\n');
   }
 
-  // The table has one time for all curves, that of the plot. So the header of a recorded one says
-  // how to get its own.
+  // All curves of the table have the time of the plot. Therefore, the header of a recorded curve
+  // describes how to compute the recorded time.
   static QString ShiftOf(const CsvTable::Curve& curve) {
     if (RecordingOf(curve.path).isEmpty()) return {};
     QByteArray seconds(curve.shift_ns < 0 ? "-" : "+");

@@ -22,7 +22,7 @@ namespace tendon::gui {
 enum class Pass { kPresent, kFormer };
 
 /// One signal in one plot: its samples, its look, and the state of its source. A curve of a
-/// recording is shifted in time: all its times are those of the plot. GUI thread.
+/// recording is shifted in time: its times are on the plot's clock. GUI thread.
 class Curve {
  public:
   Curve(CurveKey key, int color_index);
@@ -36,15 +36,15 @@ class Curve {
   [[nodiscard]] int colorIndex() const { return color_index_; }
   void setColorIndex(int index) { color_index_ = index; }
 
-  /// Sets the time that is added to the times of samples, also of those that are there. O(samples).
+  /// Sets the time that is added to the times of samples, including existing samples. O(samples).
   void setShift(std::int64_t shift_ns);
   [[nodiscard]] std::int64_t shift() const { return shift_ns_; }
-  /// Sets the end of the recording, without the shift. There are no values after it.
+  /// Sets the end of the recording, without the shift. The curve has no values after this time.
   void setRecordedEnd(std::int64_t time_ns) { recorded_end_ns_ = time_ns; }
 
   /// Appends samples. The curve then no longer counts as stale.
   void append(std::span<const Sample> samples);
-  /// Keeps no sample, and waits for new ones.
+  /// Removes all samples, and waits for new ones.
   void removeSamples();
   /// Called when the source was restarted; see SampleRing::beginEpoch().
   void beginEpoch() { samples_.beginEpoch(); }
@@ -57,7 +57,8 @@ class Curve {
   [[nodiscard]] bool isThinned() const;
   [[nodiscard]] const SampleRing& samples() const { return samples_; }
 
-  /// Called when no samples arrive; `reason` says for what the curve waits. A new curve is stale.
+  /// Called when no samples arrive; `reason` names the source for which the curve waits. A new
+  /// curve is stale.
   void setStale(const QString& reason) { stale_reason_ = reason; }
   [[nodiscard]] bool isStale() const { return !stale_reason_.isEmpty(); }
   [[nodiscard]] const QString& staleReason() const { return stale_reason_; }
@@ -149,7 +150,7 @@ class Curve {
 };
 
 /// Returns the text for a curve without samples: "waiting for robot/arm/state"; for a curve of a
-/// recording, that there are none in the visible time.
+/// recording, a text that there are no samples in the visible time.
 [[nodiscard]] QString WaitingFor(const QString& path);
 
 }  // namespace tendon::gui

@@ -139,8 +139,9 @@ void CurveSet::setFrame(UnitAxis& axis, const AxisFrame& frame) {
   showBases();
 }
 
-// Returns the colour of the live curve for the recorded one of the same signal, and the other way
-// round; otherwise the first free colour. If there are more curves than colours, colours repeat.
+// Returns the colour for a new curve. A live curve and a recorded curve of the same signal have the
+// same colour; any other curve gets the first free colour. If there are more curves than colours,
+// colours repeat.
 int CurveSet::colorFor(const QString& path) const {
   std::vector<const Curve*> twins;
   for (const auto& curve : curves_) {

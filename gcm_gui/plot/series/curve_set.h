@@ -50,7 +50,7 @@ struct SourceFigures {
   std::uint64_t repeated = 0;
   QString path = {};             ///< path of the curve with the most losses
   RowLosses losses_before = {};  ///< losses of the source before that curve was added
-  RowLosses losses = {};         ///< losses of the source since then, as far as known
+  RowLosses losses = {};         ///< known losses of the source since that time
 };
 
 /// The curves of one plot, in the order in which they were added, and an axis for each unit. Only
@@ -93,8 +93,8 @@ class CurveSet {
   /// logarithmic axis cannot show these values. Empty on a linear axis.
   [[nodiscard]] QStringList withoutPlace(std::span<const SeenSlices> seen) const;
   /// Fits the axes that follow the data to the values in the slices. Ignores a curve whose values
-  /// are beyond 1e12 and more than a million times larger than those of the other curves on its
-  /// axis: such a curve would flatten the others. beyondAxes() returns the ignored curves.
+  /// are beyond 1e12 and more than a million times larger than the values of the other curves on
+  /// its axis: such a curve would flatten the others. beyondAxes() returns the ignored curves.
   void fitAxes(std::span<const SeenSlices> seen);
   [[nodiscard]] const QStringList& beyondAxes() const { return beyond_; }
   /// Returns the time of the newest sample of all curves that are not recorded; INT64_MIN if there

@@ -8,8 +8,8 @@ namespace tendon::gui {
 /// Estimates the present time of the source from samples that arrive late and in batches.
 ///
 /// The offset between the source's clock and the local clock is taken from the sample with the
-/// least delay among those of the last seconds. So now() is smooth between batches, and continues
-/// when the source sends nothing. All times are in nanoseconds, each on its own steady clock.
+/// least delay in the last seconds. Therefore, now() is smooth between batches, and continues when
+/// the source sends nothing. All times are in nanoseconds, each on its own steady clock.
 class LiveClock {
  public:
   /// Called when a sample with the time `newest_ns` has arrived at the local time `local_ns`.

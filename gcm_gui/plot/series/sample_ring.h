@@ -17,8 +17,9 @@ inline constexpr std::int64_t kClockToleranceNs = 1'000'000'000;
 
 /// The value of one signal in one row of its state table.
 struct Sample {
-  std::int64_t time_ns = 0;  ///< when the row was written, on the steady clock of the source
-  std::uint64_t tick = 0;    ///< number of the row; the next row has the next number
+  std::int64_t time_ns =
+      0;                   ///< the time when the row was written, on the steady clock of the source
+  std::uint64_t tick = 0;  ///< number of the row; the next row has the next number
   ExactNumber value;
 };
 
@@ -94,7 +95,7 @@ class SampleRing {
   void endStandstill() { standstill_ends_ = stands_still_; }
   /// Moves all samples and gaps in time. O(samples).
   void move(std::int64_t by_ns);
-  /// Begins again with an empty ring, as if it were new.
+  /// Resets the ring to its initial, empty state.
   void clear() { *this = SampleRing(limit_); }
   /// Sets the maximum number of samples, rounded down to a power of two. Drops the oldest samples
   /// above it.

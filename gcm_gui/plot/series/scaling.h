@@ -26,7 +26,7 @@ struct CurveLook {
 
 inline constexpr qsizetype kLongestAxis = 40;  ///< characters
 
-/// Formats a number with so many digits that parsing the text gives the same value.
+/// Formats a number with enough digits that parsing the text gives the same value.
 [[nodiscard]] QString ExactText(double value);
 
 /// Formats a scaling: "×1000 +2", "×-1", "-0.5"; empty if there is no scaling.

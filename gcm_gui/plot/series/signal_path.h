@@ -24,7 +24,7 @@ struct CurveKey {
 /// Returns the absolute path of the file of a recorded signal; empty for a signal of the shown
 /// system.
 [[nodiscard]] QString RecordingOf(const QString& path);
-/// Returns the name of that file: `run.mcap`.
+/// Returns the name of the file of a recorded signal: `run.mcap`.
 [[nodiscard]] QString RecordingName(const QString& path);
 /// Returns the path without the recording: `robot/arm/state.Joints`.
 [[nodiscard]] QString SignalOf(const QString& path);
@@ -40,19 +40,19 @@ struct CurveKey {
 
 /// The MIME type of dragged values: one line for each value, with path and unit separated by a tab.
 inline constexpr auto kPathMimeType = "application/x-tendon-path";
-/// The MIME type for the id of a plot, in digits. A drag has it if the values come from a plot.
+/// The MIME type for the id of a plot, in digits. A drag of values from a plot has this type.
 inline constexpr auto kPlotMimeType = "application/x-tendon-plot";
-/// The MIME type for the recording of dragged values: the moment that it shows, in ns since 1970,
-/// and the file, on a line each. Drags from a window that shows a recording have it.
+/// The MIME type for the recording of dragged values: one line with the shown moment in ns since
+/// 1970, and one line with the file. Drags from a window that shows a recording have it.
 inline constexpr auto kRecordingMimeType = "application/x-tendon-recording";
 [[nodiscard]] QByteArray EncodedPaths(const QList<CurveKey>& keys);
-/// Makes `data` a drag of these values of the shown system.
+/// Sets `data` to a drag of these values of the shown system.
 void SetPaths(QMimeData& data, const QList<CurveKey>& keys);
 /// Returns the dragged values; empty if there are none. Lines without a path are skipped. Values
 /// that come from the window of another recording have recorded paths.
 [[nodiscard]] QList<CurveKey> PathsIn(const QMimeData& data);
-/// Returns the moment that the window of another recording shows, in ns since 1970, if the dragged
-/// values come from there.
+/// If the dragged values come from the window of another recording, returns the moment that this
+/// window shows, in ns since 1970.
 [[nodiscard]] std::optional<std::int64_t> RecordedMomentIn(const QMimeData& data);
 
 }  // namespace tendon::gui

@@ -51,7 +51,7 @@ QString RoundedShiftText(std::int64_t shift_ns) {
 }
 
 std::optional<std::int64_t> ShiftIn(const QString& text) {
-  // Each number has so few digits that its product with the unit fits.
+  // Each number has few enough digits that its product with the unit does not overflow.
   static const QRegularExpression form(
       QStringLiteral("^([-+−]?)\\s*(?:(\\d{1,5})\\s*d)?\\s*(?:(\\d{1,6})\\s*h)?\\s*"
                      "(?:(\\d{1,8})\\s*min)?\\s*(?:(\\d{1,10})(?:\\.(\\d{0,9}))?\\s*s?)?$"));

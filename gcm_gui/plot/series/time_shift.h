@@ -7,11 +7,11 @@
 
 namespace tendon::gui {
 
-/// The longest shift of a recording against the shown time, in both directions: 100 years in ns.
+/// The longest shift of a recording relative to the shown time, in both directions: 100 years in
+/// ns.
 inline constexpr std::int64_t kLongestShift = std::int64_t{36525} * 24 * 3600 * 1'000'000'000;
 
-/// Returns a time that is moved by `by_ns`; the first or the last time there is, if the result
-/// would be beyond it.
+/// Returns a time that is moved by `by_ns`, limited to the range of the type.
 [[nodiscard]] constexpr std::int64_t MovedTime(std::int64_t time_ns, std::int64_t by_ns) {
   using Limits = std::numeric_limits<std::int64_t>;
   if (by_ns > 0 && time_ns > Limits::max() - by_ns) return Limits::max();
@@ -19,12 +19,13 @@ inline constexpr std::int64_t kLongestShift = std::int64_t{36525} * 24 * 3600 * 
   return time_ns + by_ns;
 }
 
-/// Formats a shift with its sign: "−2 h 03 min 12.5 s". ShiftIn() of the text is the same shift.
+/// Formats a shift with its sign: "−2 h 03 min 12.5 s". ShiftIn() converts the text back to the
+/// same shift.
 [[nodiscard]] QString ShiftText(std::int64_t shift_ns);
 /// Likewise, rounded to milliseconds.
 [[nodiscard]] QString RoundedShiftText(std::int64_t shift_ns);
-/// Parses a shift: seconds such as "-12.5", or a text like that of ShiftText(). Empty if it is
-/// something else, or more than kLongestShift.
+/// Parses a shift: seconds such as "-12.5", or a text in the form of ShiftText(). Empty if the text
+/// is neither, or if the shift is longer than kLongestShift.
 [[nodiscard]] std::optional<std::int64_t> ShiftIn(const QString& text);
 
 }  // namespace tendon::gui

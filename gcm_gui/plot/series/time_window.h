@@ -19,7 +19,7 @@ struct TimeSpan {
 /// Positions on the axis are in seconds relative to origin(). The origin of a live window is the
 /// present. The origin of a held window is the time at which the window was held.
 ///
-/// A sweeping window works as on an oscilloscope: the axis is fixed and begins at origin(), and a
+/// A sweeping window works like an oscilloscope: the axis is fixed and begins at origin(), and a
 /// head moves from left to right. The present pass is to the left of the head. The previous pass is
 /// to the right, until the head overwrites it. Zooming or moving the window ends the sweep: time
 /// then runs from left to right again.

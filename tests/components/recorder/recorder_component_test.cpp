@@ -242,9 +242,10 @@ TEST_F(RecorderWithoutHistoryTest, SavesTheRowsOfTheTablesAndSaysOnceThatTheHist
   ASSERT_TRUE(operator_->save_last(30.0));
 
   ASSERT_TRUE(operator_->EventuallyHas("Saved"));
-  EXPECT_EQ(operator_->Texts("Failed"),
-            (std::vector<std::string>{
-                "robot: only what its state tables held: its history is off (--history-memory)"}));
+  EXPECT_EQ(
+      operator_->Texts("Failed"),
+      (std::vector<std::string>{
+          "robot: only the rows in its state tables: its history is off (--history-memory)"}));
 }
 
 TEST_F(RecorderComponentTest, AnImpossibleTimeToSaveIsRefused) {

@@ -177,9 +177,10 @@ TEST_F(Lookup, FindsAConnectionByNumber) {
   const auto ambiguous = LookUpConnected(catalogue_, "1");
   ASSERT_FALSE(ambiguous);
   EXPECT_EQ(ambiguous.error().code, ErrorCode::kInvalid);
-  EXPECT_EQ(ambiguous.error().message,
-            "more than one connection has the number 1: desk/1 is of desk/teleoperation/Robot, "
-            "robot/1 is of robot/follower/Robot");
+  EXPECT_EQ(
+      ambiguous.error().message,
+      "more than one connection has the number 1: desk/1 belongs to desk/teleoperation/Robot, "
+      "robot/1 belongs to robot/follower/Robot");
 }
 
 TEST_F(Lookup, ConnectingToALostProcessIsPendingIfItFits) {

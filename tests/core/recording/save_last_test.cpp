@@ -167,7 +167,7 @@ TEST_F(SaveLastTest, TheFileHasRowsEventsAndLogThatNoTableHolds) {
     if (record.name == "robot/fast" && record.msg == "something happens") ++happened;
   }
   EXPECT_EQ(happened, 1U) << "the GCM has it as well";
-  EXPECT_THAT(ReachText(saved->processes[0], 30s), HasSubstr("it has run no longer"));
+  EXPECT_THAT(ReachText(saved->processes[0], 30s), HasSubstr("it has not been running longer"));
 }
 
 TEST_F(SaveLastTest, SaysThatTheHistoryIsOff) {
@@ -223,7 +223,8 @@ class PastTelemetry final : public TelemetryClient {
     if (table.process == "bad") {
       ++questions;
       if (is_silent) return;
-      return done({.failure = Error{ErrorCode::kInvalid, "process 'bad' sent invalid past rows"}});
+      return done({.failure = Error{ErrorCode::kInvalid,
+                                    "process 'bad' sent invalid rows of its history"}});
     }
     sink->OnSubscribed({SchemaOf<std::uint64_t>()});
     std::vector<std::byte> cell;
@@ -472,7 +473,7 @@ TEST(ShortfallsOf, NamesWhatIsMissing) {
 
   EXPECT_EQ(ShortfallsOf(report, 30s),
             (std::vector<std::string>{
-                "robot: only what its state tables held: its history is off (--history-memory)",
+                "robot: only the rows in its state tables: its history is off (--history-memory)",
                 "robot/arm/state: 2 rows lost", "desk/pad/Control: it sent nothing",
                 "2 log records sent, but not written into the file"}));
 }
@@ -485,7 +486,7 @@ TEST(ReachText, NamesTheReason) {
     return ReachText({.process = "robot", .history = state}, 30s);
   };
   EXPECT_EQ(text({.age = 1h, .reach = 30s}), "");
-  EXPECT_EQ(text({.age = 12s, .reach = 12s}), "12.0 s: it has run no longer");
+  EXPECT_EQ(text({.age = 12s, .reach = 12s}), "12.0 s: it has not been running longer");
   EXPECT_EQ(text({.age = 1h, .reach = 10s}),
             "10.0 s: its history is full (16.0 of 32.0 MiB, the last 10.0 s; see "
             "--history-memory)");
@@ -494,7 +495,7 @@ TEST(ReachText, NamesTheReason) {
                            message::ProcessHistoryState{
                                .limit = 1, .span = 30s, .age = 1h, .reach = 30s}},
                       60s),
-            "30.0 s: it keeps no more than that");
+            "30.0 s: it is set to keep no more");
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ TEST_F(StateTableTest, MayBeLengthenedUntilRowsAreWritten) {
   EXPECT_EQ(table_.Find(number_).ReadAt(0, value), RowResult::kDone);
   EXPECT_EQ(value, 0);
   EXPECT_THAT(Refusal([&] { table_.SetLength(2 * kLonger); }),
-              AllOf(HasSubstr("holds rows already"), HasSubstr("before the component starts")));
+              AllOf(HasSubstr("already holds rows"), HasSubstr("before the component starts")));
 }
 
 TEST_F(StateTableTest, RefusesALengthOutOfRange) {
@@ -301,7 +301,7 @@ TEST_F(StateTableTest, AnEncodedColumnHoldsBodiesOfATypeThatIsKnownAtRunTimeOnly
   EXPECT_THAT(table_.cell(row, 0), IsEmpty()) << "the value is larger than the capacity";
   EXPECT_EQ(column.absent(), 1U);
   EXPECT_EQ(table_.CopyRow(7, row, time), RowResult::kOvertaken);
-  EXPECT_THAT(Refusal([&] { table_.SetFirstTick(0); }), HasSubstr("holds rows already"));
+  EXPECT_THAT(Refusal([&] { table_.SetFirstTick(0); }), HasSubstr("already holds rows"));
 }
 
 TEST_F(StateTableTest, ACycleWritesARowUnlessAdvancedByHand) {

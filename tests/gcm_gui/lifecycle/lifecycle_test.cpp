@@ -210,14 +210,14 @@ TEST_F(LifecycleTest, TheCardExplainsAResumeAndItsSuspension) {
   ASSERT_TRUE(card().isVisible());
   EXPECT_EQ(window_.findChild<QLabel*>("lifecycle.names")->text(), "robot/arm · suspended for 0 s");
   const QString advice = window_.findChild<QLabel*>("lifecycle.advice")->text();
-  EXPECT_TRUE(
-      advice.startsWith("The component is told that it was suspended. If its author has written "
-                        "code for this case, the component starts from the current situation;"))
+  EXPECT_TRUE(advice.startsWith(
+      "The component is notified that it was suspended. If its author has written "
+      "code for this case, the component starts from the current situation;"))
       << advice.toStdString();
   EXPECT_TRUE(advice.contains("This order can move something")) << advice.toStdString();
   EXPECT_TRUE(Button("lifecycle.start")
                   .toolTip()
-                  .startsWith("The component is told that it was suspended"));
+                  .startsWith("The component is notified that it was suspended"));
   KeepPictures(window_, "resume-card");
 }
 

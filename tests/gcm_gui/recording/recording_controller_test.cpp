@@ -86,11 +86,11 @@ TEST_F(RecordingControllerTest, AReportOfTheLastSecondsSaysWhatIsMissing) {
   controller_.saveLast();
   Q_EMIT runner_.begun(QStringLiteral("/data/last.mcap"));
   RecordingProgress progress = Progress(100);
-  progress.shortfalls = {"robot: 12.0 s: it has run no longer"};
+  progress.shortfalls = {"robot: 12.0 s: it has not been running longer"};
 
   Q_EMIT runner_.ended(progress, QString());
 
-  EXPECT_EQ(controller_.report()->detail, "robot: 12.0 s: it has run no longer");
+  EXPECT_EQ(controller_.report()->detail, "robot: 12.0 s: it has not been running longer");
   EXPECT_TRUE(controller_.report()->has_losses);
   EXPECT_EQ(controller_.report()->file, "/data/last.mcap");
 }

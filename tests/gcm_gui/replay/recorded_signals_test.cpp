@@ -203,8 +203,9 @@ TEST_F(RecordedSignalsTest, AFileThatVanishesKeepsWhatWasRead) {
 
   See(1, 6);
 
-  ASSERT_TRUE(Eventually(
-      [this] { return reasons_[kTimeSignal].contains(QStringLiteral("no longer there")); }));
+  ASSERT_TRUE(Eventually([this] {
+    return reasons_[kTimeSignal].contains(QStringLiteral("does not exist any more"));
+  }));
   EXPECT_TRUE(Covers(kTimeSignal, 0, 2));
 }
 

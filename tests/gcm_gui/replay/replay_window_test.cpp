@@ -412,7 +412,7 @@ TEST_F(ReplayWindow, ADroppedRecordingOpensAnotherWindow) {
   QCoreApplication::sendEvent(window_.get(), &drop);
 
   ASSERT_EQ(notices.count(), 1);
-  EXPECT_THAT(notices.front().front().toString().toStdString(), HasSubstr("window of its own"));
+  EXPECT_THAT(notices.front().front().toString().toStdString(), HasSubstr("separate window"));
 }
 
 TEST_F(ReplayWindow, LooksAsInThePictures) {

@@ -45,8 +45,8 @@ class Attributes {
   posix_spawnattr_t attributes_{};
 };
 
-/// Returns the command line in the form of posix_spawn(). It points into the two arguments, so it
-/// is valid as long as they are.
+/// Returns the command line in the form of posix_spawn(). It points into the two arguments and must
+/// not outlive them.
 std::vector<char*> CommandLine(const std::string& program,
                                const std::vector<std::string>& arguments) {
   std::vector<char*> words{const_cast<char*>(program.c_str())};

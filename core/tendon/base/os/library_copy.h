@@ -33,7 +33,7 @@ class LibraryCopy {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// The content that was copied.
   [[nodiscard]] const FileContent& content() const { return content_; }
-  /// Keeps the file for the life of this process.
+  /// Keeps the file until this process ends.
   static void Keep(std::unique_ptr<LibraryCopy> copy);
 
  private:

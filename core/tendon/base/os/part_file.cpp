@@ -48,10 +48,10 @@ Result<void> PartFile::Complete() {
   if (std::filesystem::exists(file_, failed)) {
     return Error{ErrorCode::kExists,
                  file_.string() +
-                     " was made by another program meanwhile, and no file is replaced: "
+                     " was created by another program in the meantime, and no file is replaced: "
                      "choose another name"};
   }
-  // Else a power cut could leave an empty file under the final name.
+  // Otherwise, a power cut could leave an empty file under the final name.
   if (auto synced = SyncContent(part_); !synced) return synced;
   std::filesystem::rename(part_, file_, failed);
   if (failed) {

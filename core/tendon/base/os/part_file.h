@@ -11,33 +11,36 @@
 
 namespace tendon::os {
 
-/// Asked again and again by long work: true means that it should stop. May be empty.
+/// Long work calls this function repeatedly. If it returns true, the work should stop. May be
+/// empty.
 using StopRequest = std::function<bool()>;
 
-/// The error of work that was stopped. `file` is what it would have written.
+/// Returns the error for work that was stopped before `file` was complete.
 [[nodiscard]] Error StoppedError(const std::filesystem::path& file);
 
-/// A new file `run.h5` that is written as `run.h5.part`, and gets its name when it is complete. So
-/// a failure, a full disk or a killed program never leaves a half file under the final name.
+/// A new file, such as `run.h5`. It is written under the name `run.h5.part`, and renamed when it is
+/// complete. Therefore, a failure, a full disk or a killed program never leaves a partial file
+/// under the final name.
 ///
 /// Thread safety: one thread at a time.
 class PartFile {
  public:
-  /// Creates the part. kExists if `file` is there already, or another program is writing it.
-  /// Replaces what a killed program has left of the part. kFailed if it cannot be created.
+  /// Creates the part file. Replaces a part file that a killed program has left. Fails with kExists
+  /// if `file` already exists or another program is writing it, and with kFailed if the part file
+  /// cannot be created.
   static Result<PartFile> Create(const std::filesystem::path& file);
   PartFile(PartFile&& other) noexcept;
   PartFile& operator=(PartFile&&) = delete;
-  /// Removes the part, unless it was completed.
+  /// Removes the part file, unless it was completed.
   ~PartFile();
 
   /// The name while it is being written.
   [[nodiscard]] const std::filesystem::path& part() const { return part_; }
-  /// The empty part, to write into. While it is open, it is locked, so that another Create() sees
-  /// that it is being written. Once.
+  /// Returns the empty part file, open for writing. It is locked while it is open, so that another
+  /// Create() fails. Call it once.
   [[nodiscard]] std::unique_ptr<WritableFile> TakeFile() { return std::move(opened_); }
-  /// Waits until the part, which must be closed, is on the disk, and gives the file its name.
-  /// kExists as Create(), kFailed if the disk fails.
+  /// Waits until the part file, which must be closed, is on the disk, and renames it. Fails with
+  /// kExists like Create(), and with kFailed if the disk fails.
   Result<void> Complete();
 
  private:

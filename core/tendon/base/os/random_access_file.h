@@ -47,13 +47,12 @@ class WritableFile {
                                std::span<const std::span<const std::byte>> parts) = 0;
   /// Reserves disk space for `length` bytes at `offset`, so that writing them cannot fail for lack
   /// of space. Does not change the size of the file. Does nothing, and succeeds, if the file system
-  /// cannot reserve space. Errors are those of WriteAt().
+  /// cannot reserve space. Fails like WriteAt().
   virtual Result<void> Reserve(std::uint64_t offset, std::uint64_t length) = 0;
-  /// Cuts the file to `size` bytes and frees the reserved space after them. Errors are those of
-  /// WriteAt().
+  /// Cuts the file to `size` bytes and frees the reserved space after them. Fails like WriteAt().
   virtual Result<void> Truncate(std::uint64_t size) = 0;
-  /// Waits until all written data is on the disk. Errors are those of WriteAt(). After an error,
-  /// some of the data may be lost, even if a later call succeeds.
+  /// Waits until all written data is on the disk. Fails like WriteAt(). After an error, some of the
+  /// data may be lost, even if a later call succeeds.
   virtual Result<void> Sync() = 0;
 };
 
@@ -66,7 +65,7 @@ Result<std::unique_ptr<RandomAccessFile>> OpenRandomAccessFile(const std::filesy
 /// created.
 Result<std::unique_ptr<WritableFile>> CreateWritableFile(const std::filesystem::path& file);
 
-/// Waits until the content of a closed file is on the disk. kFailed if the disk fails.
+/// Waits until the content of a closed file is on the disk. Fails with kFailed if the disk fails.
 Result<void> SyncContent(const std::filesystem::path& file);
 /// Makes the name of a file survive a power cut. Ignores errors, because some file systems cannot
 /// do it.

@@ -12,9 +12,9 @@ namespace tendon::os {
 /// before it.
 Result<void> CheckSharedLibrary(const std::filesystem::path& file);
 
-/// Loads a shared library and keeps it for the life of the process. `file` is a copy of `original`;
-/// the libraries that it needs from $ORIGIN are taken from the folder of `original`. The error text
-/// has no path: the caller puts "PATH: " before it.
+/// Loads a shared library and keeps it until the process ends. `file` is a copy of `original`; the
+/// libraries that it needs from $ORIGIN are taken from the folder of `original`. The error text has
+/// no path: the caller puts "PATH: " before it.
 Result<void*> LoadSharedLibrary(const std::filesystem::path& file,
                                 const std::filesystem::path& original);
 

@@ -16,7 +16,7 @@ class LogFeed {
   [[nodiscard]] message::WatchLog Wanted() const;
   /// Handles the answer to the request; returns an empty batch.
   LogBatch Begin(const message::WatchLogReply& watched);
-  /// Returns the received records, without those that were delivered before.
+  /// Returns the received records that were not delivered before.
   LogBatch Take(message::LogRecords batch);
 
  private:

@@ -23,7 +23,7 @@ bool PastEventsReading::Take(const message::ReadEventsReply& page, const SourceC
   const bool goes_on = page.next > next_.first || page.next >= end_;
   if (page.epoch == 0 || page.epoch != next_.epoch || !goes_on) {
     Fail({ErrorCode::kInvalid,
-          "process '" + wanted_.provided.process + "' sent invalid past events"});
+          "process '" + wanted_.provided.process + "' sent invalid events of its history"});
     return false;
   }
   for (const message::PastEvent& past : page.past) {

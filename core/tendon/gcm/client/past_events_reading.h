@@ -14,7 +14,7 @@ namespace tendon::client {
 
 class SourceClock;
 
-/// Reads the past events of one interface in pages, for EventFeed::ReadPast().
+/// Reads the kept events of one interface page by page, for EventFeed::ReadPast().
 ///
 /// Thread safety: from any thread, one call at a time.
 class PastEventsReading {
@@ -28,8 +28,8 @@ class PastEventsReading {
   /// Sets the descriptions of the wanted events. Must be called before Take().
   void SetEvents(std::vector<MemberDescription> events) { events_ = std::move(events); }
   [[nodiscard]] const message::ReadEvents& NextRequest() const { return next_; }
-  /// Passes the events of a page to the sink. Returns true if another page must be requested. If
-  /// not, it has called `done`. The page is untrusted.
+  /// Passes the events of a page to the sink. Returns true if another page must be requested.
+  /// Before it returns false, it calls `done`. The page is untrusted.
   [[nodiscard]] bool Take(const message::ReadEventsReply& page, const SourceClock& clock);
   /// Calls `done` with this failure.
   void Fail(const Error& reason);

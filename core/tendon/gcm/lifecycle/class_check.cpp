@@ -13,7 +13,7 @@
 namespace tendon {
 namespace {
 
-/// Returns true if the component already is as the file describes it, so that it need not be
+/// Returns true if the component already matches its description in the file and need not be
 /// created.
 bool IsMadeAs(const SystemFile::Component* running, const SystemFile::Component& wanted) {
   return running != nullptr && running->class_name == wanted.class_name &&

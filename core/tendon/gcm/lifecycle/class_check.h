@@ -37,7 +37,8 @@ using KnownClasses = std::map<std::string, message::Classes>;
 
 /// Like MakePlan(), but a component that CheckCreation() refuses stays unchanged and becomes an
 /// obstacle. In this way, a mistake in the file is found before components are stopped. The check
-/// uses the loaded plug-ins. A note tells if the file of a plug-in has changed since it was loaded.
+/// uses the loaded plug-ins. The plan has a note for each plug-in whose file has changed since it
+/// was loaded.
 [[nodiscard]] Plan MakeCheckedPlan(const Catalogue& catalogue, const SystemFile& wanted,
                                    const KnownClasses& known);
 

@@ -88,7 +88,7 @@ void LifecycleOrders::ExecuteOrder(const LifecycleOrder& order, const std::strin
 Result<void> LifecycleOrders::CheckConfiguration(const LifecycleOrder& order) const {
   const auto* now = parts_.registry.catalogue().FindComponent(order.process, order.component);
   if (order.verb != LifecycleVerb::kConfigure || now == nullptr) return {};
-  UndoMark last;  // the author of the last change: of a step or of its undo
+  UndoMark last;  // the program that made the last change, which is a step or its undo
   std::string made;
   for (const message::HistoryEntry& step : parts_.history.steps().entries) {
     const message::LifecycleStep& lifecycle = step.lifecycle;
@@ -170,7 +170,7 @@ void LifecycleOrders::ListClasses(const std::string& process, Done<message::Clas
 /// Marks the component as busy. Returns a wrapped `done` that also releases the component. If
 /// another order for the component is in progress, answers with an error and returns null.
 LifecycleOrders::Done<None> LifecycleOrders::Claim(const Path& path, Done<None> done) {
-  // A process executes orders without a component one at a time.
+  // Orders that do not concern a component are executed by a process one at a time.
   if (path.second.empty()) return done;
   if (!busy_.emplace(path, false).second) {
     Answer(std::move(done),

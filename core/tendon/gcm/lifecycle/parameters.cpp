@@ -140,8 +140,8 @@ Result<Part> Find(Whole& whole, const std::vector<Step>& steps) {
   return part;
 }
 
-/// Copies the changed value from `value` to `told`. Copies only this field. If an element of a list
-/// has changed, copies the whole list.
+/// Copies only the changed field from `value` to `told`. If an element of a list has changed,
+/// copies the whole list.
 void Tell(Whole& whole, const std::vector<Step>& steps) {
   OrderedJson* told = &whole.told;
   const OrderedJson* value = &whole.value;

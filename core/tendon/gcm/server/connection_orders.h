@@ -56,7 +56,8 @@ class ConnectionOrders : private OrderSender {
   void PassOver(const message::StepSelection& which, const std::string& who,
                 Done<message::HistoryEntry> done);
 
-  /// Makes a connection again whose process was lost and has returned. Not recorded in the history.
+  /// Restores a connection whose process was lost and has returned. This is not recorded in the
+  /// history.
   void RestoreConnection(const message::Wire& wire);
 
  private:

@@ -22,17 +22,17 @@ class LogBuffer {
  public:
   static constexpr std::size_t kKept = 4096;
 
-  /// Adds records from a process. Uses the name and the instance that the GCM knows, not those in
-  /// the records. If earlier records were lost with a broken link, also adds a record that reports
-  /// the loss.
+  /// Adds records from a process. Uses the name and the instance that the GCM knows, and ignores
+  /// those in the records. If earlier records were lost with a broken link, also adds a record that
+  /// reports the loss.
   void Add(const std::string& process, std::uint64_t instance, message::LogRecords batch);
   /// Adds a record of the GCM's own program, with the process name kGcmName.
   void AddOwn(message::LogRecord record);
   /// Called when a process is removed from the catalogue.
   void Forget(const std::string& process) { senders_.erase(process); }
 
-  /// Adds a watcher. `after` is its last position in the log of this GCM: the number of the first
-  /// record that it gets. With 0, it gets all kept records. Pump() sends the records.
+  /// Adds a watcher. `after` is the number of the first record that the watcher gets; 0 means all
+  /// kept records. Pump() sends the records.
   message::WatchLogReply Watch(const std::shared_ptr<Channel>& channel, std::uint64_t after);
   void Remove(const Channel* channel) { watchers_.erase(channel); }
 

@@ -57,7 +57,7 @@ class Server final : public std::enable_shared_from_this<Server> {
  private:
   class Peer;
   using SharedChannel = std::shared_ptr<Channel>;
-  /// The viewer that has the plan lock. At the latest, the lock is released when the viewer's
+  /// The viewer that has the plan lock. The lock is released at the latest when the viewer's
   /// channel closes.
   struct PlanLockHolder {
     const Peer* peer = nullptr;

@@ -43,7 +43,7 @@ class Launcher {
   /// The process to start.
   struct Order {
     std::string process;
-    std::chrono::milliseconds patience{0};  ///< how long the process may take to find the GCM
+    std::chrono::milliseconds patience{0};  ///< the time within which the process must find the GCM
     std::optional<SystemFile> system{};     ///< the components to create
   };
 

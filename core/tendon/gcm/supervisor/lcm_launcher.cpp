@@ -116,8 +116,8 @@ ProcessLog LcmLauncher::LogOf(const std::string& process) {
 }
 
 /// The log can be truncated safely, because the process appends to it. If the log cannot be copied,
-/// for example because the disk is full, it is truncated nevertheless. Otherwise it would grow for
-/// ever.
+/// for example because the disk is full, it is truncated nevertheless. Otherwise, it would grow
+/// forever.
 void LcmLauncher::ShortenLog(const std::string& process) {
   std::error_code reason;
   const fs::path log = FileOf(process, ".log");

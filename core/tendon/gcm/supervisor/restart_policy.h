@@ -8,7 +8,7 @@
 
 namespace tendon {
 
-/// Says when a GCM restarts a process that it has started.
+/// The condition under which a GCM restarts a process that it has started.
 enum class RestartPolicy : std::int32_t {
   kNever,
   kOnFailure,  ///< after an exit code other than 0, or a signal

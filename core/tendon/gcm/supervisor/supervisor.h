@@ -54,7 +54,7 @@ class Supervisor {
   void Stop() { worker_.Stop(); }
 
   /// Called when a component of the process may have changed. If the process is restarted later,
-  /// its components are created as they are in the catalogue.
+  /// its components are created with their data from the catalogue.
   void NoteChange(const std::string& process);
 
   /// Returns the started processes, except those that were asked to end.

@@ -10,7 +10,7 @@ namespace {
 
 using Kind = PlanStep::Kind;
 
-/// The executor waits longer than the client by this time, because the error of the client is more
+/// The executor waits this much longer than the client, because the error of the client is more
 /// precise.
 constexpr std::chrono::milliseconds kLonger(500);
 

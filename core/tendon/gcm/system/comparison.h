@@ -29,10 +29,10 @@ struct SystemComparison {
   std::size_t equal = 0;  ///< processes, components and connections without a difference
 };
 
-/// Says whether differences in how the GCM starts processes are reported.
+/// Selects whether differences in the way the GCM starts processes are reported.
 enum class StartComparison {
   kCompare,
-  kIgnore,  ///< for a running system as the second system, because it lacks this information
+  kIgnore,  ///< set if the second system is a running system, which lacks this information
 };
 
 /// Compares two systems, except for their comments, layouts and names. All states in which a

@@ -242,13 +242,13 @@ class Planner {
     if (IsMadeByItsProgram(component) || IsMadeByItsProgram(now)) {
       const std::string changes = ChangesOf(now, component);
       plan_.obstacles.push_back(
-          TextOf(path) + (changes.empty()
-                              ? " runs after a component that will be removed or created again, so "
-                                "this component must be created again too, and only the program of "
-                                "the process can do this; stop that program first"
-                              : " cannot be changed to match the file, because the program of the "
-                                "process creates the component: " +
-                                    changes));
+          TextOf(path) +
+          (changes.empty() ? " must be created again, because it runs after a component that will "
+                             "be removed or created again; only the program of the process can "
+                             "do this: stop that program first"
+                           : " cannot be changed to match the file, because the program of the "
+                             "process creates the component: " +
+                                 changes));
       return;
     }
     if (is_another) {

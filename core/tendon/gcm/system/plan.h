@@ -58,8 +58,8 @@ struct PlanStep {
 /// "create robot/arm (SimulatedArm of simulated_arm)", "connect a/b/C -> d/e/F".
 [[nodiscard]] std::string ToString(const PlanStep& step);
 
-/// The steps that change a running system so that it is as in a file, in the order of execution.
-/// According to the catalogue, each step should succeed. The order is:
+/// The steps that make a running system match a file, in the order of execution. According to the
+/// catalogue, each step should succeed. The order is:
 /// 1. Components that must not run or must be created again are stopped or suspended, clients
 ///    before their servers.
 /// 2. Connections and components are removed.
@@ -72,7 +72,7 @@ struct Plan {
   /// Sentences with further information, for example that a process runs an old version of a
   /// plug-in whose file has changed.
   std::vector<std::string> notes{};
-  std::size_t untouched = 0;  ///< number of parts that are already as in the file
+  std::size_t untouched = 0;  ///< number of parts that already match the file
   /// The error code for the obstacles. It is the code of the refused connections if all obstacles
   /// result from connections that were refused with the same code, for example kIncompatible or
   /// kNotFound. Otherwise it is kFailed.

@@ -31,7 +31,7 @@ struct StepOutcome {
   };
 
   State state = State::kDone;
-  /// Why the step failed or was not executed. Empty if the plan ended before this step.
+  /// The reason why the step failed or was not executed. Empty if the plan ended before this step.
   std::string reason;
 
   bool operator==(const StepOutcome&) const = default;

@@ -19,7 +19,7 @@ struct RunningSystem {
   [[nodiscard]] std::vector<std::string> LeftOut() const;
 };
 
-/// Says whether absent processes are included.
+/// Whether to include absent processes.
 enum class AbsentProcesses { kLeftOut, kIncluded };
 
 /// Returns the present processes, with their components in their present states. Does not include a

@@ -11,16 +11,16 @@
 
 namespace tendon {
 
-/// Shows the calls of one command to observers, such as a recorder. To the observers it is an
-/// event; its value is an observed call, see SchemaOfCalls(). Any thread raises it: the thread of
-/// the component when it has executed a call, and a caller whose call is refused. Raising never
-/// waits, locks or throws; calls that do not reach an observer are counted as lost events are.
+/// Shows the calls of one command to observers, such as a recorder. Observers see an event whose
+/// value is an observed call, see SchemaOfCalls(). The thread of the component raises it when it
+/// has executed a call, and a caller raises it when its call was refused. Raising the event never
+/// waits, locks or throws. A call that does not reach an observer is counted as a lost event.
 class CallEvent final : public EventBase {
  public:
   CallEvent() { SetRaisers(CallerThreads::kManyThreads, nullptr); }
 
-  /// From now on, `is_observed` says whether there are observers, and the mailboxes of `inbox`, if
-  /// given, are marked meanwhile. Both must exist while there are observers.
+  /// From now on, `is_observed` is true and the mailboxes of `inbox`, which may be null, are marked
+  /// while there are observers. Both objects must exist during that time.
   void SetTarget(Flag& is_observed, Inbox* inbox) {
     is_observed_ = &is_observed;
     inbox_ = inbox;
@@ -50,15 +50,16 @@ class CallSwitches {
   [[nodiscard]] const Flag& enabled() const noexcept { return is_enabled_; }
 
   [[nodiscard]] bool is_observed() const noexcept { return is_observed_.Get(); }
-  /// Only for offers that are observed now, or have been.
+  /// Only for offers that have or had observers.
   [[nodiscard]] CallEvent& calls() const noexcept { return *calls_; }
 
   // For managers, one at a time.
 
-  /// Uses `calls` from now on, which may be raised by others too. Must be called before
+  /// From now on, uses `calls`, which other code may raise, too. Must be called before
   /// ObserveCalls().
   void SetCalls(std::shared_ptr<CallEvent> calls) { calls_ = std::move(calls); }
-  /// Returns the event to which observers subscribe. `inbox` is that of the component, or null.
+  /// Returns the event to which observers subscribe. `inbox` is the inbox of the component, or
+  /// null.
   CallEvent& ObserveCalls(Inbox* inbox) {
     if (!calls_) calls_ = std::make_shared<CallEvent>();
     calls_->SetTarget(is_observed_, inbox);
@@ -81,7 +82,7 @@ class CallObserver {
 
   [[nodiscard]] bool is_on() const noexcept { return offer_ != nullptr && offer_->is_observed(); }
 
-  /// Runs `execute()`, which may throw, and shows the call. Only if is_on().
+  /// Runs `execute()`, which may throw, and shows the call. Must be called only if is_on().
   template <Payload In, Payload Out, typename Execute>
   void ShowExecution(const In& in, const Out& out, Execute execute) const {
     const SteadyTime begin = SteadyClock().Now();
@@ -96,7 +97,7 @@ class CallObserver {
     header.took = SteadyClock().Now() - begin;
     Show(header, in, &out);
   }
-  /// Shows a call that has no result, if there are observers, and returns `status`.
+  /// Returns `status`. If there are observers, also shows them the call, which has no result.
   template <Payload Out = None, Payload In>
   Status ShowOther(CallOutcome outcome, Status status, const In& in) const noexcept {
     if (is_on()) {

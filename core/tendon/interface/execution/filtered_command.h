@@ -11,8 +11,8 @@
 namespace tendon {
 
 /// Runs `filter` on the argument in the caller's thread, and calls another command with the result.
-/// Observers of `offer`, if given, see the argument of the caller, and that the call was queued or
-/// refused.
+/// Observers of `offer`, which may be null, see the argument of the caller, and whether the call
+/// was queued or refused.
 template <Payload In, Payload Filtered, typename Filter>
 class FilteredCommand final : public Command<In, None> {
  public:

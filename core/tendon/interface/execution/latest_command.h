@@ -13,11 +13,12 @@ namespace tendon {
 /// A queued command that keeps only the latest call. A new call replaces an older call that is
 /// still queued, so a full mailbox never refuses it. A token in the mailbox represents the queued
 /// call. While one token is executed, one more may be queued, so two slots are reserved. A call
-/// whose caller waits uses a slot of its own.
+/// whose caller waits uses a separate slot.
 template <Payload In, typename Handler>
 class LatestCommand final : public Command<In, None>, private Mailbox::Entry {
  public:
-  /// Observers of `offer`, if given, see each call, except those that a newer call replaces.
+  /// Observers of `offer`, which may be null, see each call, except calls that a newer call has
+  /// replaced.
   LatestCommand(const Handler& handler, Mailbox& mailbox, Expiry* expiry,
                 const CallSwitches* offer = nullptr)
       : handler_(handler),

@@ -241,7 +241,7 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
       Handle(in, nothing);
     }
   }
-  /// The flag of the mailbox lies beside those that the executing thread has just read.
+  /// The flag of the mailbox is beside the flags that the executing thread has just read.
   void Handle(const In& in, Out& out) {
     const bool is_observed = mailbox_->is_observed() && observer_.is_on();
     if (!is_observed) return handler_(in, out);
@@ -260,7 +260,7 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
                        std::size_t slot) const noexcept {
     (void)observer_.ShowOther<Out>(outcome, status, ArgumentIn(argument, slot));
   }
-  /// Shows a refused call, unless its argument cannot be decoded.
+  /// Shows a refused call to the observers, unless its argument cannot be decoded.
   Status ShowRefused(Status status, std::span<const std::byte> in) const {
     if (status == Status(Status::kInvalid) || !observer_.is_on()) return status;
     return ComponentAccess::CatchExceptions(nullptr, [&]() -> Status {

@@ -50,8 +50,8 @@ struct NumberLiteral {
 /// True if a double cannot hold this number of seconds to the nanosecond.
 [[nodiscard]] bool IsFinerThanDouble(std::string_view seconds);
 
-/// Says what the flaw is and what to write instead: "write 0.5: use a point as the decimal sign".
-/// Empty if there is no flaw.
+/// Describes the flaw and its remedy: "write 0.5: use a point as the decimal sign". Empty if there
+/// is no flaw.
 [[nodiscard]] std::string FlawText(const NumberLiteral& word);
 
 }  // namespace tendon

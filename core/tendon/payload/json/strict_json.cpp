@@ -71,7 +71,7 @@ std::string WithPoint(std::string number) {
   return number.replace(sign, end - sign, ".");
 }
 
-/// Says which numbers become integers: only numbers written as integers, or all numbers with an
+/// The numbers that become integers: only numbers written as integers, or all numbers with an
 /// integer value.
 enum class Integers { kAsWritten, kAreExact };
 

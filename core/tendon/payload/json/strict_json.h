@@ -26,9 +26,9 @@ Result<Json> ParseStrictJson(std::string_view text);
 /// digits of each number for which IsFinerThanDouble() is true.
 Result<Json> ParseExactJson(std::string_view text, FineNumbers* fine);
 
-/// Reads JSON that a program wrote, perhaps another process; members keep their order. Errors are
-/// those of ParseStrictJson(), including the limit of nesting, because recursive code that reads
-/// the value needs stack for each level.
+/// Reads JSON that a program wrote, perhaps another process; members keep their order. Fails like
+/// ParseStrictJson(). The limit of nesting also applies here, because recursive code that reads the
+/// value needs stack for each level.
 Result<nlohmann::ordered_json> ParseOrderedJson(std::string_view text);
 
 /// Like ParseOrderedJson(), but text that is not JSON, or is nested too deeply, becomes a string.

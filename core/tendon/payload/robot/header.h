@@ -22,8 +22,8 @@ struct Header {
 namespace tendon {
 
 template <>
-inline constexpr auto kPayload<robot::Header> =
-    Describe("std_msgs.Header", Field{"stamp", &robot::Header::stamp}.Help("When it was measured."),
-             Field{"frame_id", &robot::Header::frame_id}.Help("The frame of all coordinates."));
+inline constexpr auto kPayload<robot::Header> = Describe(
+    "std_msgs.Header", Field{"stamp", &robot::Header::stamp}.Help("Time of the measurement."),
+    Field{"frame_id", &robot::Header::frame_id}.Help("The frame of all coordinates."));
 
 }  // namespace tendon

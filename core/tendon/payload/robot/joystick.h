@@ -11,7 +11,7 @@ namespace tendon::robot {
 struct Joystick {
   Header header;
   std::vector<float> axes;            ///< -1 to 1; 0 when released
-  std::vector<std::int32_t> buttons;  ///< 1 while pressed, else 0
+  std::vector<std::int32_t> buttons;  ///< 1 while pressed, otherwise 0
 
   bool operator==(const Joystick&) const = default;
 };

@@ -30,7 +30,7 @@ std::string ShortName(std::string_view name) {
 
 std::string_view PackageOf(std::string_view name) { return name.substr(0, name.find('/')); }
 
-/// The kind of a type that ROS 2 itself has.
+/// The kind of a built-in type of ROS 2.
 std::optional<Schema::Kind> BuiltinKind(std::string_view type) {
   static const std::map<std::string_view, Schema::Kind> kKinds{
       {"bool", Schema::Kind::kBool},
@@ -85,7 +85,7 @@ class RosParser {
   }
 
  private:
-  /// A message, and about the size of its canonical text.
+  /// A message, and the approximate size of its canonical text.
   struct Parsed {
     Schema schema;
     std::size_t size = 0;
@@ -120,7 +120,8 @@ class RosParser {
         .first->second;
   }
 
-  /// Reads a line such as "float64[<=3] position [1, 2]  # in m". Constants are not on the wire.
+  /// Reads a line such as "float64[<=3] position [1, 2] # in m". Skips constants, because they are
+  /// not sent.
   Result<void> Field(const std::string& owner, std::string_view line, std::size_t level,
                      std::vector<Schema::Field>& fields, std::size_t& size) {
     const std::size_t type_end = line.find_first_of(kSpaces);
@@ -168,7 +169,8 @@ class RosParser {
     return Mistake(owner, "the definition of " + Quoted(name, kMostInMessage) + " is missing");
   }
 
-  /// A name without a package is of the same package, or the only one of this name.
+  /// A name without a package means the message in the same package or, if there is none, the only
+  /// message with this name.
   [[nodiscard]] std::string Resolve(const std::string& owner, const std::string& name) const {
     if (definitions_.contains(name)) return name;
     if (name.find('/') != name.npos) return "";

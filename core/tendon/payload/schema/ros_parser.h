@@ -7,11 +7,12 @@
 
 namespace tendon {
 
-/// Reads the definition of the ROS 2 message `name`, "arm/msg/JointState", with the definitions of
-/// nested messages behind it as in MCAP, also from untrusted sources. The schema decodes the
-/// message in CDR. A time and a duration become a duration; bounds, default values and constants
-/// are left out. Limits as Schema::Parse(). kInvalid for a mistake, a missing definition, or
-/// wstring, of which ROS 2 does not define the encoding.
+/// Reads the definition of a ROS 2 message and returns its schema, with which the message can be
+/// decoded from CDR. `name` is for example "arm/msg/JointState". The text, which may come from an
+/// untrusted source, also has the definitions of nested messages after the first one, as in MCAP. A
+/// time and a duration become a duration; bounds, default values and constants are left out. The
+/// limits are the same as for Schema::Parse(). Fails with kInvalid for a mistake, a missing
+/// definition, or the type wstring, whose encoding ROS 2 does not define.
 [[nodiscard]] Result<Schema> ParseRosMessage(std::string_view name, std::string_view text);
 
 }  // namespace tendon

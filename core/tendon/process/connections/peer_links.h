@@ -15,8 +15,8 @@
 
 namespace tendon {
 
-/// Knows the other processes, and holds the links to those that this process needs. Used only on
-/// the worker.
+/// Keeps a list of the other processes, and the links to the processes that this process needs.
+/// Used only on the worker.
 class PeerLinks {
  public:
   PeerLinks(ProcessContext& context, PeerListener& listener)
@@ -55,7 +55,7 @@ class PeerLinks {
   struct UnresponsivePeer {
     Endpoint endpoint;
     Error error;
-    // The pauses are not longer than those of RemoteConnections.
+    // The pauses are at most as long as in RemoteConnections.
     Backoff backoff{std::chrono::milliseconds(500), std::chrono::milliseconds(1500)};
     SteadyTime until{};
   };

@@ -332,7 +332,7 @@ void RemoteConnections::TakeDown(Entry& entry, SteadyTime deadline) {
 }
 
 /// Asks the peer to close its end of the connection. The notice is sent on the lane of the calls,
-/// so that it arrives after them. The peer keeps the connection until then.
+/// so it arrives after all earlier calls. The peer keeps the connection until then.
 void RemoteConnections::CloseThere(const std::shared_ptr<Channel>& channel, std::uint32_t handle,
                                    Lane lane) {
   NotifyUntilSent(context_.worker, channel, message::kCloseInterface, handle, lane);
@@ -357,7 +357,7 @@ Result<void> RemoteConnections::Disconnect(const InterfaceName& required) {
     TakeDown(ended.mapped(), SteadyClock().Now() + LocalManager::kDrainPatience);
   }
   context_.process.StructureChanged();
-  if (done) {  // on the worker, because any thread with the lock may be here
+  if (done) {  // on the worker, because any thread that holds the lock may be here
     context_.worker->Post([done, required] {
       done(Error{ErrorCode::kFailed,
                  ToString(required) + " was disconnected before the connection was made"});

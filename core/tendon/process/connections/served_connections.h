@@ -57,7 +57,7 @@ class ServedConnections {
   /// Closes all connections to a component. Notifies clients and waits for hanging calls. Call it
   /// before the component is removed. Any thread.
   void RemoveComponent(const std::string& component);
-  /// True if all events that were raised by now are sent. Any thread.
+  /// True if all events that were raised so far have been sent. Any thread.
   [[nodiscard]] bool HasSentAllEvents() const;
   /// Closes all connections. Call it after the worker has stopped and all channels are closed.
   /// Waits for running calls until `deadline`, and longer only for calls that must not be

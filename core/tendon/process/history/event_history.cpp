@@ -120,8 +120,8 @@ EventHistory::EventHistory(std::string component, ProvidedInterface& provided,
       epoch_(os::RandomNumber()),
       ring_(memory, span) {}
 
-/// If there is no memory for a later step, the destructor undoes the earlier steps, because it also
-/// runs if a constructor fails that has called another one.
+/// If there is no memory for a later step, the destructor undoes the earlier steps. It runs because
+/// this constructor has first called another constructor, which has succeeded.
 EventHistory::EventHistory(std::string component, ProvidedInterface& provided,
                            HistoryMemory& memory, std::chrono::nanoseconds span,
                            const std::function<void()>& on_filling)
@@ -140,7 +140,7 @@ EventHistory::EventHistory(std::string component, ProvidedInterface& provided,
   reserved_ = capacity * slot;
   inbox_.SetAccepting(true);
   Mailbox& mailbox = inbox_.Open(capacity, shape, provided_.raisers(), &event_time_);
-  handlers_.reserve(events_.size());  // a handler that has subscribed must not be freed
+  handlers_.reserve(events_.size());  // a subscribed handler must not be freed
   for (std::uint32_t i = 0; i < events_.size(); ++i) {
     handlers_.push_back(std::make_unique<Handler>(*this, i, *provided_.FindEvent(events_[i]),
                                                   mailbox, room, on_filling));

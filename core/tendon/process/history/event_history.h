@@ -22,7 +22,8 @@ namespace tendon {
 /// must outlive the history.
 class EventHistory {
  public:
-  /// The largest values that are kept, bytes: of types of fixed size, and of other types.
+  /// The size in bytes of the largest values that are kept: for types of fixed size, and for other
+  /// types.
   static constexpr std::size_t kLargestValue = std::size_t{4} << 10U;
   static constexpr std::size_t kLargestDynamicValue = 1000;
 
@@ -39,7 +40,8 @@ class EventHistory {
   [[nodiscard]] bool has_memory() const { return reserved_ > 0; }
   /// The names of the events, by tag.
   [[nodiscard]] const std::vector<std::string>& events() const { return events_; }
-  /// Distinguishes the numbers of these records from those of an earlier interface of this name.
+  /// Distinguishes the numbers of these records from the numbers of an earlier interface with the
+  /// same name.
   [[nodiscard]] std::uint64_t epoch() const { return epoch_; }
   [[nodiscard]] const HistoryRing& ring() const { return ring_; }
   [[nodiscard]] HistoryRing& ring() { return ring_; }

@@ -11,8 +11,8 @@
 #include <vector>
 
 /// The requests for the events and log records that a process has kept. The rows that it has kept
-/// are read with kReadRows. Each struct is the body of a frame. A process with a version that does
-/// not have these messages refuses them.
+/// are read with kReadRows. Each struct is the body of a frame. A process that runs an older
+/// version refuses them.
 namespace tendon::message {
 
 // From a viewer.
@@ -23,7 +23,7 @@ inline constexpr auto kReadLog =
 inline constexpr auto kGetProcessHistory =
     static_cast<MessageType>(0x21a);  // request: None -> ProcessHistoryState
 
-/// Asks for the past events of one provided interface. The first request has the epoch 0. Each
+/// Asks for the kept events of one provided interface. The first request has the epoch 0. Each
 /// later request continues where the previous reply has ended.
 struct ReadEvents {
   std::string component;
@@ -52,7 +52,7 @@ struct ReadEventsReply {
   std::vector<PastEvent> past;      ///< oldest first
 };
 
-/// Asks for the past log records of the process, page by page.
+/// Asks for the kept log records of the process, page by page.
 struct ReadLog {
   std::chrono::nanoseconds last{0};  ///< the age of the oldest record that is wanted
   std::uint64_t first = 0;  ///< ReadLogReply::next of the previous reply; 0 in the first request
@@ -66,14 +66,14 @@ struct ReadLogReply {
   std::vector<LogRecord> records;  ///< oldest first, without the name of the process
 };
 
-/// How much a process keeps of its past, which is rows, events and log records.
+/// The state of the history that a process keeps: its rows, events and log records.
 struct ProcessHistoryState {
   std::uint64_t memory = 0;          ///< bytes in use
   std::uint64_t limit = 0;           ///< bytes at most; 0: the process keeps nothing
   std::chrono::nanoseconds span{0};  ///< older records are dropped
-  std::chrono::nanoseconds age{0};   ///< the time since the process began to keep its past
-  /// All rows, events and log records that are younger than this are kept. At most `age` and
-  /// `span`.
+  std::chrono::nanoseconds age{0};   ///< the time since the history began
+  /// All rows, events and log records that are younger than this are kept. It is at most `age` and
+  /// at most `span`.
   std::chrono::nanoseconds reach{0};
   std::uint64_t missed_rows = 0;    ///< rows that could not be copied; usually overwritten before
   std::uint64_t missed_events = 0;  ///< events that came too fast or were too large

@@ -101,7 +101,7 @@ bool HistoryRing::AddChunk(const HistoryRecord& record, std::size_t needed) {
 
 /// Chunks grow until about 16 of them hold the whole span, but 8 of them always fit into the share
 /// of the ring. A series with missing numbers has smaller chunks, because a missing number begins a
-/// new chunk. A large record has a chunk of its own, so that no memory is left unused at its end.
+/// new chunk. A large record has a separate chunk, so that no memory is left unused at its end.
 std::size_t HistoryRing::ChunkSizeFor(std::size_t needed) {
   if (needed > kLargestChunk / 8) return needed;
   if (!chunks_.empty()) {

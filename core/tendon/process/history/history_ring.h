@@ -30,18 +30,19 @@ class HistoryMemory {
   [[nodiscard]] std::size_t limit() const { return limit_; }
   [[nodiscard]] std::size_t used() const { return used_; }
 
-  /// Takes memory that is not part of a ring; rings lose their oldest records for it. Returns
-  /// false, and takes nothing, if more than a quarter of the memory would be used in this way.
+  /// Takes memory that is not part of a ring. If necessary, rings lose their oldest records to
+  /// provide it. Returns false, and takes nothing, if more than a quarter of the memory would be
+  /// used in this way.
   bool Reserve(std::size_t bytes);
   void Release(std::size_t bytes);
 
  private:
   friend class HistoryRing;
 
-  /// Takes memory for `ring`, or memory that is not part of a ring if it is null. Returns false if
-  /// the share of the ring is too small.
+  /// Takes memory for `ring`. If `ring` is null, takes memory that is not part of a ring. Returns
+  /// false if the share of the ring is too small.
   bool Take(HistoryRing* ring, std::size_t bytes);
-  /// Returns an eighth of the share that each ring has at least, bytes.
+  /// Returns an eighth of the minimum share of a ring, in bytes.
   [[nodiscard]] std::size_t UsefulChunk() const { return limit_ / (8 * rings_.size()); }
 
   const std::size_t limit_;
@@ -74,8 +75,8 @@ class HistoryRing {
   HistoryRing& operator=(const HistoryRing&) = delete;
   ~HistoryRing();
 
-  /// Adds a copy of the record. If there is no memory for it, counts it as dropped and returns
-  /// false.
+  /// Adds a copy of the record. If there is no memory for the copy, counts the record as dropped
+  /// and returns false.
   bool Append(const HistoryRecord& record);
   /// Counts a record of this time as dropped, instead of Append().
   void CountDropped(std::int64_t time);

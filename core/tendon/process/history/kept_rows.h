@@ -12,13 +12,13 @@
 
 namespace tendon {
 
-/// Reads the past rows of a state table as one series without duplicates: the rows that the history
-/// of the process has kept, and the rows that are still in the table.
+/// Reads the kept rows of a state table as one series without duplicates. The series consists of
+/// the rows in the history of the process and the rows that are still in the table.
 ///
 /// Thread safety: one thread at a time. The history must not change meanwhile.
 class KeptRows {
  public:
-  /// `history` is null if the process keeps nothing of the table.
+  /// `history` is null if the process keeps no rows of the table.
   KeptRows(const StateTable& table, const TableHistory* history);
 
   /// Returns the tick of the first row that is not older than `from`. If there is none, returns the

@@ -25,7 +25,7 @@ std::int64_t WallMinusSteady() {
 
 Result<void> CheckAge(nanoseconds last) {
   if (last.count() >= 0) return {};
-  return Error{ErrorCode::kInvalid, "the age of past data must not be below zero"};
+  return Error{ErrorCode::kInvalid, "the age must not be below zero"};
 }
 
 }  // namespace
@@ -70,14 +70,14 @@ void ProcessHistory::Add(Component& component) {
         events_.push_back(std::move(events));
       } else {
         Log(LogLevel::kWarning, "history",
-            "the past events of " + process_ + "/" + name + "/" + provided.name +
-                " are not kept: too many interfaces have events for a history of " +
+            "the events of " + process_ + "/" + name + "/" + provided.name +
+                " are not kept in the history: too many interfaces have events for a history of " +
                 std::to_string(memory_.limit()) + " bytes; give it more (--history-memory)");
       }
     }
   } catch (const std::exception& failure) {  // no memory
     Log(LogLevel::kWarning, "history",
-        "not all of the past of component '" + name + "' is kept: " + failure.what());
+        "the history of component '" + name + "' is not complete: " + failure.what());
   }
 }
 
@@ -112,7 +112,7 @@ ProcessHistory::LockedTable ProcessHistory::Lock(const StateTable& table) const 
   return {std::move(lock), found == tables_.end() ? nullptr : found->get()};
 }
 
-/// After Wake(), the pauses begin short again, because a table may be fast. No pause is shorter
+/// After Wake(), the pauses are short again, because a table may be fast. No pause is shorter
 /// than the processor time of the work before it.
 void ProcessHistory::Run() {
   os::NameThisThread("history");
@@ -127,7 +127,7 @@ void ProcessHistory::Run() {
     try {
       patience = Gather();
     } catch (const std::bad_alloc&) {
-      // What is not copied now is copied later, or counted as missed or dropped.
+      // Data that is not copied now is copied later, or counted as missed or dropped.
     }
     pause = std::clamp(is_urgent ? kShortestGap : 2 * pause, kShortestGap,
                        std::clamp(patience, kShortestGap, kLongestGap));
@@ -174,9 +174,9 @@ bool ProcessHistory::GatherTables(SteadyTime now) {
   return has_more;
 }
 
-/// Takes and adds records under one lock, so that they stay in order, and so that another thread
-/// that finds the queue empty also finds the records. Takes few records at once, because meanwhile
-/// Log() waits in all threads.
+/// Takes and adds records under one lock, so that the records stay in order. Another thread that
+/// finds an empty queue then also finds the records in the history. Takes only a few records at
+/// once, because Log() waits in all threads during this time.
 void ProcessHistory::GatherLog(SteadyTime now) {
   constexpr std::size_t kAtOnce = 16;
   while (log_queue_.has_news()) {
@@ -188,8 +188,8 @@ void ProcessHistory::GatherLog(SteadyTime now) {
   }
 }
 
-/// The wall clock may have been set since the record was made. Therefore, its steady time is kept
-/// between that of the last record and the present.
+/// The wall clock may have been set since the record was made. Therefore, the steady time is
+/// limited to the range from the time of the last record to the present.
 void ProcessHistory::AddRecord(const message::LogRecord& record) {
   const std::int64_t now = InNanoseconds(SteadyClock().Now());
   last_record_time_ = std::clamp(record.time - WallMinusSteady(), last_record_time_, now);

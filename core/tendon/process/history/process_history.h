@@ -25,13 +25,13 @@
 
 namespace tendon {
 
-/// Keeps the last seconds of all state tables, events and log records of a process, bounded in time
-/// and memory, so that they can be saved after something unexpected has happened.
+/// Keeps the last seconds of all state tables, events and log records of a process, so that they
+/// can be saved after something unexpected has happened. The time span and the memory are limited.
 ///
 /// A thread of low priority copies new rows before their tables overwrite them. It looks at the
 /// tables as often as their rates require, at most every 2 ms and at least four times a second. It
-/// uses at most half a core; rows and events that it therefore misses are counted. The only cost
-/// for a component is the copy of the value of each event that it raises.
+/// uses at most half a core. If it misses rows or events because of this limit, they are counted.
+/// The only cost for a component is the copy of the value of each event that it raises.
 ///
 /// Thread safety: all functions, from any thread. Wake() never waits, and AddLog() waits at most
 /// while another thread takes a few records. The other functions wait while another thread adds or
@@ -87,7 +87,7 @@ class ProcessHistory {
   bool GatherTables(SteadyTime now);
   void GatherLog(SteadyTime now);
   void AddRecord(const message::LogRecord& record);
-  /// Returns the steady time since which all records of the ring's series are kept, ns.
+  /// Returns the steady time, in ns, from which on all records of the ring's series are kept.
   [[nodiscard]] std::int64_t CompleteSince(const HistoryRing& ring, SteadyTime now) const;
   [[nodiscard]] bool is_on() const { return options_.memory > 0 && options_.span.count() > 0; }
   [[nodiscard]] Error Off() const;

@@ -28,8 +28,8 @@ class TableHistory {
   [[nodiscard]] const StateTable& table() const { return table_; }
   [[nodiscard]] const HistoryRing& ring() const { return ring_; }
   [[nodiscard]] HistoryRing& ring() { return ring_; }
-  /// Returns the number of rows that were overwritten in the table before they could be copied, or
-  /// for whose copy the process had no memory.
+  /// Returns the number of rows that were not copied, because they were already overwritten in the
+  /// table or because memory was exhausted.
   [[nodiscard]] std::uint64_t missed() const { return missed_; }
 
   /// Copies new rows, at most about 64 KiB. Returns true if more rows are left.

@@ -15,8 +15,8 @@ namespace tendon {
 [[nodiscard]] Fingerprint BaseOf(const std::string& configuration);
 
 /// Checks that the order may replace the present configuration `now`. Otherwise returns kFailed;
-/// the text says what to check. `by` says who made the present configuration, for example " by gcm
-/// set at 2025-11-21 15:40:03", or is empty.
+/// the text says what to check. `by` names the program that made the present configuration, for
+/// example " by gcm set at 2025-11-21 15:40:03"; it may be empty.
 Result<void> CheckBase(const message::LifecycleOrder& order, const std::string& now,
                        const std::string& by = "");
 

@@ -4,8 +4,8 @@
 
 namespace tendon {
 
-/// A log sink that its destructor removes; a sink of AddLogSink() stays for ever. The sink must not
-/// log, and must not create or destroy a ScopedLogSink.
+/// A log sink that its destructor removes; a sink of AddLogSink() is never removed. The sink must
+/// not log, and must not create or destroy a ScopedLogSink.
 class ScopedLogSink {
  public:
   explicit ScopedLogSink(LogSink sink);

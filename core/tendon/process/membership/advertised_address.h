@@ -10,7 +10,7 @@ namespace tendon {
 /// The address that a process announces.
 struct AdvertisedAddress {
   std::string address;  ///< the announced address
-  std::string warning;  ///< says which hosts cannot reach it, and what to do; or empty
+  std::string warning;  ///< names the hosts that cannot reach it, and the remedy; may be empty
 
   bool operator==(const AdvertisedAddress&) const = default;
 };

@@ -28,7 +28,8 @@ bool PastRowsReading::Take(const message::ReadRowsReply& page, const ClockOffset
 
 Result<void> PastRowsReading::TryTake(const message::ReadRowsReply& page,
                                       const ClockOffset& clock) {
-  const Error invalid{ErrorCode::kInvalid, "process '" + process() + "' sent invalid past rows"};
+  const Error invalid{ErrorCode::kInvalid,
+                      "process '" + process() + "' sent invalid rows of its history"};
   const auto batch = RowBatchReader::Open(page.rows);
   if (!batch || batch->header().columns != subscription_.wanted().columns.size()) return invalid;
   const message::RowsHeader& header = batch->header();

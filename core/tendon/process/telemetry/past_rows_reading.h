@@ -15,7 +15,7 @@
 
 namespace tendon {
 
-/// Reads the past rows of one table in pages, for TelemetryClient::ReadPast().
+/// Reads the kept rows of one table page by page, for TelemetryClient::ReadPast().
 ///
 /// Thread safety: any thread, one call at a time.
 class PastRowsReading {
@@ -28,7 +28,7 @@ class PastRowsReading {
   [[nodiscard]] const std::string& process() const { return subscription_.wanted().process; }
   [[nodiscard]] const message::ReadRows& NextRequest() const { return next_; }
   /// Passes the rows of a page to the sink. Returns true if another page must be requested.
-  /// Otherwise it has called `done`.
+  /// Before it returns false, it calls `done`.
   [[nodiscard]] bool Take(const message::ReadRowsReply& page, const ClockOffset& clock);
   void Fail(const Error& reason) {
     read_.failure = reason;

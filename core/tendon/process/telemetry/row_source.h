@@ -97,7 +97,7 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   void Add(const std::shared_ptr<RowSubscription>& subscription);
   /// Unsubscribes at the process. RowSubscription::End() must have been called before.
   void Remove(const std::shared_ptr<RowSubscription>& subscription);
-  /// Reads past rows. The channel stays open until Close().
+  /// Reads kept rows. The channel stays open until Close().
   void ReadPast(const std::shared_ptr<PastRowsReading>& reading);
   /// Tries to restore lost subscriptions at once.
   void Retry();

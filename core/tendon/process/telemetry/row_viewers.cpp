@@ -6,7 +6,7 @@ namespace tendon {
 void ReportEnd(const RowViewer& viewer, const Error& reason) {
   const Status sent =
       viewer.channel->Notify(message::kRowsEnded, viewer.handle, reason, viewer.lane);
-  // If the link is full, the channel is closed. Otherwise the viewer would wait for rows for ever.
+  // If the link is full, the channel is closed. Otherwise, the viewer would wait for rows forever.
   // The viewer opens the channel again, and then gets the reason.
   if (sent == Status(Status::kQueueFull)) viewer.channel->Close();
 }

@@ -47,7 +47,7 @@ class TableFeed {
   /// Sends the rows written since the last call, or one full batch. Returns true if more rows wait.
   bool Gather();
   [[nodiscard]] bool has_more() const { return has_more_; }
-  /// True if the viewers were sent all rows that are written by now.
+  /// True if all rows that were written so far have been sent to the viewers.
   [[nodiscard]] bool HasSentAll() const;
   void End(const Error& reason);
 

@@ -90,7 +90,7 @@ void TelemetryServer::ReadRows(const message::ReadRows& wanted, Responder& respo
       .component = wanted.component, .table = wanted.table, .columns = wanted.columns, .rows = {}});
   if (!source) return responder.Refuse(source.error());
   if (wanted.last.count() < 0) {
-    return responder.Refuse({ErrorCode::kInvalid, "the age of past rows must not be below zero"});
+    return responder.Refuse({ErrorCode::kInvalid, "the age of rows must not be below zero"});
   }
   const StateTable& table = *source->table;
   const bool is_first = wanted.epoch == 0;

@@ -89,7 +89,7 @@ class TelemetryServer final : public NetworkJob {
   /// is removed. Any thread.
   void RemoveComponent(const std::string& component);
 
-  /// True if the viewers were sent all rows that are written by now. Any thread.
+  /// True if all rows that were written so far have been sent to the viewers. Any thread.
   [[nodiscard]] bool HasSentAll();
 
   bool Work(SteadyTime now, SteadyTime& next) override;

@@ -16,7 +16,8 @@ struct Hdf5Report : ExportReport {
   std::vector<std::string> groups;  ///< "/robot/arm/state"
 };
 
-/// Writes the messages that match as HDF5, a group for each state table, event and other topic:
+/// Writes the messages that match as HDF5, with one group for each state table, event and other
+/// topic:
 ///
 ///     /robot/arm/state/time_ns           int64, since 1970
 ///     /robot/arm/state/source_time_ns    int64, on the steady clock of the source

@@ -26,7 +26,7 @@ struct Hdf5Failure {
   std::string reason;
 };
 
-/// The reason of the operating system if there is one, else that of HDF5.
+/// Returns the reason of the operating system; if there is none, the reason of HDF5.
 std::string LastReason() {
   std::string reason;
   const auto take = [](unsigned /*depth*/, const H5E_error2_t* error, void* data) -> herr_t {
@@ -110,7 +110,7 @@ struct NumberType {
   std::size_t size;
 };
 
-/// The same in the file and in memory, since the host is little-endian.
+/// The type is the same in the file and in memory, because the host is little-endian.
 NumberType NumberTypeOf(Schema::Kind kind) {
   switch (kind) {
     case Schema::Kind::kBool:
@@ -168,7 +168,7 @@ class Dataset {
     const Handle space(H5Screate_simple(rank, now.data(), most.data()), H5Sclose);
     const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     Checked(H5Pset_chunk(creation.get(), rank, chunk.data()));
-    if (!is_text_) {  // the texts themselves are elsewhere in the file, where no filter reaches
+    if (!is_text_) {  // the texts are elsewhere in the file, and no filter is applied to them
       constexpr unsigned kLevel = 4;
       Checked(H5Pset_shuffle(creation.get()));
       Checked(H5Pset_deflate(creation.get(), kLevel));
@@ -208,7 +208,7 @@ class Dataset {
     constexpr std::size_t kMostText = std::size_t{1} << 20U;  // bytes
     if (++rows_ - written_ == chunk_rows_ || text_size_ > kMostText) Write();
   }
-  /// Forgets what was added since the last EndRow().
+  /// Drops the numbers that were added since the last EndRow().
   void DropRow() {
     const auto kept = static_cast<std::size_t>((rows_ - written_) * in_row_);
     if (is_text_) {
@@ -378,7 +378,7 @@ class Table {
         ticks_(content == Content::kRows ? "tick" : "sequence", kUnsigned, "", {}) {
     for (const ChannelMember& member : members) {
       const std::string column = member.name.empty() ? "value" : member.name;
-      // A column may be called like one of our datasets.
+      // A column may have the name of one of our datasets.
       columns_.push_back(
           std::make_unique<Column>(kTaken.contains(column) ? column + "_" : column, member.schema));
     }

@@ -14,8 +14,8 @@ using Hdf5Module = void(mcap::Reader& reader, const mcap::Query& query,
                         const std::filesystem::path& file, const os::StopRequest& stop,
                         Result<Hdf5Report>& report);
 inline constexpr const char* kHdf5Symbol = "TendonExportHdf5";
-/// A function that returns Hdf5Build() of the module. Objects pass between both sides, so a module
-/// of another build must not be called.
+/// A function that returns Hdf5Build() of the module. The program and the module exchange objects,
+/// so a module of another build must not be called.
 using Hdf5ModuleBuild = const char*();
 inline constexpr const char* kHdf5BuildSymbol = "TendonHdf5Build";
 

@@ -16,8 +16,8 @@ namespace tendon::mcap {
 /// The maximum memory that a reader allocates for parts of a file, in bytes. Before it allocates
 /// memory, it also compares each length with the size of the file.
 struct ReaderLimits {
-  std::uint64_t chunk = std::uint64_t{256} << 20U;     ///< of a chunk, decompressed
-  std::uint64_t text = std::uint64_t{64} << 20U;       ///< of a schema, channel, metadata, index
+  std::uint64_t chunk = std::uint64_t{256} << 20U;  ///< of a chunk, decompressed
+  std::uint64_t text = std::uint64_t{64} << 20U;    ///< of one schema, channel, metadata or index
   std::uint64_t attachment = std::uint64_t{1} << 30U;  ///< of an attachment
   std::uint64_t summary = std::uint64_t{256} << 20U;   ///< of the summary section
   std::uint64_t cache = std::uint64_t{64} << 20U;      ///< of the decompressed chunks that are kept
@@ -53,9 +53,10 @@ class BufferedFile {
   /// Returns `size` bytes at `offset`, which must be within the file. They are valid until the next
   /// call.
   Result<ByteView> At(std::uint64_t offset, std::size_t size);
-  /// Like At(), but returns fewer bytes if the file ends before.
+  /// Like At(), but returns fewer bytes if the file ends too early.
   Result<ByteView> UpTo(std::uint64_t offset, std::size_t size);
-  /// Returns the record head at `offset`. If the file ends within it, returns length 0 and kNone.
+  /// Returns the record head at `offset`. If the file ends within the head, returns length 0 and
+  /// kNone.
   Result<RecordHead> HeadAt(std::uint64_t offset);
 
   [[nodiscard]] std::uint64_t size() const { return file_.size(); }

@@ -23,7 +23,8 @@ Error WrongSize(std::uint64_t size, std::uint64_t expected) {
 }
 
 Result<void> DecompressZstd(ByteView bytes, std::span<std::byte> out) {
-  // A single call allocates no window. A frame could request a window of any size.
+  // Decompression in a single call allocates no window. With a stream, a frame could request a
+  // window of any size.
   const std::size_t size = ZSTD_decompress(out.data(), out.size(), bytes.data(), bytes.size());
   if (ZSTD_isError(size) != 0U) return Damaged("zstd", ZSTD_getErrorName(size));
   if (size != out.size()) return WrongSize(size, out.size());
@@ -80,7 +81,8 @@ Result<Compression> ParseFormatName(std::string_view name) {
 }
 
 std::uint32_t Crc32(ByteView bytes, std::uint32_t before) noexcept {
-  if (bytes.empty()) return before;  // zlib takes a null pointer for a question
+  if (bytes.empty())
+    return before;  // zlib treats a null pointer as a request for the initial value
   return static_cast<std::uint32_t>(
       crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }

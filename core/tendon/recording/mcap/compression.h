@@ -41,8 +41,8 @@ Result<Compression> ParseCompression(std::string_view name);
 /// Parses a name in a file. For other names, fails with kInvalid; the error lists the known names.
 Result<Compression> ParseFormatName(std::string_view name);
 
-/// Returns the CRC32 (of zlib, PNG and Ethernet) of `bytes`. If they follow other bytes, `before`
-/// is the checksum of those. Cost: about 0.4 ns for each byte.
+/// Returns the CRC32 (of zlib, PNG and Ethernet) of `bytes`. If other bytes precede them, `before`
+/// is the checksum of the preceding bytes. Cost: about 0.4 ns for each byte.
 [[nodiscard]] std::uint32_t Crc32(ByteView bytes, std::uint32_t before = 0) noexcept;
 /// Returns the checksum of two consecutive ranges; the second one has `size` bytes. Cost: about 1
 /// us.

@@ -8,7 +8,7 @@
 namespace tendon::mcap {
 namespace {
 
-/// Reads one summary. A function that returns a reason returns an empty one on success.
+/// Reads one summary. The functions that return a reason return an empty text on success.
 class SummaryReader {
  public:
   SummaryReader(BufferedFile& file, const ReaderLimits& limits, Problems& problems)
@@ -193,7 +193,8 @@ std::string SummaryReader::Check() {
   return reason;
 }
 
-/// Each chunk is in the data section, and no two share a byte: so none is read twice.
+/// Each chunk must be in the data section, and chunks must not overlap, so that no byte is read
+/// twice.
 std::string SummaryReader::CheckChunks() {
   std::uint64_t end = kMagicSize;
   for (const MessageBlock& block : contents_.blocks) {

@@ -12,8 +12,8 @@
 
 namespace tendon::mcap {
 
-/// Messages that are read together: those of a chunk or, in a file without chunks, consecutive
-/// records without a checksum.
+/// Messages that are read together: the messages of a chunk or, in a file without chunks,
+/// consecutive records without a checksum.
 struct MessageBlock {
   ChunkIndex index;  ///< for records without a chunk, only the place and the times are set
   bool is_chunk = true;
@@ -35,8 +35,8 @@ struct Contents {
   std::uint64_t lost_messages = 0;  ///< number of messages that a scan found without their channel
 };
 
-/// Adds a schema or a channel, unless its id is known. Adds a Problem if the id is known with
-/// another content, or is not allowed.
+/// Adds a schema or a channel, unless its id is known. Adds a Problem if the id already has another
+/// content or is not allowed.
 void AddSchema(Contents& contents, Schema schema, std::uint64_t offset, Problems& problems);
 void AddChannel(Contents& contents, Channel channel, std::uint64_t offset, Problems& problems);
 
@@ -49,9 +49,9 @@ void ReadHeader(BufferedFile& file, Contents& contents, Problems& problems);
 std::optional<Contents> ReadSummary(BufferedFile& file, const ReaderLimits& limits,
                                     Problems& problems);
 
-/// Reads the whole data section, and makes the contents from the records themselves. Finds the next
-/// chunk behind damaged records. Messages outside of chunks are read in files without chunks, or
-/// before the first one. Decompresses each chunk once, and does not keep it.
+/// Reads the whole data section, and makes the contents from its records. After damaged records,
+/// finds the next chunk. Reads messages outside of chunks only if the file has no chunks, or before
+/// the first chunk. Decompresses each chunk once, and does not keep it.
 Contents Scan(BufferedFile& file, const ReaderLimits& limits, Problems& problems);
 
 }  // namespace tendon::mcap

@@ -7,21 +7,22 @@
 namespace tendon::mcap {
 namespace {
 
-/// The ids in the new file, by those in the old one.
+/// The ids in the new file, by the ids in the old file.
 struct NewIds {
   std::map<SchemaId, SchemaId> schemas;
   std::map<ChannelId, ChannelId> channels;
 };
 
-/// Returns true if the writer has refused an argument. This has changed nothing, so the report
-/// mentions it and the copy continues.
+/// Returns true if the writer has refused an argument. A refused call has changed nothing, so the
+/// report mentions it and the copy continues.
 bool IsRefused(const Error& error, CopyReport& report) {
   if (error.code != ErrorCode::kInvalid) return false;
   report.problems.push_back({0, error.message});
   return true;
 }
 
-/// Adds what the new ids do not contain yet; reading messages may find more channels.
+/// Adds the schemas and channels that have no new id yet, because reading messages may find more
+/// channels.
 Result<void> AddDefinitions(const Reader& reader, Writer& writer, NewIds& ids, CopyReport& report) {
   for (const auto& [id, schema] : reader.schemas()) {
     if (ids.schemas.contains(id)) continue;
@@ -64,7 +65,7 @@ Result<void> CopyMessages(Reader& reader, const Query& query, Writer& writer, Ne
   return {};
 }
 
-/// Adds the problems of the reader, and those of the messages that were skipped here.
+/// Adds the problems of the reader and of the messages that were skipped here.
 void AddProblems(const Reader& reader, CopyReport& report) {
   report.problem_count += report.problems.size() + reader.problems().count();
   report.problems.insert(report.problems.end(), reader.problems().first().begin(),

@@ -25,7 +25,7 @@ struct CopyReport {
 /// `writer`, which is not closed. Channels and schemas get new ids. Leaves out damaged parts and
 /// names them in the report. Fails if the writer fails or `stop` returns true. Does not throw.
 ///
-/// Thread safety: that of the reader and the writer. Cost: reads all chunks, and compresses them
+/// Thread safety: as for the reader and the writer. Cost: reads all chunks, and compresses them
 /// again.
 Result<CopyReport> Copy(Reader& reader, const Query& query, Writer& writer,
                         const os::StopRequest& stop = {});
@@ -37,7 +37,7 @@ Result<CopyReport> Copy(Reader& reader, const Query& query, const std::filesyste
 
 /// Copies all readable parts of a damaged or cut file into a new file with an index. The new file
 /// has the profile of the old file and its order of messages. Otherwise like Copy(). Never changes
-/// the old file. Cost: that of Copy(), and one more pass over the old file.
+/// the old file. Cost: as for Copy(), and one more pass over the old file.
 Result<CopyReport> Recover(const std::filesystem::path& from, const std::filesystem::path& to,
                            const WriterOptions& options = {}, const os::StopRequest& stop = {});
 

@@ -79,9 +79,9 @@ Result<void> Reader::CheckMagic() {
                                           " of MCAP, but this program reads version 0"};
   }
   std::string guess;
-  if (text.starts_with("PK")) guess = "; a ZIP archive?";
-  if (text.starts_with("#ROSBAG")) guess = "; a bag of ROS 1?";
-  if (text.starts_with("SQLite")) guess = "; a bag of ROS 2 in SQLite?";
+  if (text.starts_with("PK")) guess = "; it may be a ZIP archive";
+  if (text.starts_with("#ROSBAG")) guess = "; it may be a ROS 1 bag";
+  if (text.starts_with("SQLite")) guess = "; it may be a ROS 2 bag in SQLite";
   return Error{ErrorCode::kInvalid, what + "the file begins with " + Quoted(text) +
                                         ", but an MCAP file begins with '\\x89MCAP0'" + guess};
 }
@@ -264,7 +264,7 @@ std::optional<Message> MessageStream::Next() {
   try {
     return FindNext();
   } catch (const std::exception& thrown) {
-    // No memory: what follows cannot be in order.
+    // There is no memory, so the following messages could not be returned in order.
     is_complete_ = false;
     heads_ = {};
     next_block_ = blocks_.size();
@@ -398,8 +398,8 @@ void MessageStream::Collect(const MessageBlock& block, ByteView bytes,
   }
   if (!is_in_time) {
     problems.Add(offset, where +
-                             " has messages outside of the times that the index states, so "
-                             "messages may be missing or out of order");
+                             " has messages outside of the time span in the index; messages may "
+                             "be missing or out of order");
   }
   if (query_.order == Query::Order::kLogTime) {
     std::ranges::stable_sort(entries, {}, &MessageIndexEntry::log_time);

@@ -53,7 +53,7 @@ struct Query {
 class Reader {
  public:
   /// Fails with kNotFound or kFailed if the file cannot be opened. Fails with kInvalid if the file
-  /// is not an MCAP file of version 0; the error shows the begin of the file.
+  /// is not an MCAP file of version 0; the error shows the beginning of the file.
   static Result<std::unique_ptr<Reader>> Open(const std::filesystem::path& file,
                                               const ReaderLimits& limits = {});
   static Result<std::unique_ptr<Reader>> Open(std::unique_ptr<os::RandomAccessFile> file,
@@ -71,7 +71,7 @@ class Reader {
   [[nodiscard]] const std::map<ChannelId, Channel>& channels() const { return contents_.channels; }
   /// Returns null if there is no such channel.
   [[nodiscard]] const Channel* FindChannel(ChannelId id) const;
-  /// The statistics of the summary, if it has some. After a scan, the statistics of the records
+  /// The statistics in the summary, if there are any. After a scan, the statistics of the records
   /// that were found.
   [[nodiscard]] const std::optional<Statistics>& statistics() const { return contents_.statistics; }
   /// The blocks, sorted by their place in the file.
@@ -98,8 +98,8 @@ class Reader {
   Result<Attachment> ReadAttachment(const AttachmentIndex& index);
   /// Fails like ReadAttachment(). Metadata have no checksum, so only Verify() finds a wrong byte.
   Result<Metadata> ReadMetadata(const MetadataIndex& index);
-  /// Returns the message indexes behind a chunk, as they are in the file. Fails with kInvalid if
-  /// they are damaged.
+  /// Returns the message indexes after a chunk without any changes. Fails with kInvalid if they are
+  /// damaged.
   Result<std::vector<MessageIndex>> ReadMessageIndexes(const MessageBlock& block);
 
  private:
@@ -151,7 +151,7 @@ class MessageStream {
  private:
   friend class Reader;
 
-  /// The messages of one block that match and are still to come.
+  /// The messages of one block that match and were not returned yet.
   struct Source {
     const MessageBlock* block = nullptr;
     std::vector<MessageIndexEntry> entries;

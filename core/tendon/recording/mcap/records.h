@@ -19,11 +19,11 @@
 ///
 /// Each part is a sequence of records: an opcode (1 byte), the length of the content (8 bytes), the
 /// content. Numbers are little-endian. Messages are in chunks, which are compressed and have a
-/// checksum. The summary, at the end of the file, says where each chunk is and which times and
-/// channels it contains.
+/// checksum. The summary, at the end of the file, lists the place, the times and the channels of
+/// each chunk.
 ///
-/// Here is each kind of record as a struct, with two functions: Append() writes it, Parse() reads
-/// it. Neither knows files; mcap/writer.h and mcap/reader.h do.
+/// This header has a struct for each kind of record, with two functions: Append() writes it,
+/// Parse() reads it. These functions do not use files; mcap/writer.h and mcap/reader.h do.
 namespace tendon::mcap {
 
 using ByteView = std::span<const std::byte>;
@@ -142,10 +142,10 @@ struct ChunkIndex {
   Timestamp message_end_time = 0;
   std::uint64_t chunk_start_offset = 0;  ///< in the file
   std::uint64_t chunk_length = 0;        ///< of the record, with its head
-  /// The channels in the chunk, and the places of their message indexes in the file. Empty if
+  /// The channels in the chunk, and the offsets of their message indexes in the file. Empty if
   /// unknown.
   std::vector<std::pair<ChannelId, std::uint64_t>> message_index_offsets;
-  std::uint64_t message_index_length = 0;  ///< of all message indexes behind the chunk
+  std::uint64_t message_index_length = 0;  ///< of all message indexes after the chunk
   std::string compression;
   std::uint64_t compressed_size = 0;
   std::uint64_t uncompressed_size = 0;
@@ -175,8 +175,8 @@ struct AttachmentIndex {
   bool operator==(const AttachmentIndex&) const = default;
 };
 
-/// Metadata have no checksum of their own, only that of the whole data section, which Verify()
-/// checks. Therefore, important data belongs in an attachment.
+/// Metadata have no separate checksum. They are covered only by the checksum of the whole data
+/// section, which Verify() checks. Therefore, important data belongs in an attachment.
 struct Metadata {
   std::string name;
   std::map<std::string, std::string> metadata;
@@ -252,7 +252,7 @@ void PutNumber(std::byte* place, Number number) noexcept {
   }
 }
 
-/// Says whether the content of a record fits its kind.
+/// Whether the content of a record fits its kind.
 enum class ParseResult : std::uint8_t {
   kMalformed,  ///< too short, or a length in it is wrong
   kLonger,     ///< a later version of the format may append fields
@@ -276,9 +276,10 @@ enum class ParseResult : std::uint8_t {
 [[nodiscard]] ParseResult Parse(ByteView content, SummaryOffset& offset);
 [[nodiscard]] ParseResult Parse(ByteView content, DataEnd& end);
 
-/// Reads the first fields of a chunk or an attachment. `begin` is the begin of its content, and
-/// `size` is the size of its content. Returns the place of the records or the data in the content.
-/// Returns nothing if they do not fit the size, or if `begin` is too short. Does not read the data.
+/// Reads the first fields of a chunk or an attachment. `begin` has the first bytes of its content,
+/// and `size` is the size of its content. Returns the place of the records or the data in the
+/// content. Returns nothing if they do not fit the size, or if `begin` is too short. Does not read
+/// the data.
 [[nodiscard]] std::optional<std::size_t> ParseChunkHead(ByteView begin, std::uint64_t size,
                                                         ChunkHead& chunk);
 [[nodiscard]] std::optional<std::size_t> ParseAttachmentHead(ByteView begin, std::uint64_t size,

@@ -79,11 +79,11 @@ class DataScan {
   const std::optional<Contents> known_;
   Contents contents_;
   std::uint64_t offset_ = 0;
-  std::uint64_t trusted_ = 0;  // the end of the last record whose length is certainly right
+  std::uint64_t trusted_ = 0;  // the end of the last record whose length is certainly correct
   std::uint64_t search_budget_ = 0;
   bool is_finished_ = false;
   bool has_chunks_ = false;     // whose checksum is right
-  bool follows_chunk_ = false;  // the record before is a chunk, or a message index of one
+  bool follows_chunk_ = false;  // the previous record is a chunk, or a message index of a chunk
   std::bitset<std::numeric_limits<ChannelId>::max() + 1> seen_;  // channels of the present block
   std::optional<MessageBlock> loose_;  // the block of records without a chunk that is growing
 };
@@ -255,10 +255,9 @@ void DataScan::ReadChunkRecords(const LoadedChunk& chunk, MessageBlock& block) {
   }
   if (block.index.message_start_time != chunk.head.message_start_time ||
       block.index.message_end_time != chunk.head.message_end_time) {
-    problems_.Add(
-        offset_,
-        "the chunk" + Place(offset_) +
-            " states other times than its messages have; the times of the messages are used");
+    problems_.Add(offset_, "the chunk" + Place(offset_) +
+                               " states times that differ from the times of its messages; the "
+                               "times of the messages are used");
   }
   std::ranges::sort(block.index.message_index_offsets);
 }
@@ -421,14 +420,14 @@ void DataScan::Search() {
 
 std::uint64_t DataScan::FindPlausibleChunk(std::uint64_t from) {
   constexpr std::size_t kPiece = std::size_t{64} << 10U;
-  BufferedFile pieces(file_.file());  // IsPlausibleChunk() reads with the other one
+  BufferedFile pieces(file_.file());  // IsPlausibleChunk() reads with the other reader
   while (from < file_.size()) {
     const auto piece = pieces.UpTo(from, kPiece);
     if (!piece) return file_.size();
     const ByteView bytes = *piece;
     for (std::size_t i = 0; i < bytes.size(); ++i) {
       if (bytes[i] != static_cast<std::byte>(Opcode::kChunk)) continue;
-      // A length of 2^40 bytes and more is none.
+      // A length of 2^40 bytes or more is not plausible.
       if (i + kRecordHeadSize <= bytes.size() && bytes[i + 8] != std::byte{0}) continue;
       if (IsPlausibleChunk(from + i)) return from + i;
       if (search_budget_ == 0) return file_.size();
@@ -479,7 +478,7 @@ void DataScan::CountContents() {
 }  // namespace
 
 Contents Scan(BufferedFile& file, const ReaderLimits& limits, Problems& problems) {
-  Problems ignored;  // only the definitions are taken, and only if their checksum is right
+  Problems ignored;  // only the definitions are used, and only if their checksum is correct
   auto known = ReadSummary(file, limits, ignored);
   return DataScan(file, limits, problems, std::move(known)).Run();
 }

@@ -41,7 +41,8 @@ Verification Verifier::Run() {
   } catch (const std::exception& thrown) {
     problems_.Add(0, std::string("the file cannot be verified: ") + thrown.what());
   }
-  result.problems.Add(reader_.problems());  // also those of reading the chunks just now
+  result.problems.Add(reader_.problems());  // includes the problems that this verification has
+                                            // found while it read the chunks
   result.problems.Add(problems_);
   return result;
 }
@@ -116,7 +117,7 @@ void Verifier::VerifyBlock(const MessageBlock& block, Statistics& found) {
   if (block.is_chunk) VerifyMessageIndexes(block, entries);
 }
 
-/// A file may have no message indexes at all, or none for a chunk.
+/// Message indexes may be missing in the whole file or for single chunks.
 void Verifier::VerifyMessageIndexes(const MessageBlock& block, const EntriesByChannel& found) {
   const std::uint64_t offset = block.index.chunk_start_offset;
   const auto indexes = reader_.ReadMessageIndexes(block);

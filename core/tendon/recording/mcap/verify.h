@@ -18,7 +18,7 @@ struct Verification {
 /// Reads the whole file and checks all redundant data of the format: the checksums of chunks,
 /// attachments, summary and data section, the message indexes, the times and the counts.
 ///
-/// Thread safety: that of the reader. Cost: reads the file twice and decompresses each chunk once.
+/// Thread safety: as for the reader. Cost: reads the file twice and decompresses each chunk once.
 /// Does not throw.
 Verification Verify(Reader& reader);
 

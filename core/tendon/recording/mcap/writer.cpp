@@ -244,8 +244,8 @@ Result<void> Writer::MakeRoom(std::size_t size) {
   return {};
 }
 
-/// Repeats definitions, up to the size of a chunk: those that only one chunk contains, and all of
-/// them if the file has grown by much more than their size.
+/// Repeats definitions, up to the size of a chunk: the definitions that only one chunk contains,
+/// and all definitions if the file has grown by much more than their size.
 void Writer::BeginChunk() {
   constexpr std::uint64_t kGrowth = 64;
   if (!chunk_.empty()) return;
@@ -294,7 +294,8 @@ Result<void> Writer::WriteChunk() {
   return {};
 }
 
-/// Makes the message index records in index_, each at its place, with one pass over the messages.
+/// Makes the message index records in index_ with one pass over the messages. Each record has its
+/// own range in index_.
 void Writer::MakeMessageIndexes(ChunkIndex& index) {
   std::sort(used_.begin(), used_.end());
   index_.clear();
@@ -413,7 +414,7 @@ Result<void> Writer::Close(std::span<const Metadata> last) {
   return *closed_;
 }
 
-/// Writes metadata, also after a failed write, because space is reserved for them. Metadata that
+/// Writes metadata, even after a failed write, because space is reserved for them. Metadata that
 /// cannot be written are left out of the summary.
 void Writer::WriteLast(std::span<const Metadata> last) {
   std::size_t size = 0;
@@ -437,7 +438,7 @@ Result<void> Writer::WriteSummary() {
   AppendBytes(out, summary);
   const std::uint64_t size = end_ + out.size();
   auto done = file_->WriteAt(end_, std::array{ByteView(out)});
-  if (done) done = file_->Truncate(size);  // parts of a chunk that failed may be behind it
+  if (done) done = file_->Truncate(size);  // parts of a failed chunk may be after it
   if (done) done = file_->Sync();
   if (done) {
     written_.bytes = accepted_.bytes = size;
@@ -507,7 +508,7 @@ std::uint64_t Writer::SummarySize() const {
   constexpr std::size_t kOffsets = 6 * (kRecordHeadSize + 17);
   std::size_t size = kDataEndSize + text_size_ + kStatistics + kOffsets + kFooterSize + kMagicSize;
   size += (chunks_.size() + 1) * (kChunkIndexHeadSize + 4);
-  size += index_size_;  // above what their lists and texts take
+  size += index_size_;  // an upper limit for the lists and texts of the chunks
   size += channels_.size() * 2 * kChunkIndexEntrySize;
   size += 2 * kLastMetadata;  // with their index
   return size;

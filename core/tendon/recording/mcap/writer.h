@@ -42,12 +42,12 @@ struct Progress {
 /// Writes an MCAP file, chunk by chunk, and its index and summary at the end.
 ///
 /// A chunk begins with the schemas and channels that were new in the previous chunk; some chunks
-/// begin with all of them. So if a chunk is damaged, a reader without the summary can still read
-/// all other chunks.
+/// begin with all of them. Therefore, if a chunk is damaged, a reader without the summary can still
+/// read all other chunks.
 ///
-/// The file is append-only: a complete chunk never changes. So after SIGKILL or on a full disk, all
-/// written chunks can be read; after a power cut, all synced chunks. Space for the summary is
-/// reserved in advance, so that Close() can complete the file even if the disk is full.
+/// The file is append-only: a complete chunk never changes. Therefore, all written chunks can be
+/// read after SIGKILL or on a full disk, and all synced chunks after a power cut. Space for the
+/// summary is reserved in advance, so that Close() can complete the file even if the disk is full.
 ///
 ///     auto writer = Writer::Create("run.mcap", {.profile = "ros2"});
 ///     const auto schema = (*writer)->AddSchema("arm/msg/JointState", "ros2msg", text);
@@ -75,8 +75,8 @@ class Writer {
   /// The maximum size of the metadata that Close() can write to a full disk, in bytes.
   static constexpr std::size_t kLastMetadata = std::size_t{4} << 10U;
 
-  /// Creates the file and writes its begin. Fails with kExists if there is a file with this name,
-  /// even if another writer is writing it.
+  /// Creates the file and writes its beginning. Fails with kExists if there is a file with this
+  /// name, even if another writer is writing it.
   static Result<std::unique_ptr<Writer>> Create(const std::filesystem::path& file,
                                                 const WriterOptions& options = {});
   /// Writes into an empty file that the caller has opened.
@@ -103,7 +103,7 @@ class Writer {
   Result<void> Write(const Attachment& attachment);
   Result<void> Write(const Metadata& metadata);
 
-  /// Writes the present chunk, if it has any record, and waits until all data is on the disk.
+  /// Writes the present chunk, unless it is empty, and waits until all data is on the disk.
   Result<void> Sync();
   /// Writes the present chunk without waiting for the disk.
   Result<void> Flush();
@@ -133,7 +133,7 @@ class Writer {
     std::uint64_t messages = 0;     // in the file
     std::size_t in_chunk = 0;       // in the present chunk
     std::size_t index_place = 0;    // place of its next entry in index_, while index_ is made
-    std::uint64_t index_begin = 0;  // begin of its record in index_
+    std::uint64_t index_begin = 0;  // start of its record in index_
   };
   struct ChunkEntry {
     ChannelId channel;
@@ -173,7 +173,7 @@ class Writer {
   std::size_t text_size_ = 0;           // of both in the summary, bytes
   std::size_t repeated_schemas_ = 0;    // that later chunks need not repeat
   std::size_t repeated_channels_ = 0;   // likewise
-  std::uint64_t next_repeat_ = 0;       // size of the file at which all are repeated
+  std::uint64_t next_repeat_ = 0;       // size of the file at which all definitions are repeated
 
   Buffer chunk_;                     // the records of the present chunk
   std::vector<ChunkEntry> entries_;  // its messages

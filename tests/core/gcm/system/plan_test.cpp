@@ -227,9 +227,9 @@ TEST(Plan, AProgramsOwnFollowerBlocksRecreation) {
   wanted.processes[0].components[0].configuration = R"({"noise":1})";
 
   EXPECT_THAT(MakePlan(builder.catalogue(), wanted).obstacles,
-              ElementsAre("robot/own runs after a component that will be removed or created again, "
-                          "so this component must be created again too, and only the program of "
-                          "the process can do this; stop that program first"));
+              ElementsAre("robot/own must be created again, because it runs after a component that "
+                          "will be removed or created again; only the program of the process can "
+                          "do this: stop that program first"));
 }
 
 TEST(Plan, StopsFirstAndClientsBeforeServers) {

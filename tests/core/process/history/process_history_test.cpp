@@ -220,7 +220,7 @@ TEST(ProcessHistory, SaysIfTheMemoryDoesNotSufficeForEvents) {
   ASSERT_TRUE(page) << page.error().message;
   ASSERT_EQ(page->records.size(), 1U);
   EXPECT_THAT(page->records[0].text,
-              HasSubstr("the past events of robot/arm/Control are not kept"));
+              HasSubstr("the events of robot/arm/Control are not kept in the history"));
   EXPECT_EQ(manager.history().ReadEvents({.component = "arm", .interface = "Control"}).error().code,
             ErrorCode::kNotFound);
 }

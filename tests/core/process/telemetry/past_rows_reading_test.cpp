@@ -116,7 +116,7 @@ TEST(PastRowsReading, APageThatDoesNotGoOnIsRefused) {
   EXPECT_FALSE(one.Take(Page(104, 104, 120, 4))) << "it would never end";
 
   ASSERT_TRUE(one.outcome && one.outcome->failure);
-  EXPECT_EQ(one.outcome->failure->message, "process 'robot' sent invalid past rows");
+  EXPECT_EQ(one.outcome->failure->message, "process 'robot' sent invalid rows of its history");
 }
 
 TEST(PastRowsReading, AMalformedPageIsRefused) {

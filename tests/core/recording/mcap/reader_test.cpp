@@ -43,11 +43,11 @@ TEST(Reader, AFileThatIsNoRecordingIsNamedForWhatItIs) {
   EXPECT_EQ(ErrorOf("\x89MCA"), "memory.mcap is not a recording: the file ends after 4 bytes");
   EXPECT_EQ(ErrorOf("PK\x03\x04 and so on"),
             "memory.mcap is not a recording: the file begins with 'PK\\x03\\x04 and', but an MCAP "
-            "file begins with '\\x89MCAP0'; a ZIP archive?");
+            "file begins with '\\x89MCAP0'; it may be a ZIP archive");
   EXPECT_EQ(ErrorOf("\x89MCAP1\r\n"),
             "memory.mcap is not a recording: the file has version '1' of MCAP, but this program "
             "reads version 0");
-  EXPECT_THAT(ErrorOf("#ROSBAG V2.0\n"), HasSubstr("a bag of ROS 1?"));
+  EXPECT_THAT(ErrorOf("#ROSBAG V2.0\n"), HasSubstr("it may be a ROS 1 bag"));
 }
 
 TEST(Reader, AMissingFileIsNotFound) {
