@@ -95,7 +95,8 @@ class RequiredInterface {
   void SetCallers(CallerThreads callers) { binding_.SetCallers(callers, inbox_); }
 
   /// Sets the capacity of the mailbox for calls at the server, and of the mailbox for events here:
-  /// 1 to 2^24, default 64. Set it before the connection is made.
+  /// 1 to 2^24, default 64. A call to another process waits here until it has been sent. Set the
+  /// capacity before the connection is made.
   void SetMailboxCapacity(std::size_t capacity);
 
   /// Sets how long a read waits for the reply of another process: at least 1 ms, default 100 ms.

@@ -11,8 +11,8 @@ namespace tendon {
 /// Passes the newest value from one thread to another. The reader never gets a partial value, and a
 /// newer value replaces an older one. Values are assigned, so that dynamic types keep their memory.
 ///
-/// Thread safety: one thread calls Write(), one other thread calls Take(), and any thread calls
-/// is_fresh(). Wait-free.
+/// Thread safety: one thread calls Write() and WriteWith(), one other thread calls Take(), and any
+/// thread calls is_fresh(). Wait-free.
 ///
 /// A triple buffer: one of three values belongs to the writer and one to the reader. Each side
 /// exchanges its own value with the third, the middle one.
@@ -21,7 +21,13 @@ class TripleBuffer {
  public:
   /// Stores a value. Returns true if it replaces a value that the reader has not taken.
   bool Write(const T& value) {
-    values_[mine_] = value;
+    return WriteWith([&value](T& place) { place = value; });
+  }
+  /// Like Write(), but `write` writes the value in place, over an old value. If `write` throws,
+  /// nothing is stored.
+  template <typename Writer>
+  bool WriteWith(Writer&& write) {
+    write(values_[mine_]);
     // (A) publishes the value; (B) gives the writer a value that the reader no longer uses.
     const std::uint32_t old = middle_.exchange(mine_ | kFresh, std::memory_order_acq_rel);
     mine_ = old & kPlace;

@@ -42,6 +42,32 @@ class CallBatch {
   Bytes frame_;
 };
 
+/// A call that waits to be sent. Its memory is laid out like the frame of a batch with only this
+/// call, so that the call can be sent without a copy.
+class CallBuffer {
+ public:
+  /// Returns the memory for an argument of `size` bytes. Memory that must grow gets exactly the
+  /// needed size, and its old content is not copied.
+  std::span<std::byte> Resize(std::size_t size);
+  /// The argument; may be called after Resize().
+  [[nodiscard]] std::span<const std::byte> argument() const;
+  /// Bytes of memory. Resize() never makes it smaller.
+  [[nodiscard]] std::size_t capacity() const { return bytes_.size(); }
+
+  /// Writes everything around the argument, except the header of the frame. Returns the frame that
+  /// a batch with only this call would have. May be called again, like CallBatch::Add().
+  [[nodiscard]] std::span<std::byte> Frame(std::uint32_t handle) { return FrameWith(handle, {}); }
+  /// Does the same for a call with a time; see CallBatch::AddTimed().
+  [[nodiscard]] std::span<std::byte> TimedFrame(std::uint32_t handle, SteadyTime time);
+
+ private:
+  [[nodiscard]] std::span<std::byte> FrameWith(std::uint32_t handle,
+                                               std::span<const std::byte> time);
+
+  std::size_t size_ = 0;  // of the argument
+  Bytes bytes_;
+};
+
 /// Calls `visit(handle, argument)` for each call in `body`, which is untrusted. Stops at the first
 /// incomplete call.
 template <typename Visitor>

@@ -11,7 +11,8 @@
 namespace tendon {
 namespace {
 
-/// A batch with this many bytes is full; it gets no further calls.
+/// A batch with this many bytes is full; it gets no further calls. An argument of this size is sent
+/// without a batch.
 constexpr std::size_t kFullBatch = std::size_t{32} << 10U;
 static_assert(kMaxPayload + kFullBatch + CallBatch::kOverhead <= kMaxBodySize,
               "the largest argument fits after a batch that is almost full");
@@ -96,6 +97,32 @@ std::uint64_t Outbox::SendNow([[maybe_unused]] const Turn& turn, BlockingCall ca
   return 0;
 }
 
+void Outbox::Take(std::uint32_t handle, CallBuffer& call, const Mailbox& callers) {
+  const bool is_large = call.argument().size() >= kFullBatch;
+  const bool is_alone = is_large ? SendBatch() : batch_.empty() && callers.size() == 1;
+  const auto frame = [&] {
+    return times_of_ == nullptr ? call.Frame(handle)
+                                : call.TimedFrame(handle, times_of_->event_time());
+  };
+  if (is_alone && SendFrame(frame(), 1)) return;
+  Take(handle, call.argument());
+}
+
+/// Returns true if the batch is empty now, and false if the link has no room for it.
+bool Outbox::SendBatch() {
+  if (batch_.empty()) return true;
+  if (!SendFrame(batch_.frame(), batch_.calls())) return false;
+  batch_.Clear();
+  return true;
+}
+
+/// Sends a frame with this number of calls. Returns false if the link has no room for it.
+bool Outbox::SendFrame(std::span<std::byte> frame, std::size_t calls) {
+  if (channel_->NotifyInPlace(type_, 0, frame, lane_) == Status(Status::kQueueFull)) return false;
+  sent_ += calls;
+  return true;
+}
+
 /// Sends up to `limit` calls: first the calls that were already taken from the inbox, then more
 /// calls from the inbox. Counts each call when it is sent.
 std::size_t Outbox::SendTaken(std::size_t limit, Delivery delivery) {
@@ -104,12 +131,7 @@ std::size_t Outbox::SendTaken(std::size_t limit, Delivery delivery) {
   while (true) {
     const std::uint64_t sent = sent_ - before;
     if (!has_taken() && sent < limit) Collect(limit - sent);
-    if (!has_taken()) return sent;
-    if (!batch_.empty()) {
-      if (channel_->NotifyInPlace(type_, 0, batch_.frame(), lane_) == no_room) return sent;
-      sent_ += batch_.calls();
-      batch_.Clear();
-    }
+    if (!has_taken() || !SendBatch()) return sent_ - before;
     if (!blocking_call_) continue;
     const Status asked = Request(*blocking_call_, delivery);
     if (asked == no_room) return sent_ - before;
@@ -128,8 +150,12 @@ void Outbox::SendRest(std::chrono::milliseconds patience) {
   }
 }
 
+/// Takes up to `limit` calls from the inbox, until the batch is full. Some of them are already sent
+/// by Take().
 void Outbox::Collect(std::size_t limit) {
-  while (!blocking_call_ && batch_.calls() < limit && batch_.body().size() < kFullBatch) {
+  const std::uint64_t before = sent_;
+  while (!blocking_call_ && sent_ - before + batch_.calls() < limit &&
+         batch_.body().size() < kFullBatch) {
     if (inbox_.ExecuteQueued(1) == 0) return;
   }
 }

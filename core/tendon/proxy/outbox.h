@@ -120,6 +120,10 @@ class Outbox {
     if (times_of_ == nullptr) return batch_.Add(handle, argument);
     batch_.AddTimed(handle, argument, times_of_->event_time());
   }
+  /// Sends the call from its buffer, without a copy, if it gets a frame of its own: a large call
+  /// does, and a call after which no other is queued. If the link has no room, copies it into the
+  /// batch. `callers` is the mailbox of the call, in which the call keeps its slot until then.
+  void Take(std::uint32_t handle, CallBuffer& call, const Mailbox& callers);
   void Take(BlockingCall call) { blocking_call_ = std::move(call); }
 
  private:
@@ -127,6 +131,8 @@ class Outbox {
   [[nodiscard]] std::uint64_t Room() const;
   std::size_t SendTaken(std::size_t limit, Delivery delivery);
   void Collect(std::size_t limit);
+  [[nodiscard]] bool SendBatch();
+  [[nodiscard]] bool SendFrame(std::span<std::byte> frame, std::size_t calls);
   [[nodiscard]] Status Request(BlockingCall& call, Delivery delivery);
 
   const std::shared_ptr<Channel> channel_;

@@ -37,18 +37,14 @@ class SlotBuffers {
   SlotBuffers(std::size_t slots, std::uint64_t most_kept)
       : buffers_(slots), most_kept_(most_kept) {}
 
-  Bytes& operator[](std::size_t slot) { return buffers_[slot]; }
-  /// Returns the buffer of a slot with `size` bytes. A buffer that must grow gets exactly this
-  /// size, and its old content is not copied.
-  Bytes& Resized(std::size_t slot, std::size_t size) {
-    Bytes& buffer = buffers_[slot];
+  CallBuffer& operator[](std::size_t slot) { return buffers_[slot]; }
+  /// Returns the memory for an argument of `size` bytes in the buffer of a slot.
+  std::span<std::byte> Resize(std::size_t slot, std::size_t size) {
+    CallBuffer& buffer = buffers_[slot];
     const std::size_t before = buffer.capacity();
-    if (before < size) {
-      buffer = Bytes(size);
-      grown_.Add(buffer.capacity() - before);
-    }
-    buffer.resize(size);
-    return buffer;
+    const std::span<std::byte> argument = buffer.Resize(size);
+    if (buffer.capacity() != before) grown_.Add(buffer.capacity() - before);
+    return argument;
   }
   /// Must be called after the last use of a buffer. Frees it if all buffers together are too large.
   void FreeIfMany(std::size_t slot) noexcept {
@@ -56,11 +52,11 @@ class SlotBuffers {
         freed_.value();  // read before grown_, so that the difference is never below zero
     if (grown_.value() - freed <= most_kept_) return;
     freed_.Add(buffers_[slot].capacity());
-    Bytes().swap(buffers_[slot]);
+    buffers_[slot] = {};
   }
 
  private:
-  std::vector<Bytes> buffers_;
+  std::vector<CallBuffer> buffers_;
   const std::uint64_t most_kept_;
   SharedCounter<> grown_;  // bytes by which the buffers have grown
   SharedCounter<> freed_;  // the part of these bytes that was freed again
@@ -74,8 +70,8 @@ class QueuedCommandProxy : public CommandBase, protected Mailbox::Entry {
         outbox_(outbox),
         handle_(handle),
         refused_(refused),
-        must_wait_(WaitsForServer(command.signature.kind)),
         mailbox_(mailbox),
+        must_wait_(WaitsForServer(command.signature.kind)),
         callers_(std::make_shared<OutstandingCalls<>>(mailbox.completions())),
         arguments_(mailbox.storage(), std::uint64_t{64} << 20U) {}
 
@@ -126,6 +122,7 @@ class QueuedCommandProxy : public CommandBase, protected Mailbox::Entry {
   Outbox& outbox_;
   const std::uint32_t handle_;
   SharedCounter<>& refused_;  // the counter of the offer
+  Mailbox& mailbox_;
 
  private:
   /// The entry for calls whose callers wait.
@@ -135,7 +132,7 @@ class QueuedCommandProxy : public CommandBase, protected Mailbox::Entry {
 
     void ExecuteSlot(std::byte* /*argument*/, std::size_t slot) override {
       const auto call = command_.callers_->Start(RecordOf(slot));
-      if (call) command_.Hand(*call, command_.arguments_[slot]);
+      if (call) command_.Hand(*call, command_.arguments_[slot].argument());
       command_.arguments_.FreeIfMany(slot);
     }
     void DropSlot(std::byte* /*argument*/, std::size_t slot) noexcept override {
@@ -207,7 +204,7 @@ class QueuedCommandProxy : public CommandBase, protected Mailbox::Entry {
     const std::size_t slot = mailbox_.SlotOf(room);
     const Status written =
         ComponentAccess::CatchExceptions(nullptr, [&]() -> Status {  // may throw bad_alloc
-          return in.WriteTo(arguments_.Resized(slot, size)) ? Status::kQueued : Status::kFailed;
+          return in.WriteTo(arguments_.Resize(slot, size)) ? Status::kQueued : Status::kFailed;
         });
     if (!written) {
       arguments_.FreeIfMany(slot);
@@ -239,21 +236,20 @@ class QueuedCommandProxy : public CommandBase, protected Mailbox::Entry {
     return {
         .handle = handle_, .argument = std::move(argument), .callers = callers_, .number = call};
   }
-  void Hand(std::uint64_t call, const Bytes& argument) {
-    outbox_.Take(BlockingCallOf(call, argument));
+  void Hand(std::uint64_t call, std::span<const std::byte> argument) {
+    outbox_.Take(BlockingCallOf(call, Bytes(argument.begin(), argument.end())));
   }
 
   void ExecuteSlot(std::byte* /*argument*/, std::size_t slot) override {
-    outbox_.waiting_bytes().Give(arguments_[slot].size());
-    outbox_.Take(handle_, arguments_[slot]);
+    outbox_.waiting_bytes().Give(arguments_[slot].argument().size());
+    outbox_.Take(handle_, arguments_[slot], mailbox_);
     arguments_.FreeIfMany(slot);
   }
   void DropSlot(std::byte* /*argument*/, std::size_t slot) noexcept override {
-    outbox_.waiting_bytes().Give(arguments_[slot].size());
+    outbox_.waiting_bytes().Give(arguments_[slot].argument().size());
   }
 
   const bool must_wait_;
-  Mailbox& mailbox_;
   const std::shared_ptr<OutstandingCalls<>> callers_;
   BlockingCallEntry blocking_entry_{*this};
   SlotBuffers arguments_;  // 64 MiB at most are kept
@@ -277,20 +273,17 @@ class LatestCommandProxy final : public QueuedCommandProxy {
   Status Post(const ArgumentWriter& in) {
     const std::size_t size = in.size();
     if (const Status can = CheckPayload(outbox_, handle_, size); !can) return can;
-    return newest_.Post(*this, [&]() -> const Bytes& {  // may throw bad_alloc
-      written_.resize(size);
-      if (!in.WriteTo(written_)) throw std::length_error("the argument has changed");
-      return written_;
+    return newest_.Post(*this, [&](CallBuffer& call) {  // may throw bad_alloc
+      if (!in.WriteTo(call.Resize(size))) throw std::length_error("the argument has changed");
     });
   }
 
   void ExecuteSlot(std::byte* /*argument*/, std::size_t /*slot*/) override {
-    if (const Bytes* argument = newest_.Take()) outbox_.Take(handle_, *argument);
+    if (CallBuffer* const call = newest_.Take()) outbox_.Take(handle_, *call, mailbox_);
   }
   void DropSlot(std::byte* /*argument*/, std::size_t /*slot*/) noexcept override { newest_.Take(); }
 
-  Bytes written_;  // used only by the posting thread
-  LatestValue<Bytes> newest_;
+  LatestValue<CallBuffer> newest_;
 };
 
 /// Sends observed calls. The slot itself holds a call of usual size, because the thread that
@@ -347,21 +340,24 @@ class ObservedCallProxy final : public CommandBase, private Mailbox::Entry {
     return ComponentAccess::CatchExceptions(nullptr, [&]() -> Status {  // may throw bad_alloc
       auto* const slot = new (room) Slot;
       slot->size = size;
-      if (size > kRoom) large_.Resized(mailbox_.SlotOf(room), size);
-      return in.WriteTo(CallIn(*slot, mailbox_.SlotOf(room))) ? Status::kQueued : Status::kFailed;
+      const bool is_large = size > kRoom;
+      const std::span<std::byte> place =
+          is_large ? large_.Resize(mailbox_.SlotOf(room), size) : std::span(slot->call).first(size);
+      return in.WriteTo(place) ? Status::kQueued : Status::kFailed;
     });
-  }
-  std::span<std::byte> CallIn(Slot& slot, std::size_t index) {
-    if (slot.size > kRoom) return large_[index];
-    return std::span(slot.call).first(slot.size);
   }
   static Slot& SlotIn(std::byte* argument) {
     return *std::launder(reinterpret_cast<Slot*>(argument));
   }
 
   void ExecuteSlot(std::byte* argument, std::size_t slot) override {
-    outbox_.Take(handle_, CallIn(SlotIn(argument), slot));
-    outbox_.waiting_bytes().Give(SlotIn(argument).size);
+    const Slot& here = SlotIn(argument);
+    outbox_.waiting_bytes().Give(here.size);
+    if (here.size > kRoom) {
+      outbox_.Take(handle_, large_[slot], mailbox_);
+    } else {
+      outbox_.Take(handle_, std::span(here.call).first(here.size));
+    }
     large_.FreeIfMany(slot);
   }
   void DropSlot(std::byte* argument, std::size_t /*slot*/) noexcept override {

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <string>
 #include <thread>
 
@@ -39,6 +40,20 @@ TEST(TripleBuffer, KeepsTheMemoryOfItsValues) {
   const AllocationGuard guard;
   for (int i = 0; i < 10; ++i) buffer.Write(text);
   ASSERT_NE(buffer.Take(), nullptr);
+}
+
+TEST(TripleBuffer, AFailedWriteKeepsTheWaitingValue) {
+  TripleBuffer<int> buffer;
+  buffer.WriteWith([](int& place) { place = 1; });
+
+  EXPECT_THROW(buffer.WriteWith([](int& place) {
+    place = 2;
+    throw std::bad_alloc();
+  }),
+               std::bad_alloc);
+
+  EXPECT_EQ(*buffer.Take(), 1);
+  EXPECT_EQ(buffer.Take(), nullptr);
 }
 
 TEST(TripleBuffer, ATakenValueStaysIntactDuringWrites) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <tendon/proxy/call_batch.h>
 
+#include <algorithm>
 #include <random>
 #include <utility>
 #include <vector>
@@ -9,6 +10,8 @@ namespace {
 
 using tendon::Bytes;
 using tendon::CallBatch;
+using tendon::CallBuffer;
+using tendon::FrameHeader;
 using Calls = std::vector<std::pair<std::uint32_t, Bytes>>;
 
 Bytes Filled(std::size_t size, int value) { return Bytes(size, static_cast<std::byte>(value)); }
@@ -68,9 +71,46 @@ TEST(CallBatch, ReservesRoomForTheFrameHeader) {
     batch.Add(2, Filled(8, round));
 
     EXPECT_EQ(batch.body().size(), 32U);
-    EXPECT_EQ(batch.frame().size(), tendon::FrameHeader::kSize + 32U);
-    EXPECT_EQ(batch.body().data(), batch.frame().data() + tendon::FrameHeader::kSize);
+    EXPECT_EQ(batch.frame().size(), FrameHeader::kSize + 32U);
+    EXPECT_EQ(batch.body().data(), batch.frame().data() + FrameHeader::kSize);
     batch.Clear();
+  }
+}
+
+tendon::Bytes Copy(std::span<const std::byte> bytes) { return {bytes.begin(), bytes.end()}; }
+
+TEST(CallBuffer, IsLaidOutLikeABatchWithOneCall) {
+  const tendon::SteadyTime time(std::chrono::nanoseconds(5));
+  CallBuffer call;
+  for (const std::size_t size : {30, 0, 1, 7, 8, 9, 100}) {
+    const Bytes argument = Filled(size, 1);
+    CallBatch batch;
+    batch.Add(7, argument);
+    CallBatch timed;
+    timed.AddTimed(7, argument, time);
+
+    std::ranges::copy(argument, call.Resize(size).begin());
+
+    for (int round = 0; round < 2; ++round) {
+      const auto frame = call.Frame(7);
+      ASSERT_EQ(frame.size(), batch.frame().size()) << size;
+      EXPECT_EQ(Copy(frame.subspan(FrameHeader::kSize)), Copy(batch.body())) << size;
+      EXPECT_EQ(Copy(call.TimedFrame(7, time).subspan(FrameHeader::kSize)), Copy(timed.body()))
+          << size;
+      EXPECT_EQ(Copy(call.argument()), argument) << size;
+    }
+  }
+}
+
+TEST(CallBuffer, KeepsItsMemory) {
+  CallBuffer call;
+  const std::byte* const place = call.Resize(100).data();
+  const std::size_t capacity = call.capacity();
+
+  for (const std::size_t size : {0, 100, 50}) {
+    EXPECT_EQ(call.Resize(size).data(), place);
+    EXPECT_EQ(call.capacity(), capacity);
+    EXPECT_EQ(call.Frame(1).data() + FrameHeader::kSize + 8, place) << "the argument is not copied";
   }
 }
 

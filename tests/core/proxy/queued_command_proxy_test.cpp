@@ -1,42 +1,15 @@
 #include <tendon/proxy/queued_command_proxy.h>
 
 #include <algorithm>
-#include <new>
 #include <set>
 
 #include "core/proxy/interface_proxies.h"
+#include "core/proxy/traced_argument.h"
 #include "support/allocation_guard.h"
 #include "support/wait.h"
 
 namespace tendon {
 namespace {
-
-/// An argument whose bytes all have the value `fill`. Records the address to which it is written.
-class TracedArgument final : public ArgumentWriter {
- public:
-  explicit TracedArgument(std::size_t size, std::byte fill = {}) : size_(size), fill_(fill) {}
-
-  [[nodiscard]] std::size_t size() const override { return size_; }
-  [[nodiscard]] bool WriteTo(std::span<std::byte> place) const override {
-    EXPECT_EQ(place.size(), size_);
-    if (throws) throw std::bad_alloc();
-    std::ranges::fill(place, fill_);
-    places.push_back(place.data());
-    return !changes;
-  }
-  [[nodiscard]] std::span<const std::byte> Encoded() const override {
-    ADD_FAILURE() << "the argument was encoded elsewhere";
-    return {};
-  }
-
-  bool throws = false;
-  bool changes = false;  ///< true: the size changes between size() and WriteTo()
-  mutable std::vector<const std::byte*> places;
-
- private:
-  std::size_t size_;
-  std::byte fill_;
-};
 
 /// The command "Load" of another process, with its own outbox.
 class RemoteCommand : public InterfaceProxies, public testing::WithParamInterface<Overflow> {
@@ -85,6 +58,25 @@ TEST_P(RemoteCommand, AllocatesNothingOnceWarm) {
 
   const AllocationGuard guard;
   call_all();
+}
+
+TEST_P(RemoteCommand, AllocatesNothingForArgumentsOfChangingSizes) {
+  TracedArgument large(kSize);
+  TracedArgument small(8);
+  large.places.reserve(100);
+  small.places.reserve(100);
+  for (std::size_t i = 0; i < 3 * kCapacity; ++i) {
+    EXPECT_EQ(Call(large), Status(Status::kQueued));
+    EXPECT_EQ(outbox.Send(), 1U);
+  }
+
+  for (std::size_t i = 0; i < 4 * kCapacity; ++i) {
+    {
+      const AllocationGuard guard;
+      EXPECT_EQ(Call(i % 3 == 0 ? large : small), Status(Status::kQueued));
+    }
+    EXPECT_EQ(outbox.Send(), 1U);
+  }
 }
 
 TEST_P(RemoteCommand, AThrowingArgumentDoesNotBlockIt) {

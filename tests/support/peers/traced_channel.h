@@ -4,6 +4,7 @@
 #include <tendon/middleware/channel.h>
 #include <tendon/middleware/loopback.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <memory>
@@ -15,7 +16,8 @@
 
 namespace tendon::test {
 
-/// A middleware that records the memory address of each frame that is sent on its links.
+/// A middleware that records the memory address of each frame that is sent on its links. Refuses
+/// frames while it has no room.
 class TracedMiddleware final : public WrappedMiddleware {
  public:
   using WrappedMiddleware::WrappedMiddleware;
@@ -29,6 +31,7 @@ class TracedMiddleware final : public WrappedMiddleware {
     }
     return places;
   }
+  void SetRoom(bool has_room) { traces_->has_room = has_room; }
 
   Result<std::shared_ptr<Link>> Open(const std::string& address,
                                      std::shared_ptr<LinkHandler> handler,
@@ -42,6 +45,7 @@ class TracedMiddleware final : public WrappedMiddleware {
   struct Traces {
     std::mutex mutex;
     std::vector<std::pair<MessageType, const std::byte*>> places;
+    std::atomic<bool> has_room{true};
   };
 
   class TracedLink final : public WrappedLink {
@@ -50,6 +54,7 @@ class TracedMiddleware final : public WrappedMiddleware {
         : WrappedLink(std::move(below)), traces_(std::move(traces)) {}
 
     Status Send(std::span<const std::byte> frame, Delivery delivery) override {
+      if (!traces_->has_room) return Status::kQueueFull;
       if (const auto header = ReadWholeFrame(frame)) {
         const std::scoped_lock lock(traces_->mutex);
         traces_->places.emplace_back(header->type, frame.data());
@@ -95,6 +100,7 @@ class TracedChannel {
   [[nodiscard]] std::vector<const std::byte*> PlacesOf(MessageType type) const {
     return client_.PlacesOf(type);
   }
+  void SetRoom(bool has_room) { client_.SetRoom(has_room); }
   /// The notices that have arrived, in order.
   [[nodiscard]] std::vector<Notice> notices() const {
     const std::scoped_lock lock(peer_->mutex);

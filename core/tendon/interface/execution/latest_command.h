@@ -34,7 +34,7 @@ class LatestCommand final : public Command<In, None>, private Mailbox::Entry {
   }
 
   Status Execute(const In& in, None& /*out*/) override {
-    const Status posted = newest_.Post(*this, [&in]() -> const In& { return in; });  // may throw
+    const Status posted = newest_.Post(*this, [&in](In& place) { place = in; });  // may throw
     if (posted) return posted;
     return queued_.observer().ShowOther(CallOutcome::kRefused, posted, in);
   }

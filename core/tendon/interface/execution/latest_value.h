@@ -18,11 +18,11 @@ class LatestValue {
  public:
   explicit LatestValue(Mailbox& mailbox) : mailbox_(mailbox) {}
 
-  /// Stores the value that `make` returns. Never waits. Any thread, but only one thread at a time
-  /// runs `make`; if `make` throws, nothing changes. The server later executes `token`, which calls
-  /// Take().
-  template <typename Make>
-  Status Post(Mailbox::Entry& token, Make&& make) {
+  /// Stores the value that `write` writes into its T&, which holds an old value. Never waits. Any
+  /// thread, but only one thread at a time runs `write`; if `write` throws, nothing is stored. The
+  /// server later executes `token`, which calls Take().
+  template <typename Writer>
+  Status Post(Mailbox::Entry& token, Writer&& write) {
     if (!mailbox_.is_open()) return mailbox_.refusal();
     const TryLock<>::Hold writing(writing_);
     if (!writing) {  // another thread writes a value now, which counts as the newer value
@@ -30,7 +30,7 @@ class LatestValue {
       return Status::kQueued;
     }
     return ComponentAccess::CatchExceptions(nullptr, [&]() -> Status {
-      if (newest_.Write(make())) {
+      if (newest_.WriteWith(write)) {
         mailbox_.CountReplaced();
       } else {
         std::byte* const slot = mailbox_.ClaimReserved();
