@@ -104,7 +104,7 @@ TEST_F(MutantsTest, AServerWithoutTlsSurvivesThem) {
   const auto client = MakeIceMiddleware(Exposure::kLoopbackOnly);
   const HostPort place = Serve(*server);
 
-  ExpectSurvives(*client, kMutants, [&] { return PlainConnection(place); });
+  ExpectSurvives(*client, MutantsWithoutTls(), [&] { return PlainConnection(place); });
 }
 
 TEST_F(MutantsTest, AServerSurvivesThemFromInsideTls) {
@@ -117,7 +117,8 @@ TEST_F(MutantsTest, AServerSurvivesThemFromInsideTls) {
 TEST_F(MutantsTest, UnencryptedMessagesAreNotRead) {
   const HostPort place = Serve(*robot_);
 
-  ExpectSurvives(*As({.name = "anna"}), kMutants, [&] { return PlainConnection(place); });
+  ExpectSurvives(*As({.name = "anna"}), MutantsWithoutTls(),
+                 [&] { return PlainConnection(place); });
 
   EXPECT_EQ(heard(), 2);
 }
@@ -125,7 +126,7 @@ TEST_F(MutantsTest, UnencryptedMessagesAreNotRead) {
 TEST_F(MutantsTest, MessagesWithoutACertificateAreNotRead) {
   const HostPort place = Serve(*robot_);
   const TlsClient peer(std::nullopt);
-  const int count = kMutants / 20;  // each mutant needs a handshake
+  const int count = MutantsWithoutTls() / 20;  // each mutant needs a handshake
 
   ExpectSurvives(*As({.name = "anna"}), count, [&] { return peer.ConnectTo(place); });
 
