@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""check_report.py skipped|times FOLDER: prints a report from the logs of a preset's last check.
+"""check_report.py tests|times FOLDER: prints a report from the logs of a preset's last check.
 
-skipped: prints each skipped test with its reason. times: prints the slowest build steps and tests. FOLDER is
-build/PRESET. The logs are .ninja_log, which ninja writes, and tests.xml, which tools/check writes in JUnit's format.
+tests: prints each skipped test with its reason, and the number of tests. times: prints the slowest build steps and
+tests. FOLDER is build/PRESET. The logs are .ninja_log, which ninja writes, tests.xml, which tools/check writes in
+JUnit's format, and tests/results/RUN.xml, which GoogleTest writes for a run of several tests.
 """
 
 import re
@@ -24,10 +25,29 @@ def reason(output):
     return re.sub(r"^skipped:? *", "", told, flags=re.IGNORECASE) or "the test gave no reason"
 
 
-def skipped(folder):
-    for test in ElementTree.parse(folder / "tests.xml").iter("testcase"):
-        if test.get("status") in ("notrun", "disabled"):
-            yield f"Skipped {test.get('name')}: {reason(test.findtext('system-out') or '')}"
+def tests(folder):
+    """Yields the seconds, the name and, if it was skipped, the reason of each test: first of those of a run of
+    GoogleTest, where there is one."""
+    for run in ElementTree.parse(folder / "tests.xml").iter("testcase"):
+        results = folder / "tests" / "results" / f"{run.get('name')}.xml"
+        if not results.exists():
+            told = run.findtext("system-out") or ""
+            skipped = reason(told) if run.get("status") in ("notrun", "disabled") else None
+            yield float(run.get("time")), run.get("name"), skipped
+            continue
+        for test in ElementTree.parse(results).iter("testcase"):
+            if test.get("status") != "run":
+                continue
+            skips = [skip.get("message").partition("\n")[2] for skip in test.iter("skipped")]
+            skipped = "; ".join(dict.fromkeys(" ".join(skip.split()) for skip in skips)) if skips else None
+            yield float(test.get("time")), f"{test.get('classname')}.{test.get('name')}", skipped
+
+
+def report(folder):
+    found = list(tests(folder))
+    yield from (f"Skipped {name}: {skipped}" for _, name, skipped in found if skipped is not None)
+    skips = sum(skipped is not None for _, _, skipped in found)
+    yield f"Tests: {len(found) - skips} ran, {skips} were skipped."
 
 
 def build_steps(folder):
@@ -45,24 +65,19 @@ def build_steps(folder):
         yield (end - begin) / 1000, f"{match[1]}: {match[2]}" if match else output
 
 
-def tests(folder):
-    for test in ElementTree.parse(folder / "tests.xml").iter("testcase"):
-        yield float(test.get("time")), test.get("name")
-
-
 def times(folder):
     for title, log, read in (("build steps", ".ninja_log", build_steps), ("tests", "tests.xml", tests)):
         if not (folder / log).exists():
             yield f"{folder} has no {log}, so the times of its {title} are unknown; run tools/check."
             continue
-        found = sorted(read(folder), reverse=True)
+        found = sorted(((seconds, name) for seconds, name, *_ in read(folder)), reverse=True)
         yield f"{folder}: the slowest of {len(found)} {title}, which took {sum(seconds for seconds, _ in found):.0f} s"
         yield from (f"{seconds:8.1f} s  {name}" for seconds, name in found[:SLOWEST])
 
 
 def main():
     mode, folder = sys.argv[1], Path(sys.argv[2])
-    for line in {"skipped": skipped, "times": times}[mode](folder):
+    for line in {"tests": report, "times": times}[mode](folder):
         print(line)
 
 

@@ -35,9 +35,18 @@ add_test(NAME Suite.Case COMMAND printf
   "[ RUN ] Suite.Case\\n/a/b.cpp:12: Skipped\\nno zsh\\nhere\\n\\n[  SKIPPED ] Suite.Case\\n")
 set_tests_properties(Suite.Case PROPERTIES
   SKIP_REGULAR_EXPRESSION "[[]  SKIPPED []]")
+add_test(NAME joined.1 COMMAND ${CMAKE_COMMAND} -E copy ${PROJECT_SOURCE_DIR}/joined.xml tests/results/joined.1.xml)
 if(EXISTS ${PROJECT_SOURCE_DIR}/broken)
   add_test(NAME broken COMMAND sh -c "echo 'Test project x'; echo '100% tests passed, 0'; echo 'the reason'; exit 1")
 endif()
+END
+  cat >"$folder/joined.xml" <<'END'
+<testsuites><testsuite name="Joined">
+<testcase name="Runs" status="run" result="completed" time="7.5" classname="Joined" />
+<testcase name="IsOff" status="notrun" result="suppressed" time="0" classname="Joined" />
+<testcase name="NeedsATool" status="run" result="skipped" time="0" classname="Joined">
+<skipped message="/a/b.cpp:13&#x0A;no such&#x0A;tool here&#x0A;"></skipped>
+</testcase></testsuite></testsuites>
 END
 }
 
@@ -48,7 +57,9 @@ skipped_tests_are_told_with_their_reasons() {
   "$folder/tools/check" >"$folder/said" || fail "tools/check fails where all passed:" "$(<"$folder/said")"
   says "Skipped scripted: no such tool."
   says "Skipped Suite.Case: no zsh here"
-  says "100% tests passed, 0 tests failed out of 3"
+  says "Skipped Joined.NeedsATool: no such tool here"
+  says "Tests: 2 ran, 3 were skipped."
+  says "100% tests passed, 0 tests failed out of 4"
   is_silent_about "this passes"
   is_silent_about "silent"
   is_silent_about "did not run"
@@ -68,6 +79,7 @@ times_are_those_of_the_last_run() {
   printf '# ninja log v5\n0\t2500\t1\tcore/CMakeFiles/core.dir/a.cpp.o\tabc\n' >"$folder/build/dev/.ninja_log"
   "$folder/tools/check" --times >"$folder/said"
   says "     2.5 s  core: a.cpp.o"
+  says "     7.5 s  Joined.Runs"
   grep -q "s  silent$" "$folder/said" || fail "the time of a test is not told:" "$(<"$folder/said")"
   "$folder/tools/check" --times --preset none >"$folder/said"
   says "build/none has no tests.xml, so the times of its tests are unknown; run tools/check."
@@ -108,7 +120,7 @@ endif()
 END
   touch "$folder/waits"
   "$folder/tools/check" --ahead >"$folder/said" 2>&1 || fail "tools/check --ahead fails:" "$(<"$folder/said")"
-  says "100% tests passed, 0 tests failed out of 4"
+  says "100% tests passed, 0 tests failed out of 5"
   is_silent_about "no-ice"
   timeout 20 sh -c 'while pgrep -f "^sleep 4321"; do sleep 0.1; done' >/dev/null ||
     fail "tools/check has ended, but not what it built ahead"
