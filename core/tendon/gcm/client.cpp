@@ -171,7 +171,8 @@ class GcmClient::Implementation {
   TelemetryClient& telemetry() {
     const std::scoped_lock lock(mutex_);
     if (!telemetry_) {
-      telemetry_ = MakeTelemetryClient(middleware_, AddressResolver(), Mine(), BrokerFinder());
+      telemetry_ =
+          MakeTelemetryClient(middleware_, AddressResolver(), Mine(), BrokerFinder(), timeout_);
     }
     return *telemetry_;
   }

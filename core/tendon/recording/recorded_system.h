@@ -53,9 +53,11 @@ class RecordedSystem {
 /// All processes that a GCM knows. The client must outlive it.
 class GcmSystem final : public RecordedSystem {
  public:
-  /// `timeout` is the time limit of a request to a process.
+  /// `timeout` is the timeout of the client. The client ends its requests by itself, and its errors
+  /// name the process. Therefore, this object waits longer: until the client has opened a link and
+  /// has waited for the answer.
   GcmSystem(GcmClient& client, std::chrono::milliseconds timeout)
-      : client_(client), timeout_(timeout) {}
+      : client_(client), patience_(2 * timeout + std::chrono::seconds(1)) {}
 
   std::uint64_t revision() override {
     std::uint64_t revision = 0;
@@ -77,21 +79,22 @@ class GcmSystem final : public RecordedSystem {
   Result<message::ReadLogReply> ReadLog(const std::string& process,
                                         const message::ReadLog& wanted) override {
     return Wait<message::ReadLogReply>(
-        timeout_, [&](auto handler) { client_.ReadLog(process, wanted, handler); });
+        patience_, [&](auto handler) { client_.ReadLog(process, wanted, handler); });
   }
   Result<message::ProcessHistoryState> GetProcessHistory(const std::string& process) override {
     return Wait<message::ProcessHistoryState>(
-        timeout_, [&](auto handler) { client_.GetProcessHistory(process, handler); });
+        patience_, [&](auto handler) { client_.GetProcessHistory(process, handler); });
   }
   Result<Schema> FindSchema(const std::string& process, Fingerprint type) override {
-    return Wait<Schema>(timeout_, [&](auto handler) { client_.GetSchema(process, type, handler); });
+    return Wait<Schema>(patience_,
+                        [&](auto handler) { client_.GetSchema(process, type, handler); });
   }
   void Resync() override { client_.Resync(); }
   void WatchLog() override { client_.WatchLog(); }
 
  private:
   GcmClient& client_;
-  const std::chrono::milliseconds timeout_;
+  const std::chrono::milliseconds patience_;
 };
 
 }  // namespace tendon::recording

@@ -19,6 +19,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
+Error SentNothing(const std::string& sender, std::chrono::milliseconds timeout) {
+  return {ErrorCode::kTimeout,
+          sender + " sent nothing for " + std::to_string(timeout.count()) + " ms"};
+}
+
 /// Saves the history of a system into one file.
 class PastWriter {
  public:
@@ -42,9 +47,9 @@ class PastWriter {
   }
 
   Result<SavedEvents> SaveEvents(const EventSubscription& events, const Catalogue& catalogue) {
+    auto sink = queue_->SinkOf(events, TypesOf(events, catalogue));
     auto past = Read<PastEvents>(events.provided.process, [&](auto done) {
-      system_.ReadPastEvents(events, options_.last,
-                             queue_->SinkOf(events, TypesOf(events, catalogue)), done);
+      system_.ReadPastEvents(events, options_.last, std::move(sink), done);
     });
     if (!past) return past.error();
     return SavedEvents{ToString(events.provided), *std::move(past)};
@@ -84,16 +89,17 @@ class PastWriter {
   }
 
   /// Writes the log records of all processes, including records that only the GCM has, sorted by
-  /// time.
-  Result<void> SaveLog() {
-    auto has_all = WriteUntil([this] { return queue_->has_past_log(); });
-    if (!has_all) return has_all.error();
+  /// time. Returns false if the GCM has not sent all of its records.
+  Result<bool> SaveLog() {
+    auto has_all = WriteUntil([this] { return queue_->has_past_log(); }, options_.timeout);
+    if (!has_all) return has_all;
     std::erase_if(log_of_gcm_, [this](const message::LogRecord& record) {
       return std::ranges::any_of(received_log_[record.process], [&](const ReceivedLog& received) {
         return record.time > received.since && record.time <= received.until;
       });
     });
-    return WriteLog();
+    if (auto written = WriteLog(); !written) return written.error();
+    return has_all;
   }
 
   /// Passes all entries that have arrived to the writer, which counts the entries that it cannot
@@ -110,24 +116,30 @@ class PastWriter {
     std::int64_t until = 0;
   };
 
-  /// Nothing more is read from this process, because each request would time out.
+  /// Nothing more is read from this process, because each request would take as long as the first
+  /// one.
   void Skip(const std::string& process, const Error& reason) { skipped_.emplace(process, reason); }
 
-  /// Calls `begin(done)`, and waits for the end of this reading. If nothing arrives for
-  /// SaveLastOptions::timeout, the result contains this failure, and the process is skipped from
-  /// now on.
+  /// Calls `begin(done)`, and waits for the end of this reading. If it ends with kTimeout, or if
+  /// nothing arrives for longer than a reading may take to end by itself, the result contains this
+  /// failure, and the process is skipped from now on.
   template <typename Past, typename Begin>
   Result<Past> Read(const std::string& process, Begin begin) {
     if (!skipped_.contains(process)) {
+      // Opening a link, measuring the clock, and the answer.
+      const std::chrono::milliseconds longest = 3 * options_.timeout + 1s;
       const auto promise = std::make_shared<std::promise<Past>>();
       std::future<Past> arrival = promise->get_future();
       begin([promise](const Past& past) { promise->set_value(past); });
       const auto is_there =
-          WriteUntil([&] { return arrival.wait_for(0s) == std::future_status::ready; });
+          WriteUntil([&] { return arrival.wait_for(0s) == std::future_status::ready; }, longest);
       if (!is_there) return is_there.error();
-      if (*is_there) return arrival.get();
-      Skip(process, {ErrorCode::kTimeout, "process '" + process + "' sent nothing for " +
-                                              std::to_string(options_.timeout.count()) + " ms"});
+      if (*is_there) {
+        Past past = arrival.get();
+        if (past.failure && past.failure->code == ErrorCode::kTimeout) Skip(process, *past.failure);
+        return past;
+      }
+      Skip(process, SentNothing("process '" + process + "'", longest));
     }
     Past none;
     none.failure = skipped_.at(process);
@@ -135,16 +147,16 @@ class PastWriter {
   }
 
   /// Writes what has arrived until a condition is true. Returns false if nothing more arrives for
-  /// SaveLastOptions::timeout.
+  /// `timeout`.
   template <typename Predicate>
-  Result<bool> WriteUntil(Predicate done) {
-    SteadyTime deadline = SteadyClock().Now() + options_.timeout;
+  Result<bool> WriteUntil(Predicate done, std::chrono::milliseconds timeout) {
+    SteadyTime deadline = SteadyClock().Now() + timeout;
     while (true) {
       const bool is_done = done();
       const bool is_late = !is_done && SteadyClock().Now() >= deadline;
       const auto written = WriteSome(is_done || is_late ? 0ms : 10ms);
       if (!written) return written.error();
-      if (*written > 0) deadline = SteadyClock().Now() + options_.timeout;
+      if (*written > 0) deadline = SteadyClock().Now() + timeout;
       if ((is_done || is_late) && queue_->waiting_bytes() == 0) return is_done;
     }
   }
@@ -185,17 +197,22 @@ class PastWriter {
   }
 
   /// Returns the types of the events. A type is missing if the process does not return it; its
-  /// events are then lost.
+  /// events are then lost. If the process does not answer, it is skipped from now on.
   std::map<Fingerprint, Schema> TypesOf(const EventSubscription& events,
                                         const Catalogue& catalogue) {
     std::map<Fingerprint, Schema> types;
     const ProvidedDescription* provided = catalogue.FindProvided(events.provided);
-    if (provided == nullptr) return types;
+    const std::string& process = events.provided.process;
+    if (provided == nullptr || skipped_.contains(process)) return types;
     for (const MemberDescription& event : provided->events) {
       const Fingerprint type = event.signature.in;
       if (!TakesArgument(event.signature) || types.contains(type)) continue;
-      if (const auto schema = system_.FindSchema(events.provided.process, type)) {
+      const auto schema = system_.FindSchema(process, type);
+      if (schema) {
         types.emplace(type, *schema);
+      } else if (schema.error().code == ErrorCode::kTimeout) {
+        Skip(process, schema.error());
+        break;
       }
     }
     return types;
@@ -242,6 +259,10 @@ std::vector<std::string> LossesOf(const SaveLastReport& report) {
   }
   for (const auto& [path, lost] : report.losses.events) {
     if (lost > 0) add(path + ": " + Counted(lost, "event", "events"));
+  }
+  if (report.log_failure) {
+    all.push_back("the log of the GCM could not be read completely: " +
+                  report.log_failure->message);
   }
   if (report.losses.log > 0) add(Counted(report.losses.log, "log record", "log records"));
   return all;
@@ -315,7 +336,9 @@ Result<SaveLastReport> SaveLast(RecordedSystem& system,
     for (SavedProcess& saved : report.processes) {
       saved.log_failure = past_writer.ReadLog(saved.process);
     }
-    if (auto saved = past_writer.SaveLog(); !saved) return close_after(saved.error());
+    const auto saved = past_writer.SaveLog();
+    if (!saved) return close_after(saved.error());
+    if (!*saved) report.log_failure = SentNothing("the GCM", options.timeout);
   }
   report.losses = queue->losses();
   queue->Close();

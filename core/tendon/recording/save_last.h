@@ -21,7 +21,8 @@ struct SaveLastOptions {
   FileOptions files;                 ///< one file: without a split
   std::chrono::nanoseconds last{0};  ///< how far back
   bool has_log = true;
-  /// A reading ends if no row, event or log record arrives for this time.
+  /// The timeout of the client of `system`. The GCM must send its log within this time, and no
+  /// reading waits longer than three times this time and a second for the next rows or events.
   std::chrono::milliseconds timeout{2000};
 };
 
@@ -52,6 +53,7 @@ struct SaveLastReport {
   std::vector<SavedTable> tables{};
   std::vector<SavedEvents> events{};
   std::vector<SavedProcess> processes{};
+  std::optional<Error> log_failure{};  ///< the reason why not all log records of the GCM were read
   Counts counts{};
   Losses losses{};
   std::filesystem::path file;
@@ -60,8 +62,8 @@ struct SaveLastReport {
 /// Returns true if the events could not be saved because their process keeps no history;
 /// ReachText() contains this reason.
 [[nodiscard]] bool IsToldByProcess(const SavedEvents& events, const SaveLastReport& report);
-/// Returns a sentence for each log that could not be read completely, and for each table, event and
-/// log with entries that were sent, but are not in the file.
+/// Returns a sentence for each log that could not be read completely, also that of the GCM, and for
+/// each table, event and log with entries that were sent, but are not in the file.
 [[nodiscard]] std::vector<std::string> LossesOf(const SaveLastReport& report);
 /// Returns the sentences of LossesOf(), and a sentence for each process whose history is shorter
 /// than `wanted`, and for each table and interface that could not be saved completely.
@@ -73,8 +75,8 @@ struct SaveLastReport {
 /// present catalogue. If a process keeps no history, only the rows in its state tables are saved,
 /// which is about the last second.
 ///
-/// `queue` is the listener of `system`. Waits until everything is written. If nothing arrives from
-/// a process for the timeout, the reading ends, and nothing more is read from this process. Fails
+/// `queue` is the listener of `system`. Waits until everything is written. If a process does not
+/// answer a request in time, nothing more is read from this process. Fails
 /// with kNotFound if no table and no event matches a pattern, with kFailed if the process of a
 /// LocalSystem is busy, so that its tables are unknown, and with kExists if there is a file with
 /// this name. If a table or the events of an interface cannot be read completely, the reason is in

@@ -210,7 +210,7 @@ TEST_F(SaveLastTest, NamesAProcessThatHasEndedAndSavesTheOthers) {
   EXPECT_THAT(ReachText(saved->processes.at(0), 30s), HasSubstr("not known"));
 }
 
-/// Sends one row of each table, except those of the process "bad", which answers with kInvalid, or
+/// Sends one row of each table, except those of the process "bad", which answers with an error, or
 /// not at all.
 class PastTelemetry final : public TelemetryClient {
  public:
@@ -223,8 +223,7 @@ class PastTelemetry final : public TelemetryClient {
     if (table.process == "bad") {
       ++questions;
       if (is_silent) return;
-      return done({.failure = Error{ErrorCode::kInvalid,
-                                    "process 'bad' sent invalid rows of its history"}});
+      return done({.failure = Error{failure, "process 'bad' sent invalid rows of its history"}});
     }
     sink->OnSubscribed({SchemaOf<std::uint64_t>()});
     std::vector<std::byte> cell;
@@ -242,7 +241,8 @@ class PastTelemetry final : public TelemetryClient {
   }
 
   bool is_silent = false;
-  int questions = 0;  // to "bad"
+  ErrorCode failure = ErrorCode::kInvalid;  // of "bad"
+  int questions = 0;                        // to "bad"
 };
 
 /// The processes "bad" and "good" with a table and an event each. "bad" answers each request with
@@ -252,7 +252,12 @@ class OneBadProcess final : public RecordedSystem {
   OneBadProcess() {
     ComponentDescription arm{.name = "arm"};
     arm.tables.push_back({.name = "state", .columns = {{.name = "Number"}}});
-    arm.provided.push_back({.name = "Control", .events = {{.name = "Stopped"}}});
+    arm.provided.push_back(
+        {.name = "Control",
+         .events = {
+             {.name = "Stopped"},
+             {.name = "Moved", .signature = {CommandKind::kWrite, FingerprintOf<double>()}},
+             {.name = "Named", .signature = {CommandKind::kWrite, FingerprintOf<std::string>()}}}});
     std::uint64_t revision = 0;
     for (const char* name : {"bad", "good"}) {
       EXPECT_TRUE(catalogue_.Apply({.revision = ++revision,
@@ -301,17 +306,23 @@ class OneBadProcess final : public RecordedSystem {
     if (process == "bad" && log_of_bad.empty()) return Invalid();
     return message::ProcessHistoryState{.limit = 1, .span = 30s, .age = 30s, .reach = 30s};
   }
-  Result<Schema> FindSchema(const std::string& /*process*/, Fingerprint /*type*/) override {
-    return Invalid();
+  Result<Schema> FindSchema(const std::string& process, Fingerprint /*type*/) override {
+    if (process != "bad" || !is_slow_with_types) return Invalid();
+    ++questions;
+    return Error{ErrorCode::kTimeout, "no answer from bad within 100 ms"};
   }
   void Resync() override {}
-  void WatchLog() override {}
+  void WatchLog() override {
+    if (gcm_log) gcm_log->OnLog({.is_current = true});
+  }
 
+  std::shared_ptr<RecordingQueue> gcm_log;  // receives the log of the GCM; null: the GCM hangs
   bool has_endless_log = false;
+  bool is_slow_with_types = false;                // does not answer requests for types
   bool has_unknown_type = false;                  // that of the event of "good"
   std::vector<message::ReadLogReply> log_of_bad;  // its pages; the page after these is an error
   PastTelemetry past_telemetry;
-  int questions = 0;  // about past events and the log of "bad"
+  int questions = 0;  // about past events, types and the log of "bad"
 
  private:
   static Error Invalid() { return {ErrorCode::kInvalid, "the answer is invalid"}; }
@@ -321,6 +332,8 @@ class OneBadProcess final : public RecordedSystem {
 
 class SaveLastOfOneBadProcess : public testing::Test {
  protected:
+  SaveLastOfOneBadProcess() { system_.gcm_log = queue_; }
+
   Result<SaveLastReport> Save() {
     return SaveLast(system_, queue_,
                     {.patterns = {"**"}, .files = {.file = file_}, .last = 30s, .timeout = 100ms});
@@ -392,6 +405,42 @@ TEST_F(SaveLastOfOneBadProcess, AProcessThatDoesNotAnswerIsAskedOnce) {
   EXPECT_EQ(saved->events[0].past.failure->code, ErrorCode::kTimeout);
   EXPECT_EQ(saved->counts.rows, 1U);
   EXPECT_EQ(saved->counts.events, 1U);
+}
+
+TEST_F(SaveLastOfOneBadProcess, AProcessThatTimesOutIsNotAskedAgain) {
+  system_.past_telemetry.failure = ErrorCode::kTimeout;
+
+  const auto saved = Save();
+
+  ASSERT_TRUE(saved) << saved.error().message;
+  EXPECT_EQ(system_.past_telemetry.questions, 1);
+  EXPECT_EQ(system_.questions, 0) << "each would take as long as the first one";
+  EXPECT_EQ(saved->counts.rows, 1U);
+  EXPECT_EQ(saved->counts.events, 1U);
+}
+
+TEST_F(SaveLastOfOneBadProcess, AProcessThatDoesNotSendATypeInTimeIsNotAskedAgain) {
+  system_.is_slow_with_types = true;
+
+  const auto saved = Save();
+
+  ASSERT_TRUE(saved) << saved.error().message;
+  EXPECT_EQ(system_.questions, 1);
+  ASSERT_TRUE(saved->events.at(0).past.failure);
+  EXPECT_EQ(saved->events[0].past.failure->message, "no answer from bad within 100 ms");
+  EXPECT_EQ(saved->counts.events, 1U);
+}
+
+TEST_F(SaveLastOfOneBadProcess, SaysThatTheGcmHasNotSentItsLog) {
+  system_.gcm_log = nullptr;
+
+  const auto saved = Save();
+
+  ASSERT_TRUE(saved) << saved.error().message;
+  EXPECT_EQ(saved->counts.log, 1U) << "the log that the good process has kept";
+  EXPECT_THAT(LossesOf(*saved),
+              Contains("the log of the GCM could not be read completely: the GCM sent nothing for "
+                       "100 ms"));
 }
 
 TEST_F(SaveLastOfOneBadProcess, ALogWithoutEndIsCut) {

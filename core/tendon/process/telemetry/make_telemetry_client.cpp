@@ -77,12 +77,14 @@ class ChannelTelemetryClient final : public TelemetryClient {
 
 std::unique_ptr<TelemetryClient> MakeTelemetryClient(std::shared_ptr<Middleware> middleware,
                                                      ResolveAddress resolve, Hello mine,
-                                                     FindBroker find_broker) {
+                                                     FindBroker find_broker,
+                                                     std::chrono::milliseconds timeout) {
   return std::make_unique<ChannelTelemetryClient>(
       RowSource::Access{.middleware = std::move(middleware),
                         .resolve = std::move(resolve),
                         .hello = std::move(mine),
-                        .find_broker = std::move(find_broker)});
+                        .find_broker = std::move(find_broker),
+                        .past_timeout = timeout});
 }
 
 }  // namespace tendon

@@ -38,14 +38,14 @@ void RowSource::Remove(const std::shared_ptr<RowSubscription>& subscription) {
 }
 
 void RowSource::ReadPast(const std::shared_ptr<PastRowsReading>& reading) {
-  const auto opened = Open();
+  const auto opened = Open(std::max(kSourceOpenTimeout, access_.past_timeout / 2));
   opened ? AskForPastRows(channel_, reading) : reading->Fail(opened.error());
 }
 
 void RowSource::AskForPastRows(const std::shared_ptr<Channel>& channel,
                                const std::shared_ptr<PastRowsReading>& reading) {
   tendon::Ask<message::ReadRowsReply>(
-      *worker_, channel, message::kReadRows, reading->NextRequest(), kSourceAnswerTimeout,
+      *worker_, channel, message::kReadRows, reading->NextRequest(), access_.past_timeout,
       [self = shared_from_this(), channel, reading](const Result<message::ReadRowsReply>& page) {
         if (!page) return reading->Fail(page.error());
         if (reading->Take(*page, self->clock())) self->AskForPastRows(channel, reading);
@@ -70,7 +70,7 @@ void RowSource::Close() {
 /// Requests all subscriptions that are not active.
 void RowSource::RestoreAll() {
   if (items_.empty()) return;
-  if (const auto opened = Open(); !opened) {
+  if (const auto opened = Open(kSourceOpenTimeout); !opened) {
     for (const Item& item : items_) item.subscription->Interrupt(opened.error());
     return RetryLater();
   }
@@ -79,14 +79,13 @@ void RowSource::RestoreAll() {
   }
 }
 
-Result<void> RowSource::Open() {
+Result<void> RowSource::Open(std::chrono::milliseconds timeout) {
   if (channel_ && channel_->is_open()) return {};
   const auto address = access_.resolve(process_);
   if (!address) return address.error();
   Hello hello = access_.hello;
   hello.wanted = process_;
-  auto channel =
-      Channel::Open(*access_.middleware, *address, hello, shared_from_this(), kSourceOpenTimeout);
+  auto channel = Channel::Open(*access_.middleware, *address, hello, shared_from_this(), timeout);
   if (!channel) return channel.error();
   channel_ = *std::move(channel);
   {

@@ -82,6 +82,7 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
     ResolveAddress resolve;
     Hello hello;
     FindBroker find_broker{};
+    std::chrono::milliseconds past_timeout{2000};  // of each request for kept rows
     // The time of the last failed subscription at a broker, by address; used only on the worker.
     std::shared_ptr<std::map<std::string, SteadyTime>> failed_brokers =
         std::make_shared<std::map<std::string, SteadyTime>>();
@@ -129,7 +130,7 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   void OnClosed(const std::shared_ptr<Channel>& channel, const Error& reason) override;
 
   void RestoreAll();
-  Result<void> Open();
+  Result<void> Open(std::chrono::milliseconds timeout);
   void MeasureClock();
   /// Any thread.
   void AskForPastRows(const std::shared_ptr<Channel>& channel,
