@@ -2,10 +2,7 @@
 #include <tendon/middleware/channel.h>
 #include <tendon/process/viewer_messages.h>
 
-#include <algorithm>
 #include <csignal>
-#include <filesystem>
-#include <fstream>
 
 #include "system/faults/harness/fault_test.h"
 
@@ -17,17 +14,6 @@ using tendon::ProcessState;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
-
-/// Returns true if all threads of the process have stopped after a SIGSTOP.
-bool HasStopped(int pid) {
-  const std::filesystem::path threads = "/proc/" + std::to_string(pid) + "/task";
-  const auto is_stopped = [](const auto& thread) {
-    std::string stat;
-    std::getline(std::ifstream(thread.path() / "stat"), stat);
-    return stat.find(") T ") != std::string::npos;
-  };
-  return std::ranges::all_of(std::filesystem::directory_iterator(threads), is_stopped);
-}
 
 class HungLcm : public FaultTest {
  protected:

@@ -1,48 +1,23 @@
-#include <tendon/payload/codec.h>
 #include <tendon/recording/mcap/copy.h>
 #include <tendon/recording/mcap/verify.h>
-#include <tendon/recording/recording_format.h>
 
 #include <algorithm>
 #include <array>
 #include <csignal>
 #include <filesystem>
 #include <memory>
-#include <mutex>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "support/machine/sanitized.h"
 #include "system/faults/harness/fault_test.h"
+#include "system/faults/harness/recorded_samples.h"
 
 namespace faults {
 namespace {
 
 namespace mcap = tendon::mcap;
-
-/// Follows the ledger's samples, which have consecutive numbers.
-class NewestNumber final : public tendon::RowSink {
- public:
-  /// Returns the number of the newest sample that has arrived; 0 before the first.
-  [[nodiscard]] std::uint64_t number() const {
-    const std::scoped_lock lock(mutex_);
-    return number_;
-  }
-
- private:
-  void OnSubscribed(const std::vector<tendon::Schema>& /*columns*/) override {}
-  void OnRows(const tendon::RowBatch& batch) override {
-    Numbered sample;
-    if (batch.count == 0 || !tendon::Decode(batch.cell(batch.count - 1, 0), sample)) return;
-    const std::scoped_lock lock(mutex_);
-    number_ = sample.number;
-  }
-  void OnStale(const tendon::Error& /*reason*/) override {}
-
-  mutable std::mutex mutex_;
-  std::uint64_t number_ = 0;
-};
 
 /// A `gcm record` of the ledger's samples that is killed.
 struct KilledRecording {
@@ -97,37 +72,8 @@ class RecordingFaults : public FaultTest {
     return all;
   }
 
-  /// Returns the numbers of the samples in a file. Expects that they are consecutive. Samples may
-  /// be missing only if MayExpireLeases(), and then at most as many as the file tells. A loss in
-  /// the middle of a batch is told before the batch, so the sums are compared.
-  [[nodiscard]] std::vector<std::uint64_t> NumbersIn(mcap::Reader& reader) const {
-    std::vector<std::uint64_t> numbers;
-    std::uint64_t told = 0;
-    std::uint64_t missing = 0;
-    const bool may_lose = MayExpireLeases();
-    mcap::MessageStream messages = reader.Messages({.order = mcap::Query::Order::kFile});
-    while (const auto message = messages.Next()) {
-      const mcap::Channel* channel = reader.FindChannel(message->channel_id);
-      if (channel == nullptr) continue;
-      const mcap::ByteView body = tendon::recording::BodyOf(message->data);
-      if (channel->topic == tendon::recording::kLossTopic) {
-        tendon::recording::Loss loss;
-        EXPECT_TRUE(tendon::Decode(body, loss));
-        told += loss.table + loss.network + loss.recorder;
-      }
-      if (channel->topic != "robot/ledger/state/Sample") continue;
-      Numbered sample;
-      EXPECT_TRUE(tendon::Decode(body, sample));
-      EXPECT_TRUE(IsWhole(sample)) << sample.number;
-      if (!numbers.empty()) {
-        EXPECT_GT(sample.number, numbers.back());
-        missing += sample.number - numbers.back() - 1;
-        EXPECT_LE(missing, may_lose ? told : 0) << "before " << sample.number;
-      }
-      numbers.push_back(sample.number);
-    }
-    EXPECT_TRUE(messages.is_complete());
-    return numbers;
+  [[nodiscard]] std::vector<std::uint64_t> LedgerIn(mcap::Reader& reader) const {
+    return NumbersIn(reader, "robot/ledger/state", MayExpireLeases() ? Gaps::kTold : Gaps::kNone);
   }
 
   const std::shared_ptr<NewestNumber> newest_ = std::make_shared<NewestNumber>();
@@ -151,7 +97,7 @@ TEST_P(RecordingFaults, AKilledRecorderLosesASecondAtMostAndLeavesWholeChunks) {
                    std::to_string(one.newest));
       const auto reader = mcap::Reader::Open(one.file);
       ASSERT_TRUE(reader) << reader.error().message;
-      const auto numbers = NumbersIn(**reader);
+      const auto numbers = LedgerIn(**reader);
       const std::uint64_t last = numbers.empty() ? one.begin : numbers.back();
       if (one.newest > last) most_lost = std::max(most_lost, one.newest - last);
       ASSERT_GE((*reader)->problems().count(), 1U);
@@ -168,7 +114,7 @@ TEST_P(RecordingFaults, AKilledRecorderLosesASecondAtMostAndLeavesWholeChunks) {
       ASSERT_TRUE(whole) << whole.error().message;
       EXPECT_FALSE((*whole)->was_scanned());
       EXPECT_TRUE(tendon::mcap::Verify(**whole).is_intact());
-      EXPECT_EQ(NumbersIn(**whole), numbers);
+      EXPECT_EQ(LedgerIn(**whole), numbers);
     }
   }
 
@@ -206,7 +152,7 @@ TEST_P(RecordingFaults, AFullDiskEndsTheRecordingAloneAndTellsWhatIsSafe) {
   EXPECT_NE(record.err().find(" are in the file"), std::string::npos) << record.err();
   const auto reader = mcap::Reader::Open(std::filesystem::path(copy));
   ASSERT_TRUE(reader) << reader.error().message;
-  const auto numbers = NumbersIn(**reader);
+  const auto numbers = LedgerIn(**reader);
   ASSERT_GT(numbers.size(), 1000U);
   EXPECT_TRUE(mcap::Verify(**reader).is_intact())
       << "the file is completed in the space that was reserved";

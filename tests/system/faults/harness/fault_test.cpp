@@ -47,6 +47,7 @@ std::string SystemFile(const std::string& folder) {
          process("desk", ComponentText("client", "Client", folder)) + ", " +
          process("mate", ComponentText("client", "Client", folder)) + ", " +
          process("well", ComponentText("fountain", "Fountain")) + ", " +
+         process("witness", ComponentText("herald", "Herald")) + ", " +
          process("noisy", ComponentText("raver", "Raver") + ", " + ComponentText("calm", "Calm")) +
          ", " + process("post", ComponentText("receiver", "Receiver", folder)) + ", " +
          process("shop", ComponentText("sender", "Sender")) + ", " +
@@ -74,6 +75,16 @@ const std::vector<std::string>& Edits() {
                                               "WithMore",     "WithLess",     "InOtherOrder",
                                               "OfOtherShape", "InOtherFrames"};
   return edits;
+}
+
+bool HasStopped(int pid) {
+  const fs::path threads = "/proc/" + std::to_string(pid) + "/task";
+  const auto is_stopped = [](const auto& thread) {
+    std::string stat;
+    std::getline(std::ifstream(thread.path() / "stat"), stat);
+    return stat.find(") T ") != std::string::npos;
+  };
+  return std::ranges::all_of(fs::directory_iterator(threads), is_stopped);
 }
 
 std::vector<std::string> Middlewares() { return program::MiddlewareNames(); }

@@ -101,6 +101,9 @@ class FaultTest : public testing::TestWithParam<std::string> {
 /// component that has the edited type.
 const std::vector<std::string>& Edits();
 
+/// Returns true if all threads of the process have stopped after a SIGSTOP.
+bool HasStopped(int pid);
+
 /// Returns the names of all middlewares in this build, the default first.
 std::vector<std::string> Middlewares();
 inline std::string NameOfMiddleware(const testing::TestParamInfo<std::string>& info) {

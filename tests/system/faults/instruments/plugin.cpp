@@ -3,6 +3,7 @@
 #include <tests/system/faults/instruments/drive.h>
 #include <tests/system/faults/instruments/edited.h>
 #include <tests/system/faults/instruments/fountain.h>
+#include <tests/system/faults/instruments/herald.h>
 #include <tests/system/faults/instruments/jogger.h>
 #include <tests/system/faults/instruments/ledger.h>
 #include <tests/system/faults/instruments/loggers.h>
@@ -15,6 +16,7 @@ extern "C" void TendonRegisterComponents(tendon::ComponentRegistry& registry) {
   registry.Add<Drive>("Drive");
   registry.Add<Driver>("Driver");
   registry.Add<Fountain>("Fountain");
+  registry.Add<Herald>("Herald");
   registry.Add<Jogger>("Jogger");
   registry.Add<Raver>("Raver");
   registry.Add<Calm>("Calm");
