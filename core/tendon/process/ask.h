@@ -11,9 +11,9 @@
 
 namespace tendon {
 
-/// Calls Channel::Request() with a timeout. If the peer does not know the request, the error says
-/// that the peer is older, see ExplainRefusal(). `timer` calls Channel::Expire(), which ends the
-/// request. If `timer` ends, the request no longer times out.
+/// Calls Channel::Request() with a timeout. The error is explained for this request, see
+/// ExplainFailure(). `timer` calls Channel::Expire(), which ends the request. If `timer` ends, the
+/// request no longer times out.
 template <Payload Answer, Message T>
 void Ask(Worker& timer, const std::shared_ptr<Channel>& channel, MessageType type, const T& value,
          std::chrono::milliseconds timeout, std::function<void(Result<Answer>)> handler,
@@ -22,7 +22,7 @@ void Ask(Worker& timer, const std::shared_ptr<Channel>& channel, MessageType typ
       type, 0, value, timeout,
       [handler = std::move(handler), type, peer = channel->peer().name](Result<Answer> answer) {
         if (answer) return handler(std::move(answer));
-        handler(ExplainRefusal(answer.error(), type, peer));
+        handler(ExplainFailure(answer.error(), type, peer));
       },
       lane);
   timer.PostAfter(timeout + std::chrono::milliseconds(1), [peer = std::weak_ptr(channel)] {

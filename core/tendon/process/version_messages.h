@@ -32,8 +32,9 @@ namespace tendon {
 /// The version of this program.
 [[nodiscard]] message::ProgramVersion OwnVersion();
 
-/// Returns `refusal`, the answer of `peer` to a request. If the peer does not know this request,
-/// because it runs an older version of Tendon, the error says this and what to do.
-[[nodiscard]] Error ExplainRefusal(Error refusal, MessageType request, const std::string& peer);
+/// Returns `failure`, the reason why a request to `peer` failed. If the peer does not know this
+/// request, because it runs an older version of Tendon, the error says this and what to do. If a
+/// viewer may send this request, it has no outcome, so the error does not call the outcome unknown.
+[[nodiscard]] Error ExplainFailure(Error failure, MessageType request, const std::string& peer);
 
 }  // namespace tendon
