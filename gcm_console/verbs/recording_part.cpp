@@ -2,12 +2,14 @@
 #include <gcm_console/output/text.h>
 #include <gcm_console/verbs/recording_part.h>
 #include <program/command_line.h>
+#include <tendon/base/os/termination.h>
 #include <tendon/base/path.h>
 #include <tendon/base/text.h>
 #include <tendon/recording/recording_format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
 #include <limits>
 
 namespace console {
@@ -100,6 +102,14 @@ Result<mcap::Query> PartQuery(const mcap::Reader& reader, const RecordingPart& o
     }
   }
   return query;
+}
+
+bool IsInterrupted() { return tendon::os::TerminationRequested(std::chrono::milliseconds(0)); }
+
+Result<ExitCode> FailureOf(Context& context, const Error& failure) {
+  if (!tendon::os::WasTerminationRequested()) return failure;
+  context.err() << "gcm: " << Plain(failure.message) << '\n';
+  return program::kInterrupted;
 }
 
 ExitCode PrintProblems(Context& context, const std::vector<mcap::Problem>& problems,

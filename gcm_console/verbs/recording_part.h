@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-/// Options and functions of the verbs that read recordings.
+/// Options and functions of the verbs that read or write recordings.
 namespace console {
 
 /// A part of a recording, as given on the command line.
@@ -39,6 +39,12 @@ std::optional<std::pair<tendon::mcap::Timestamp, tendon::mcap::Timestamp>> Recor
 /// Returns the query for the messages of the part. Returns kNotFound if a path matches nothing.
 Result<tendon::mcap::Query> PartQuery(const tendon::mcap::Reader& reader,
                                       const RecordingPart& options);
+
+/// Returns true once after the user has asked the program to stop.
+bool IsInterrupted();
+/// Returns the result of work that has failed: `failure`, unless IsInterrupted() has stopped the
+/// work.
+Result<ExitCode> FailureOf(Context& context, const Error& failure);
 
 /// Prints the problems of a file. Returns the exit code: kOk if there are no problems.
 ExitCode PrintProblems(Context& context, const std::vector<tendon::mcap::Problem>& problems,

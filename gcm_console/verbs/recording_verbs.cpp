@@ -17,7 +17,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -204,17 +203,6 @@ ExitCode ReportCopy(Context& context, const std::string& file, const mcap::CopyR
   return PrintProblems(context, report.problems, report.problem_count);
 }
 
-/// Returns true once after the user has asked the program to stop.
-bool IsInterrupted() { return tendon::os::TerminationRequested(std::chrono::milliseconds(0)); }
-
-/// The result of work that IsInterrupted() may have stopped.
-template <typename T>
-Result<ExitCode> FailureOf(Context& context, const Result<T>& result) {
-  if (!tendon::os::WasTerminationRequested()) return result.error();
-  context.err() << "gcm: " << Plain(result.error().message) << '\n';
-  return program::kInterrupted;
-}
-
 Result<ExitCode> RecoverFile(Context& context, const RecordingPart& options) {
   const std::filesystem::path from(options.file);
   const std::filesystem::path to =
@@ -223,7 +211,7 @@ Result<ExitCode> RecoverFile(Context& context, const RecordingPart& options) {
           : std::filesystem::path(options.output);
   tendon::os::HoldTerminationSignals();  // so that an incomplete file is removed
   const auto report = mcap::Recover(from, to, {}, &IsInterrupted);
-  if (!report) return FailureOf(context, report);
+  if (!report) return FailureOf(context, report.error());
   const ExitCode code = ReportCopy(context, to.string(), *report);
   // A damaged file is normal for this verb. The verb fails only if no message could be copied.
   return report->messages > 0 ? program::kOk : code;
@@ -237,7 +225,7 @@ Result<ExitCode> CutFile(Context& context, const RecordingPart& options) {
   query->order = mcap::Query::Order::kFile;
   tendon::os::HoldTerminationSignals();
   const auto report = mcap::Copy(**reader, *query, options.output, {}, &IsInterrupted);
-  if (!report) return FailureOf(context, report);
+  if (!report) return FailureOf(context, report.error());
   return ReportCopy(context, options.output, *report);
 }
 
@@ -320,7 +308,7 @@ Result<ExitCode> ExportFile(Context& context, const ExportOptions& options) {
   if (!query) return query.error();
   tendon::os::HoldTerminationSignals();
   const auto figures = Export(**reader, *query, options);
-  if (!figures) return FailureOf(context, figures);
+  if (!figures) return FailureOf(context, figures.error());
   if (context.settings().json) {
     context.PrintJson(ExportJson(*figures));
   } else {

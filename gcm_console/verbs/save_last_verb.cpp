@@ -5,6 +5,7 @@
 #include <gcm_console/verbs/recording_part.h>
 #include <gcm_console/verbs/verb.h>
 #include <program/command_line.h>
+#include <tendon/base/os/termination.h>
 #include <tendon/base/text.h>
 #include <tendon/recording/save_last.h>
 
@@ -44,7 +45,8 @@ tendon::recording::SaveLastOptions SaveLastOptionsOf(const Context& context,
           .files = {.file = words.file, .compression = words.compression},
           .last = TimeOf(words.seconds),
           .has_log = !words.has_no_log,
-          .timeout = context.settings().timeout};
+          .timeout = context.settings().timeout,
+          .stop = &IsInterrupted};
 }
 
 /// Prints one line: "robot/arm/state: 29.98 s of 30 s, 29980 rows".
@@ -55,8 +57,11 @@ void PrintTable(Context& context, const SavedTable& table, double wanted) {
     context.out() << "nothing: " << Plain(failure->message) << '\n';
     return;
   }
-  context.out() << Fixed(std::min(SecondsOf(reach), wanted), 2) << " s of " << Fixed(wanted, 0)
-                << " s, " << tendon::Counted(rows, "row", "rows");
+  if (!failure || reach.count() > 0) {
+    context.out() << Fixed(std::min(SecondsOf(reach), wanted), 2) << " s of " << Fixed(wanted, 0)
+                  << " s, ";
+  }
+  context.out() << tendon::Counted(rows, "row", "rows");
   if (lost > 0) context.out() << ", " << lost << " lost";
   if (failure) context.out() << ", then nothing more: " << Plain(failure->message);
   context.out() << '\n';
@@ -132,14 +137,20 @@ Result<ExitCode> SaveLastSeconds(Context& context, const SaveLastWords& words) {
   if (words.seconds <= 0.0) {
     return Error{ErrorCode::kInvalid, "the time must be above 0, such as: gcm save-last 30s ..."};
   }
+  tendon::os::HoldTerminationSignals();  // so that an interrupted file is completed
   const auto queue = std::make_shared<tendon::recording::RecordingQueue>();
   const auto client = context.Client(queue);
   if (!client) return client.error();
   tendon::recording::GcmSystem system(**client, context.settings().timeout);
   const auto report = tendon::recording::SaveLast(system, queue, SaveLastOptionsOf(context, words));
-  if (!report) return report.error();
+  if (!report) return FailureOf(context, report.error());
   context.settings().json ? PrintJsonReport(context, *report, words.seconds)
                           : PrintReport(context, *report, words.seconds);
+  if (report->is_stopped) {
+    context.err() << "gcm: interrupted; " << Plain(report->file.string())
+                  << " has only what was saved until then\n";
+    return program::kInterrupted;
+  }
   const bool is_whole =
       LossesOf(*report).empty() &&
       std::ranges::none_of(report->tables,

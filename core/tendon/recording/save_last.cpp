@@ -12,6 +12,8 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <system_error>
+#include <type_traits>
 #include <utility>
 
 namespace tendon::recording {
@@ -24,6 +26,8 @@ Error SentNothing(const std::string& sender, std::chrono::milliseconds timeout) 
           sender + " sent nothing for " + std::to_string(timeout.count()) + " ms"};
 }
 
+Error Stopped() { return {ErrorCode::kFailed, "the saving was interrupted"}; }
+
 /// Saves the history of a system into one file.
 class PastWriter {
  public:
@@ -32,6 +36,7 @@ class PastWriter {
       : system_(system), queue_(std::move(queue)), writer_(writer), options_(options) {}
 
   Result<message::ProcessHistoryState> GetHistory(const std::string& process) {
+    if (auto reason = WhyNotRead(process)) return *std::move(reason);
     auto history = system_.GetProcessHistory(process);
     if (!history && history.error().code == ErrorCode::kTimeout) Skip(process, history.error());
     return history;
@@ -59,13 +64,12 @@ class PastWriter {
   /// returns the reason. In this case, the missing records are taken from the GCM, as far as it has
   /// them.
   std::optional<Error> ReadLog(const std::string& process) {
-    const auto skipped = skipped_.find(process);
-    if (skipped != skipped_.end()) return skipped->second;
     constexpr int kMostPages = 1024;  // 128 MiB, if the process is not malicious
     std::vector<ReceivedLog>& received = received_log_[process];
     message::ReadLog wanted{.last = options_.last};
     std::uint64_t end = 0;
     for (int pages = 0; pages < kMostPages; ++pages) {
+      if (auto reason = WhyNotRead(process)) return reason;
       auto page = system_.ReadLog(process, wanted);
       if (!page) return page.error();
       if (pages == 0) end = page->end;
@@ -89,17 +93,18 @@ class PastWriter {
   }
 
   /// Writes the log records of all processes, including records that only the GCM has, sorted by
-  /// time. Returns false if the GCM has not sent all of its records.
-  Result<bool> SaveLog() {
-    auto has_all = WriteUntil([this] { return queue_->has_past_log(); }, options_.timeout);
-    if (!has_all) return has_all;
+  /// time. If the GCM has not sent all of its records, returns the reason.
+  Result<std::optional<Error>> SaveLog() {
+    const auto has_all = WriteUntil([this] { return queue_->has_past_log(); }, options_.timeout);
+    if (!has_all) return has_all.error();
     std::erase_if(log_of_gcm_, [this](const message::LogRecord& record) {
       return std::ranges::any_of(received_log_[record.process], [&](const ReceivedLog& received) {
         return record.time > received.since && record.time <= received.until;
       });
     });
     if (auto written = WriteLog(); !written) return written.error();
-    return has_all;
+    if (*has_all) return std::optional<Error>();
+    return std::optional(is_stopped_ ? Stopped() : SentNothing("the GCM", options_.timeout));
   }
 
   /// Passes all entries that have arrived to the writer, which counts the entries that it cannot
@@ -109,6 +114,9 @@ class PastWriter {
     (void)WriteLog();
   }
 
+  /// Returns true if SaveLastOptions::stop has ended the reading.
+  [[nodiscard]] bool is_stopped() const { return is_stopped_; }
+
  private:
   /// The time span, in ns since 1970, for which a process has sent all its log records.
   struct ReceivedLog {
@@ -116,6 +124,16 @@ class PastWriter {
     std::int64_t until = 0;
   };
 
+  [[nodiscard]] bool IsStopped() {
+    is_stopped_ = is_stopped_ || (options_.stop && options_.stop());
+    return is_stopped_;
+  }
+  /// Returns the reason why nothing more is read from this process; empty if there is none.
+  [[nodiscard]] std::optional<Error> WhyNotRead(const std::string& process) {
+    if (IsStopped()) return Stopped();
+    const auto skipped = skipped_.find(process);
+    return skipped == skipped_.end() ? std::nullopt : std::optional(skipped->second);
+  }
   /// Nothing more is read from this process, because each request would take as long as the first
   /// one.
   void Skip(const std::string& process, const Error& reason) { skipped_.emplace(process, reason); }
@@ -125,7 +143,8 @@ class PastWriter {
   /// failure, and the process is skipped from now on.
   template <typename Past, typename Begin>
   Result<Past> Read(const std::string& process, Begin begin) {
-    if (!skipped_.contains(process)) {
+    const Counts before = writer_.counts();
+    if (!WhyNotRead(process)) {
       // Opening a link, measuring the clock, and the answer.
       const std::chrono::milliseconds longest = 3 * options_.timeout + 1s;
       const auto promise = std::make_shared<std::promise<Past>>();
@@ -139,19 +158,24 @@ class PastWriter {
         if (past.failure && past.failure->code == ErrorCode::kTimeout) Skip(process, *past.failure);
         return past;
       }
-      Skip(process, SentNothing("process '" + process + "'", longest));
+      if (!is_stopped_) Skip(process, SentNothing("process '" + process + "'", longest));
     }
-    Past none;
-    none.failure = skipped_.at(process);
-    return none;
+    Past part;  // how far it reaches back is not known
+    if constexpr (std::is_same_v<Past, PastRows>) {
+      part.rows = writer_.counts().rows - before.rows;
+    } else {
+      part.events = writer_.counts().events - before.events;
+    }
+    part.failure = WhyNotRead(process);
+    return part;
   }
 
   /// Writes what has arrived until a condition is true. Returns false if nothing more arrives for
-  /// `timeout`.
+  /// `timeout`, or if the reading is stopped.
   template <typename Predicate>
   Result<bool> WriteUntil(Predicate done, std::chrono::milliseconds timeout) {
     SteadyTime deadline = SteadyClock().Now() + timeout;
-    while (true) {
+    while (!IsStopped()) {
       const bool is_done = done();
       const bool is_late = !is_done && SteadyClock().Now() >= deadline;
       const auto written = WriteSome(is_done || is_late ? 0ms : 10ms);
@@ -159,6 +183,7 @@ class PastWriter {
       if (*written > 0) deadline = SteadyClock().Now() + timeout;
       if ((is_done || is_late) && queue_->waiting_bytes() == 0) return is_done;
     }
+    return false;
   }
 
   /// Returns the number of entries that have arrived. Continues after a failure. Log records are
@@ -203,16 +228,16 @@ class PastWriter {
     std::map<Fingerprint, Schema> types;
     const ProvidedDescription* provided = catalogue.FindProvided(events.provided);
     const std::string& process = events.provided.process;
-    if (provided == nullptr || skipped_.contains(process)) return types;
+    if (provided == nullptr) return types;
     for (const MemberDescription& event : provided->events) {
       const Fingerprint type = event.signature.in;
       if (!TakesArgument(event.signature) || types.contains(type)) continue;
+      if (WhyNotRead(process)) break;
       const auto schema = system_.FindSchema(process, type);
       if (schema) {
         types.emplace(type, *schema);
       } else if (schema.error().code == ErrorCode::kTimeout) {
         Skip(process, schema.error());
-        break;
       }
     }
     return types;
@@ -226,6 +251,7 @@ class PastWriter {
   std::vector<message::LogRecord> log_of_gcm_;  // records that the GCM has sent
   std::map<std::string, std::vector<ReceivedLog>> received_log_;  // by process
   std::map<std::string, Error> skipped_;                          // processes that do not answer
+  bool is_stopped_ = false;
 };
 
 }  // namespace
@@ -336,15 +362,22 @@ Result<SaveLastReport> SaveLast(RecordedSystem& system,
     for (SavedProcess& saved : report.processes) {
       saved.log_failure = past_writer.ReadLog(saved.process);
     }
-    const auto saved = past_writer.SaveLog();
-    if (!saved) return close_after(saved.error());
-    if (!*saved) report.log_failure = SentNothing("the GCM", options.timeout);
+    auto failure = past_writer.SaveLog();
+    if (!failure) return close_after(failure.error());
+    report.log_failure = *std::move(failure);
   }
   report.losses = queue->losses();
   queue->Close();
   if (auto closed = (*writer)->Close(report.losses); !closed) return closed.error();
   report.losses += (*writer)->losses();
   report.counts = (*writer)->counts();
+  report.is_stopped = past_writer.is_stopped();
+  if (report.is_stopped && report.counts.rows + report.counts.events + report.counts.log == 0) {
+    std::error_code ignored;
+    std::filesystem::remove(report.file, ignored);
+    return Error{ErrorCode::kFailed,
+                 "the saving was interrupted before anything was read; no file was written"};
+  }
   return report;
 }
 

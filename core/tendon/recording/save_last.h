@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tendon/base/os/part_file.h>
 #include <tendon/base/result.h>
 #include <tendon/recording/recorded_system.h>
 #include <tendon/recording/recording_queue.h>
@@ -24,6 +25,7 @@ struct SaveLastOptions {
   /// The timeout of the client of `system`. The GCM must send its log within this time, and no
   /// reading waits longer than three times this time and a second for the next rows or events.
   std::chrono::milliseconds timeout{2000};
+  os::StopRequest stop{};  ///< after it has returned true, nothing more is read
 };
 
 /// The part of one table that was saved.
@@ -54,6 +56,7 @@ struct SaveLastReport {
   std::vector<SavedEvents> events{};
   std::vector<SavedProcess> processes{};
   std::optional<Error> log_failure{};  ///< the reason why not all log records of the GCM were read
+  bool is_stopped = false;  ///< SaveLastOptions::stop has returned true: the file has only a part
   Counts counts{};
   Losses losses{};
   std::filesystem::path file;
@@ -76,11 +79,13 @@ struct SaveLastReport {
 /// which is about the last second.
 ///
 /// `queue` is the listener of `system`. Waits until everything is written. If a process does not
-/// answer a request in time, nothing more is read from this process. Fails
-/// with kNotFound if no table and no event matches a pattern, with kFailed if the process of a
-/// LocalSystem is busy, so that its tables are unknown, and with kExists if there is a file with
-/// this name. If a table or the events of an interface cannot be read completely, the reason is in
-/// their entry of the report, and the other data is saved. Must not be called in a handler.
+/// answer a request in time, nothing more is read from this process. If a table or the events of an
+/// interface cannot be read completely, the reason is in their entry of the report, and the other
+/// data is saved. The same holds for everything that is not read because of `options.stop`; if
+/// nothing was read, no file remains, and the result is kFailed. Fails with kNotFound if no table
+/// and no event matches a pattern, with kFailed if the process of a LocalSystem is busy, so that
+/// its tables are unknown, and with kExists if there is a file with this name. Must not be called
+/// in a handler.
 Result<SaveLastReport> SaveLast(RecordedSystem& system,
                                 const std::shared_ptr<RecordingQueue>& queue,
                                 SaveLastOptions options);

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tendon/gcm/text.h>
+#include <tendon/recording/mcap/verify.h>
 #include <tendon/recording/save_last.h>
 
 #include <chrono>
@@ -21,6 +22,7 @@ namespace {
 
 using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -237,12 +239,15 @@ class PastTelemetry final : public TelemetryClient {
     batch.times = times;
     batch.cell = [&](std::size_t /*row*/, std::size_t /*column*/) { return std::span(cell); };
     sink->OnRows(batch);
-    done({.rows = 1, .reach = 1ms});
+    ++answers;
+    if (!is_endless) done({.rows = 1, .reach = 1ms});
   }
 
-  bool is_silent = false;
+  bool is_silent = false;                   // "bad" does not answer
+  bool is_endless = false;                  // "good" seems to have more rows, but sends no more
   ErrorCode failure = ErrorCode::kInvalid;  // of "bad"
   int questions = 0;                        // to "bad"
+  int answers = 0;                          // of "good"
 };
 
 /// The processes "bad" and "good" with a table and an event each. "bad" answers each request with
@@ -334,9 +339,17 @@ class SaveLastOfOneBadProcess : public testing::Test {
  protected:
   SaveLastOfOneBadProcess() { system_.gcm_log = queue_; }
 
-  Result<SaveLastReport> Save() {
+  Result<SaveLastReport> Save(os::StopRequest stop = {}) {
     return SaveLast(system_, queue_,
-                    {.patterns = {"**"}, .files = {.file = file_}, .last = 30s, .timeout = 100ms});
+                    {.patterns = {"**"},
+                     .files = {.file = file_},
+                     .last = 30s,
+                     .timeout = 100ms,
+                     .stop = std::move(stop)});
+  }
+  /// Returns true if the row of "good" is in the file.
+  [[nodiscard]] bool HasRow() const {
+    return system_.past_telemetry.answers > 0 && queue_->waiting_bytes() == 0;
   }
 
   /// A log record of "bad". Its text is its time in ns since `begin_`.
@@ -441,6 +454,50 @@ TEST_F(SaveLastOfOneBadProcess, SaysThatTheGcmHasNotSentItsLog) {
   EXPECT_THAT(LossesOf(*saved),
               Contains("the log of the GCM could not be read completely: the GCM sent nothing for "
                        "100 ms"));
+}
+
+TEST_F(SaveLastOfOneBadProcess, ReadsNothingMoreAfterAStop) {
+  const auto saved = Save([this] { return HasRow(); });
+
+  ASSERT_TRUE(saved) << saved.error().message;
+  EXPECT_TRUE(saved->is_stopped);
+  EXPECT_FALSE(saved->tables.at(1).past.failure);
+  EXPECT_EQ(saved->counts.rows, 1U);
+  EXPECT_EQ(system_.questions, 0) << "about events and the log";
+  for (const SavedEvents& events : saved->events) {
+    ASSERT_TRUE(events.past.failure) << events.path;
+    EXPECT_EQ(events.past.failure->message, "the saving was interrupted");
+  }
+  EXPECT_EQ(saved->counts.events, 0U);
+  EXPECT_THAT(
+      LossesOf(*saved),
+      ElementsAre("good: its log could not be read completely: the saving was interrupted",
+                  "the log of the GCM could not be read completely: the saving was interrupted"));
+  const auto reader = mcap::Reader::Open(file_);
+  ASSERT_TRUE(reader) << reader.error().message;
+  EXPECT_TRUE(mcap::Verify(**reader).is_intact());
+}
+
+TEST_F(SaveLastOfOneBadProcess, AStopDuringAReadingTellsTheRowsThatAreInTheFile) {
+  system_.past_telemetry.is_endless = true;
+
+  const auto saved = Save([this] { return HasRow(); });
+
+  ASSERT_TRUE(saved) << saved.error().message;
+  const PastRows& past = saved->tables.at(1).past;
+  EXPECT_EQ(past.rows, 1U);
+  ASSERT_TRUE(past.failure);
+  EXPECT_EQ(past.failure->message, "the saving was interrupted");
+  EXPECT_EQ(saved->counts.rows, 1U);
+}
+
+TEST_F(SaveLastOfOneBadProcess, AStopBeforeAnyDataLeavesNoFile) {
+  const auto saved = Save([] { return true; });
+
+  ASSERT_FALSE(saved);
+  EXPECT_EQ(saved.error().message,
+            "the saving was interrupted before anything was read; no file was written");
+  EXPECT_FALSE(std::filesystem::exists(file_));
 }
 
 TEST_F(SaveLastOfOneBadProcess, ALogWithoutEndIsCut) {

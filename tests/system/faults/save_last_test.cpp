@@ -300,5 +300,24 @@ TEST_P(SaveLastFaults, AProcessThatIsKilledWhileItAnswersIsNamedAndTheRestIsInTh
   EXPECT_TRUE(EventuallyIs("well", tendon::ProcessState::kLost));
 }
 
+TEST_P(SaveLastFaults, AnInterruptedSaveLastLeavesAnIntactFileAndSaysThatItIsAPart) {
+  ASSERT_NO_FATAL_FAILURE(StartWell());
+  fs::path path;
+  const auto saving = StopInTheMiddle(path);
+  Saved saved;
+
+  saving->Signal(SIGINT);
+  saving->Signal(SIGCONT);
+  ASSERT_NO_FATAL_FAILURE(Finish(*saving, path, saved));
+
+  EXPECT_EQ(saved.outcome.exit_code, program::kInterrupted) << saved.outcome.err;
+  EXPECT_EQ(saved.outcome.err,
+            "gcm: interrupted; " + path.string() + " has only what was saved until then\n");
+  EXPECT_EQ(ExpectPartOfWell(saved), "the saving was interrupted");
+  const json herald = TableOf(saved, "witness/herald/state");
+  EXPECT_EQ(herald.value("rows", std::size_t{1}), 0U);
+  EXPECT_EQ(herald.value("error", ""), "the saving was interrupted");
+}
+
 }  // namespace
 }  // namespace faults
