@@ -54,7 +54,8 @@ QList<Property> HealthFigures::processFacts() const {
       {Words::tr("Processor"), ToQString(CpuText(health)),
        Words::tr("Share of one core in the last second")},
       {Words::tr("Memory"), ToQString(MemoryText(health)), Words::tr("Resident")},
-      {Words::tr("Clock"), ToQString(tendon::ClockText(health)),
+      {Words::tr("Clock"),
+       ToQString(tendon::ClockText(health)).replace(QStringLiteral("+-"), QStringLiteral("±")),
        Words::tr("Difference from the clock of the GCM, with its uncertainty; above 0 if the "
                  "clock of the process is ahead")}};
   if (history_) {

@@ -9,16 +9,14 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kAboveWords = 4;  // pixels; aligns the first line of a wrapped text with single lines
+constexpr int kAboveValue = 4;  // pixels; aligns the first line of a value with its name
 
 void ShowFact(const Property& fact, QLabel& name, QLabel& value) {
   const bool words = fact.kind == Property::Kind::kSentence;
   name.setText(fact.name);
   name.setToolTip(fact.help);
   SetRole(value, words ? QString() : QStringLiteral("mono"));
-  value.setAlignment(words ? Qt::AlignLeft | Qt::AlignTop : Qt::AlignRight | Qt::AlignVCenter);
-  value.setContentsMargins(0, words ? kAboveWords : 0, 0, 0);
-  value.setWordWrap(words);
+  value.setAlignment((words ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignTop);
   value.setText(fact.value);
   value.setAccessibleName(fact.name);
   value.setToolTip(fact.help.isEmpty() ? fact.value : fact.help);
@@ -42,6 +40,8 @@ void PropertyGrid::addRow() {
   value->setTextInteractionFlags(Qt::TextSelectableByMouse);
   value->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
   value->setMinimumHeight(kRowHeight);
+  value->setContentsMargins(0, kAboveValue, 0, 0);
+  value->setWordWrap(true);
   grid_->addWidget(name, row, 0, Qt::AlignTop);
   grid_->addWidget(value, row, 1);
   rows_.append(std::pair(name, value));

@@ -106,9 +106,10 @@ std::string HistoryText(const message::ProcessHistoryState& history) {
   const auto missed = [](std::uint64_t count, const char* one, const char* many) {
     return count == 0 ? std::string() : ", " + Counted(count, one, many) + " missed";
   };
-  return OneDigit(static_cast<double>(history.memory) / kMiB) + " of " +
-         OneDigit(static_cast<double>(history.limit) / kMiB) + " MiB, the last " +
-         ReachSeconds(history.reach) + missed(history.missed_rows, "row", "rows") +
+  return "last " + ReachSeconds(history.reach) + ", " +
+         OneDigit(static_cast<double>(history.memory) / kMiB) + " of " +
+         OneDigit(static_cast<double>(history.limit) / kMiB) + " MiB" +
+         missed(history.missed_rows, "row", "rows") +
          missed(history.missed_events, "event", "events");
 }
 

@@ -88,7 +88,7 @@ struct OutdatedPlugin {
 /// returns this process.
 [[nodiscard]] const std::string& ProcessOf(const message::HistoryEntry& step);
 
-/// Describes the history that a process keeps: "12.3 of 32.0 MiB, the last 30.0 s", or "off". The
+/// Describes the history that a process keeps: "last 30.0 s, 12.3 of 32.0 MiB", or "off". The
 /// text also has the numbers of missed rows and events, if any.
 [[nodiscard]] std::string HistoryText(const message::ProcessHistoryState& history);
 /// Returns the length of a process's history, and why it is not longer, for example "12.3 s: it has

@@ -594,7 +594,7 @@ TEST(ReachText, NamesTheReason) {
   EXPECT_EQ(text({.age = 1h, .reach = 30s}), "");
   EXPECT_EQ(text({.age = 12s, .reach = 12s}), "12.0 s: it has not been running longer");
   EXPECT_EQ(text({.age = 1h, .reach = 10s}),
-            "10.0 s: its history is full (16.0 of 32.0 MiB, the last 10.0 s; see "
+            "10.0 s: its history is full (last 10.0 s, 16.0 of 32.0 MiB; see "
             "--history-memory)");
   EXPECT_EQ(ReachText({.process = "robot",
                        .history =
