@@ -113,8 +113,10 @@ PlotHeader::PlotHeader(QWidget* parent)
 
 void PlotHeader::resizeEvent(QResizeEvent* event) {
   HeaderRow::resizeEvent(event);
+  constexpr int kMedium = 520;
   constexpr int kWide = 600;
   constexpr int kVeryWide = 760;
+  memory_->setVisible(width() >= kMedium);
   for (QToolButton* button : {split_, sweep_}) button->setVisible(width() >= kWide);
   for (QToolButton* button : {back_, forward_}) button->setVisible(width() >= kVeryWide);
 }

@@ -3,12 +3,16 @@
 #include <gcm_gui/theme/theme.h>
 
 #include <QStringList>
+#include <QStyleOptionToolButton>
+#include <QStylePainter>
 #include <QToolTip>
 #include <algorithm>
 #include <limits>
 
 namespace tendon::gui {
 namespace {
+
+constexpr int kLeastWidth = 70;  // pixels; room for "… 12 lost"
 
 QString Number(double hz) {
   if (hz >= 99.95) return QString::number(hz, 'f', 0);
@@ -59,6 +63,7 @@ QString PlacesText(const RowLosses& losses) {
 RateBadge::RateBadge(QWidget* parent) : QToolButton(parent) {
   setObjectName("rateBadge");
   setFocusPolicy(Qt::TabFocus);
+  setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
   SetRole(*this, "mono dim");
   connect(this, &QToolButton::clicked, this,
           [this] { QToolTip::showText(mapToGlobal(rect().bottomLeft()), toolTip(), this); });
@@ -82,6 +87,19 @@ void RateBadge::setFigures(const std::vector<SourceFigures>& figures) {
                  (each.lost > 0 ? PlacesText(each.losses) : QString());
   }
   setToolTip(lines.join('\n'));
+}
+
+QSize RateBadge::minimumSizeHint() const {
+  return sizeHint().boundedTo({kLeastWidth, QWIDGETSIZE_MAX});
+}
+
+void RateBadge::paintEvent(QPaintEvent*) {
+  QStylePainter painter(this);
+  QStyleOptionToolButton option;
+  initStyleOption(&option);
+  const int around = sizeHint().width() - fontMetrics().horizontalAdvance(text());
+  option.text = fontMetrics().elidedText(text(), Qt::ElideLeft, width() - around);
+  painter.drawComplexControl(QStyle::CC_ToolButton, option);
 }
 
 }  // namespace tendon::gui

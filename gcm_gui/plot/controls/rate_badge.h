@@ -8,7 +8,8 @@
 namespace tendon::gui {
 
 /// Shows the rate of rows and the number of lost rows: "1000 Hz · 0 lost". The text is red if any
-/// row is lost. A click shows the figures of each source.
+/// row is lost. If there is little room, only the end of the text is shown. A click shows the
+/// figures of each source.
 class RateBadge : public QToolButton {
   Q_OBJECT
 
@@ -16,6 +17,10 @@ class RateBadge : public QToolButton {
   explicit RateBadge(QWidget* parent = nullptr);
 
   void setFigures(const std::vector<SourceFigures>& figures);
+  [[nodiscard]] QSize minimumSizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
 };
 
 /// Formats a rate: "1000 Hz", "19.8 Hz", "0.5 Hz". The text has three digits, or two below 10 Hz.

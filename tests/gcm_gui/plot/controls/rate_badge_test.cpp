@@ -52,6 +52,14 @@ TEST(RateBadge, TurnsRedWithTheFirstLoss) {
   EXPECT_EQ(badge.accessibleName(), "Rate and lost rows: 1000 Hz · 1 lost");
 }
 
+TEST(RateBadge, IsShortenedIfThereIsLittleRoom) {
+  RateBadge badge;
+  badge.setFigures({{.source = "a", .rate = 1000, .lost = 600}, {.source = "b"}});
+
+  EXPECT_LT(badge.minimumSizeHint().width(), badge.sizeHint().width());
+  EXPECT_TRUE(badge.sizePolicy().horizontalPolicy() & QSizePolicy::ShrinkFlag);
+}
+
 TEST(RateBadge, TheToolTipListsEachSource) {
   RateBadge badge;
 
