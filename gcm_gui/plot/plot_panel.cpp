@@ -90,7 +90,7 @@ void PlotPanel::prepare(PlotView& given) {
   });
   connect(view, &PlotView::recordingMoved, this, [this](const QString& recording, qint64 shift_ns) {
     Q_EMIT notice(Words::tr("%1 is shifted by %2; Alt+Left undoes the shift")
-                      .arg(QFileInfo(recording).fileName(), ShiftText(shift_ns)));
+                      .arg(QFileInfo(recording).fileName(), RoundedShiftText(shift_ns)));
   });
   connect(view, &PlotView::curvesMoved, this,
           [this, view](const QList<CurveKey>& keys, quint64 from) {
