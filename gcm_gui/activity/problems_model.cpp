@@ -75,7 +75,7 @@ QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
     case Qt::AccessibleTextRole:
       return problem.text;
     case kTimeRole:
-      return problem.since == 0 ? QString() : ClockText(problem.since);
+      return problem.time;
     case kGlyphMarkRole:
       return QVariant::fromValue(problem.mark);
     case kPathRole:
@@ -136,6 +136,15 @@ void ProblemsModel::show() {
   std::stable_partition(fresh.begin(), fresh.end(), [](const ListedProblem& problem) {
     return problem.mark != StateMark::kWarning;
   });
+  QString blank;
+  for (ListedProblem& problem : fresh) {
+    if (problem.since == 0) continue;
+    problem.time = ClockText(problem.since);
+    blank.fill(' ', problem.time.size());
+  }
+  for (ListedProblem& problem : fresh) {
+    if (problem.since == 0) problem.time = blank;
+  }
   const int count = rowCount();
   showRows(std::move(fresh));
   if (rowCount() != count) Q_EMIT countChanged(rowCount());

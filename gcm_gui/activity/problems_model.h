@@ -20,6 +20,7 @@ struct ListedProblem {
   QString text;
   StateMark mark = StateMark::kWarning;
   std::int64_t since = 0;  ///< ns since 1970; 0 if unknown
+  QString time{};          ///< of the day; spaces of this length to align with another problem
 
   bool operator==(const ListedProblem&) const = default;
 };

@@ -140,6 +140,21 @@ TEST(ProblemsModel, ListsLostProcessesFaultsAndFailedConnections) {
   EXPECT_EQ(model.row(3).text, "desk/teleoperation waits for Robot: not connected");
 }
 
+TEST(ProblemsModel, AlignsProblemsWithAndWithoutATime) {
+  const auto times = [](std::int64_t lost_since) {
+    ProblemsModel model;
+    model.update(LookSystem(lost_since).catalogue());
+    QStringList all;
+    for (int row = 0; row < model.rowCount(); ++row) {
+      all << model.index(row).data(kTimeRole).toString();
+    }
+    return all;
+  };
+
+  EXPECT_EQ(times(1), QStringList({ClockText(1), QString(ClockText(1).size(), ' ')}));
+  EXPECT_EQ(times(0), QStringList({QString(), QString()})) << "no time is known";
+}
+
 TEST(ProblemsModel, ListsAWaitingComponentUntilConnectedOrStopped) {
   ProblemsModel model;
   SystemBuilder system = LookSystem(0);
