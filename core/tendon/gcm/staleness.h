@@ -85,15 +85,17 @@ enum class StaleReason { kNone, kNotStarted, kSuspended, kFinished, kFaulted, kN
   return *age > std::max(kLate, std::chrono::duration<double>(kMostPeriods / rate));
 }
 
-/// Returns an age as text: "12 s", "3 min", "2 h".
+/// Returns an age as text: "12 s", "3 min", "2 h", "5 d".
 [[nodiscard]] inline std::string AgeText(std::chrono::nanoseconds age) {
   constexpr std::int64_t kMinute = 60;
   constexpr std::int64_t kHour = 60 * kMinute;
+  constexpr std::int64_t kDay = 24 * kHour;
   const std::int64_t seconds =
       std::max<std::int64_t>(0, std::chrono::duration_cast<std::chrono::seconds>(age).count());
   if (seconds < 2 * kMinute) return std::to_string(seconds) + " s";
   if (seconds < 2 * kHour) return std::to_string(seconds / kMinute) + " min";
-  return std::to_string(seconds / kHour) + " h";
+  if (seconds < 2 * kDay) return std::to_string(seconds / kHour) + " h";
+  return std::to_string(seconds / kDay) + " d";
 }
 
 }  // namespace tendon

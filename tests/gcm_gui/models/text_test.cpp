@@ -43,6 +43,8 @@ TEST(Text, RatesComeFromPeriods) {
 TEST(Text, AgesGrowCoarser) {
   EXPECT_EQ(AgeText(12'400'000'000), "12 s");
   EXPECT_EQ(AgeText(180'000'000'000), "3 min");
+  EXPECT_EQ(AgeText(47 * 3'600'000'000'000), "47 h");
+  EXPECT_EQ(AgeText(121 * 3'600'000'000'000), "5 d");
   EXPECT_EQ(AgeText(-5), "0 s");
 }
 
