@@ -39,7 +39,7 @@ LogPage::LogPage(SystemReports& reports, const CatalogueStore& store, SystemActi
     : QWidget(parent), reports_(reports), store_(store), actions_(actions), filter_(log_) {
   setObjectName(QStringLiteral("logPage"));
   list_ = MakeRowList(filter_, QStringLiteral("log"), Words::tr("Log"),
-                      Words::tr("No record matches. The log of all processes is listed here."));
+                      Words::tr("The log of all processes is listed here."));
   list_->rows().setAllLeft(true);
   list_->setSelectionMode(QAbstractItemView::SingleSelection);
   FollowEnd(*list_);
@@ -122,6 +122,8 @@ void LogPage::showCount() {
                               : Words::tr("%1 of %2").arg(shown).arg(all);
   if (log_.lost() > 0) text += Words::tr(" · %1 lost").arg(log_.lost());
   count_->setText(text);
+  list_->setEmptyText(all == 0 ? Words::tr("The log of all processes is listed here.")
+                               : Words::tr("No record matches the filter."));
 }
 
 }  // namespace tendon::gui

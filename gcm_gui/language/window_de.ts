@@ -726,8 +726,16 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>%1 Clients</translation>
     </message>
     <message>
-        <source>No record matches. The log of all processes is listed here.</source>
-        <translation>Kein Eintrag passt. Hier steht, was die Prozesse protokollieren.</translation>
+        <source>The log of all processes is listed here.</source>
+        <translation>Hier steht, was die Prozesse protokollieren.</translation>
+    </message>
+    <message>
+        <source>No record matches the filter.</source>
+        <translation>Kein Eintrag passt zum Filter.</translation>
+    </message>
+    <message>
+        <source>Recorded system</source>
+        <translation>Aufgezeichnetes System</translation>
     </message>
     <message>
         <source>Lowest level that is shown</source>

@@ -726,8 +726,16 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>%1 clients</translation>
     </message>
     <message>
-        <source>No record matches. The log of all processes is listed here.</source>
-        <translation>Aucune entrée ne convient. Ce que journalisent les processus est listé ici.</translation>
+        <source>The log of all processes is listed here.</source>
+        <translation>Ce que journalisent les processus est listé ici.</translation>
+    </message>
+    <message>
+        <source>No record matches the filter.</source>
+        <translation>Aucune entrée ne correspond au filtre.</translation>
+    </message>
+    <message>
+        <source>Recorded system</source>
+        <translation>Système enregistré</translation>
     </message>
     <message>
         <source>Lowest level that is shown</source>

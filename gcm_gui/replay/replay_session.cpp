@@ -91,6 +91,7 @@ void ReplaySession::onRefused(const QString& sentence) {
   state_ = State::kRefused;
   refusal_ = sentence;
   is_jumping_ = false;
+  if (link_.state() == LinkState::State::kSearching) link_.setUnreachable(sentence);
   Q_EMIT changed();
 }
 

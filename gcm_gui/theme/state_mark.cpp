@@ -53,6 +53,7 @@ void PaintShape(QPainter& painter, Shape shape, const QColor& color) {
     case Shape::kDashedRing:
       return painter.drawEllipse(QPointF(), 0.85, 0.85);
     case Shape::kHalfDisc:
+      painter.drawArc(QRectF(-0.85, -0.85, 1.7, 1.7), -90 * 16, 180 * 16);
       return painter.drawChord(QRectF(-0.85, -0.85, 1.7, 1.7), 90 * 16, 180 * 16);
     case Shape::kSquare:
       return painter.drawRect(QRectF(-0.85, -0.85, 1.7, 1.7));

@@ -171,8 +171,14 @@ void TopBar::showLink() {
 
 void TopBar::showFile() {
   const bool is_open = link_.state() == LinkState::State::kConnected;
-  link_pill_->show(is_open ? StateMark::kReady : StateMark::kPending, Words::tr("Recording"),
-                   is_open ? Counts(store_.catalogue()) : QString());
+  const bool is_refused = !is_open && !link_.reason().isEmpty();
+  link_pill_->show(is_open      ? StateMark::kReady
+                   : is_refused ? StateMark::kRefused
+                                : StateMark::kPending,
+                   Words::tr("Recorded system"),
+                   is_open      ? Counts(store_.catalogue())
+                   : is_refused ? Words::tr("cannot be shown")
+                                : QString());
   link_pill_->setToolTip(
       Words::tr("This window shows the recording %1. It is connected to no running system.")
           .arg(link_.address()));

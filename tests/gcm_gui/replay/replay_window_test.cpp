@@ -384,6 +384,7 @@ TEST_F(ReplayWindow, AMissingFileIsNamed) {
   EXPECT_TRUE(page.isVisible());
   EXPECT_THAT(page.text().toStdString(), HasSubstr("run.mcap cannot be shown"));
   EXPECT_THAT(page.text().toStdString(), HasSubstr("No such file"));
+  EXPECT_EQ(window_->topBar().linkText(), "Recorded system cannot be shown");
   KeepPictures(*window_, "replay-missing");
 }
 
