@@ -151,8 +151,8 @@ TEST(ProblemsModel, AlignsProblemsWithAndWithoutATime) {
     return all;
   };
 
-  EXPECT_EQ(times(1), QStringList({ClockText(1), QString(ClockText(1).size(), ' ')}));
-  EXPECT_EQ(times(0), QStringList({QString(), QString()})) << "no time is known";
+  EXPECT_EQ(times(1), (QStringList{ClockText(1), QString(ClockText(1).size(), ' ')}));
+  EXPECT_EQ(times(0), (QStringList{QString(), QString()})) << "no time is known";
 }
 
 TEST(ProblemsModel, ListsAWaitingComponentUntilConnectedOrStopped) {
