@@ -316,7 +316,7 @@ TEST_F(RecordTest, SaveLastSaysWhyAProcessReachesBackLess) {
   ASSERT_EQ(young.exit_code, program::kOk) << young.err;
   EXPECT_THAT(young.err, HasSubstr("gcm: robot reached back "));
   EXPECT_THAT(young.err, HasSubstr("it has not been running longer"));
-  EXPECT_THAT(Gcm({"show", "robot"}).out, HasSubstr("of 32.0 MiB, the last "));
+  EXPECT_THAT(Gcm({"show", "robot"}).out, HasSubstr(" of 32.0 MiB"));
   const json shown = json::parse(Gcm({"show", "robot", "--json"}).out);
   EXPECT_EQ(shown["process"]["history"]["limit_bytes"], 32 << 20);
 }
