@@ -22,7 +22,8 @@ class LinkState : public QObject {
   [[nodiscard]] State state() const { return state_; }
   [[nodiscard]] const QString& address() const { return address_; }
   /// True if the system is a recording, and address() the name of its file. Then the link is either
-  /// searching, which means that the file is being opened, or connected.
+  /// connected or searching. If it is searching, the file is being opened, or reason() says why it
+  /// cannot be shown.
   [[nodiscard]] bool isFile() const { return is_file_; }
   /// True if the GCM runs inside this program.
   [[nodiscard]] bool isHosted() const { return hosted_; }

@@ -16,6 +16,7 @@
 #include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/views/catalogue_tree.h>
 #include <gcm_gui/window/main_window.h>
+#include <gcm_gui/window/top_bar.h>
 #include <gmock/gmock.h>
 
 #include <QAbstractButton>
@@ -25,6 +26,7 @@
 #include <QDropEvent>
 #include <QFile>
 #include <QMimeData>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -245,6 +247,18 @@ TEST_F(ReplayWindow, EventsAndLogAreThoseUpToTheMoment) {
   EXPECT_EQ(Rows("events"), 1);
   const QAbstractItemModel& events = *Find<QAbstractItemView>("events").model();
   EXPECT_EQ(events.index(0, 0).data(kDetailRole).toString(), "5");
+}
+
+TEST_F(ReplayWindow, TheFirstVisibleRecordOfTheLogIsWhole) {
+  OpenRun();
+  GoTo(16.0);
+  const auto& log = Find<QTreeView>("log");
+  const QScrollBar& bar = *log.verticalScrollBar();
+
+  ASSERT_TRUE(Eventually([&] { return bar.maximum() > 0 && bar.value() == bar.maximum(); }))
+      << "the list is lower than its three records";
+
+  EXPECT_EQ(log.visualRect(log.indexAt({1, 1})).top(), 0);
 }
 
 TEST_F(ReplayWindow, EventsOfPlottedComponentsAreMarkedOnThePlotAtTheirTimes) {
