@@ -30,6 +30,20 @@ namespace {
 
 constexpr int kHeadPeriod = 250;  // ms
 
+/// Returns the column of a signal: `Joints`. If another of the signals has a column of this name in
+/// another component, also returns the component: `arm.Joints`.
+QString TabTitle(const QString& path, const QStringList& signals_of_all_tabs) {
+  const auto whole = [](const QString& signal) {
+    return ShortName(SourceOf(signal) + '.' + ColumnOf(signal));
+  };
+  const QString column = ColumnOf(path);
+  const bool is_ambiguous = std::any_of(
+      signals_of_all_tabs.begin(), signals_of_all_tabs.end(), [&](const QString& other) {
+        return ColumnOf(other) == column && whole(other) != whole(path);
+      });
+  return is_ambiguous ? whole(path) : column;
+}
+
 CsvTable InSight(const PlotView& view) {
   const TimeWindow& window = view.window();
   return CsvTableOf(view.curves(), window.firstTime(), window.lastTime(),
@@ -473,6 +487,7 @@ void PlotPanel::closePlot(PlotView& view) {
   head_->tabs().removeTab(pages_->indexOf(&page));
   pages_->removeWidget(&page);
   page.deleteLater();
+  nameTabs();
   showPage(head_->tabs().currentIndex());
 }
 
@@ -528,26 +543,43 @@ void PlotPanel::setName(PlotView& view, const QString& name) {
 
 QString PlotPanel::name(int index) const { return pageOf(plot(index)).name(); }
 
-// Sets the title of a tab: the name given by the user; otherwise the column of the first curve; for
-// an empty page, a number.
+// Names the plots of a page, and the tabs. All plots of a page except the first also get a number.
 void PlotPanel::nameTab(PlotView& view) {
   const PlotPage& page = pageOf(view);
-  const int index = pages_->indexOf(&page);
-  const auto name_of = [&](const PlotView& each) {
-    const auto& curves = each.curves().curves();
-    return curves.empty() ? Words::tr("Plot %1").arg(index + 1) : ColumnOf(curves.front()->path());
-  };
   const auto& views = page.views();
-  for (std::size_t i = 0; i < views.size(); ++i) {  // all plots except the first also get a number
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const auto& curves = views[i]->curves().curves();
+    const QString name = curves.empty() ? QString::number(pages_->indexOf(&page) + 1)
+                                        : ColumnOf(curves.front()->path());
     const QString number = i == 0 ? QString() : ' ' + QString::number(i + 1);
-    views[i]->setAccessibleName(Words::tr("Plot ") + name_of(*views[i]) + number);
+    views[i]->setAccessibleName(Words::tr("Plot ") + name + number);
     views[i]->canvas()->setAccessibleName(views[i]->accessibleName());
     ExceptionGuard::setName(*views[i], {});
   }
-  const auto named = std::find_if(views.begin(), views.end(),
-                                  [](const PlotView* each) { return !each->curves().empty(); });
-  const QString shown = name_of(named == views.end() ? view : **named);
-  head_->tabs().setTabText(index, page.name().isEmpty() ? shown : page.name());
+  nameTabs();
+}
+
+// Sets the titles of all tabs: the name given by the user; otherwise TabTitle() the first curve;
+// for an empty page, a number. A title that an earlier tab has also gets a number.
+void PlotPanel::nameTabs() {
+  QStringList firsts;
+  for (int i = 0; i < pages_->count(); ++i) {
+    QString first;
+    for (const PlotView* view : page(i).views()) {
+      if (first.isEmpty() && !view->curves().empty())
+        first = view->curves().curves().front()->path();
+    }
+    firsts << first;
+  }
+  QStringList titles;
+  for (int i = 0; i < pages_->count(); ++i) {
+    const QString title =
+        firsts[i].isEmpty() ? Words::tr("Plot %1").arg(i + 1) : TabTitle(firsts[i], firsts);
+    const auto same = titles.count(title);
+    titles << title;
+    const QString number = same == 0 ? QString() : ' ' + QString::number(same + 1);
+    head_->tabs().setTabText(i, page(i).name().isEmpty() ? title + number : page(i).name());
+  }
 }
 
 PlotPage& PlotPanel::page(int index) const {

@@ -157,6 +157,7 @@ class PlotPanel : public QWidget {
   void askForFile(const QString& title, const QString& filter, const QString& suffix,
                   FileHandler handler);
   void nameTab(PlotView& view);
+  void nameTabs();
   void updateHead();
   void updateStandstills();
   void shareMemory();

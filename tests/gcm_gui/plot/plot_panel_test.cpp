@@ -90,6 +90,23 @@ TEST_F(PlotPanelTest, ATabIsNamedByItsFirstColumn) {
   EXPECT_EQ(panel_.plot(0).accessibleName(), "Plot Joints");
 }
 
+TEST_F(PlotPanelTest, TabsWithTheSameColumnAreToldApart) {
+  QTabBar& tabs = child<QTabBar>("plotTabs");
+  panel_.addSignal(kX, "rad");
+  panel_.addPlot();
+  panel_.addSignal("robot/old_arm/state.Joints.position[0]", "deg");
+  EXPECT_EQ(tabs.tabText(0), "arm.Joints");
+  EXPECT_EQ(tabs.tabText(1), "old_arm.Joints");
+
+  panel_.closePlot(0);
+  EXPECT_EQ(tabs.tabText(0), "Joints");
+
+  panel_.addPlot();
+  panel_.addSignal("robot/old_arm/state.Joints.position[1]", "deg");
+  EXPECT_EQ(tabs.tabText(0), "Joints");
+  EXPECT_EQ(tabs.tabText(1), "Joints 2");
+}
+
 TEST_F(PlotPanelTest, ClosingAPlotReleasesItsSignals) {
   panel_.addSignal(kX, "rad");
   panel_.addPlot();
