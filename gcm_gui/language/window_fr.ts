@@ -1135,7 +1135,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
     </message>
     <message>
         <source>waiting for </source>
-        <translation>en attente de </translation>
+        <translation>attend </translation>
     </message>
     <message>
         <source>connected for </source>
@@ -3283,6 +3283,10 @@ Possède %1 des %2 commandes et événements requis.</translation>
     <message>
         <source>Starting to record</source>
         <translation>L’enregistrement commence</translation>
+    </message>
+    <message>
+        <source>Saving the last %1 s</source>
+        <translation>Enregistre les %1 dernières s</translation>
     </message>
     <message>
         <source>Recording</source>

@@ -32,10 +32,10 @@ struct ColumnDefaults {
 };
 // The array has no entry for the first column.
 constexpr std::array<ColumnDefaults, Model::kColumnCount - 1> kColumnDefaults{
-    {{QT_TRANSLATE_NOOP("Words", "Column: state and value"), 96, true},
+    {{QT_TRANSLATE_NOOP("Words", "Column: state and value"), 156, true},
      {QT_TRANSLATE_NOOP("Words", "Column: rate"), 76, false},
      {QT_TRANSLATE_NOOP("Words", "Column: age"), 64, false},
-     {QT_TRANSLATE_NOOP("Words", "Column: connected to"), 160, false}}};
+     {QT_TRANSLATE_NOOP("Words", "Column: connected to"), 140, false}}};
 
 }  // namespace
 

@@ -1,4 +1,5 @@
 #include <gcm_gui/models/catalogue_model.h>
+#include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/views/catalogue_columns.h>
 #include <gcm_gui/views/catalogue_panel.h>
@@ -8,6 +9,7 @@
 
 #include <QAction>
 #include <QDockWidget>
+#include <QFontMetrics>
 #include <QHeaderView>
 #include <QMenu>
 #include <QMenuBar>
@@ -128,6 +130,17 @@ TEST_F(CatalogueColumnsTest, ResettingTheLayoutResetsTheColumns) {
 
   EXPECT_TRUE(tree().isHeaderHidden());
   EXPECT_EQ(seen(), QList<int>{Model::kName});
+}
+
+TEST_F(CatalogueColumnsTest, AWaitingComponentIsReadableInItsColumn) {
+  Widen();
+  ShowAll();
+  const QString text = QStringLiteral("waiting for Robot");
+  constexpr int kMarkAndInset = 16 + 2 + kInset;
+
+  EXPECT_GE(tree().header()->sectionSize(Model::kValue),
+            QFontMetrics(Theme::instance().mono()).horizontalAdvance(text) + kMarkAndInset);
+  EXPECT_EQ(tree().horizontalScrollBar()->maximum(), 0);
 }
 
 TEST_F(CatalogueColumnsTest, TheNameTakesTheRemainingWidth) {
