@@ -4,6 +4,7 @@
 
 #include <QFontMetrics>
 #include <QPainter>
+#include <algorithm>
 
 namespace tendon::gui {
 namespace {
@@ -42,15 +43,29 @@ QSize Pill::sizeWith(const QString& dim) const {
   return {width + 2, kHeight};
 }
 
+/// Returns the dim words that fit in this width. Drops whole parts, such as " · 3 components", if
+/// possible.
+QString Pill::shortened(int width) const {
+  const QFontMetrics metrics(Theme::instance().text());
+  const QString separator = QStringLiteral(" · ");
+  QString text = dim_;
+  while (metrics.horizontalAdvance(text) > width && text.contains(separator)) {
+    text = text.section(separator, 0, -2);
+  }
+  return metrics.elidedText(text, Qt::ElideRight, width);
+}
+
 void Pill::paintEvent(QPaintEvent*) {
   const Theme& theme = Theme::instance();
+  const QString dim = shortened(width() - sizeWith({}).width() - kPillSpace);
+  const QRectF body(0, 0, std::min(width(), sizeWith(dim).width()), height());
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(hasFocus() ? QPen(theme.color(Token::kAccent)) : QPen(Qt::NoPen));
   painter.setBrush(theme.color(underMouse() && isEnabled() && receivers(SIGNAL(clicked(bool))) > 0
                                    ? Token::kLine
                                    : Token::kRaised));
-  painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), kRadius, kRadius);
+  painter.drawRoundedRect(body.adjusted(0.5, 0.5, -0.5, -0.5), kRadius, kRadius);
   PaintMark(painter, QRectF(kPillInset, 0, kMark, height()), mark_);
   QRect room = rect().adjusted(kPillInset + kMark + kPillSpace / 2, 0, -kPillInset, 0);
   painter.setFont(theme.strong());
@@ -59,8 +74,7 @@ void Pill::paintEvent(QPaintEvent*) {
   room.setLeft(room.left() + QFontMetrics(theme.strong()).horizontalAdvance(strong_) + kPillSpace);
   painter.setFont(theme.text());
   painter.setPen(theme.color(Token::kDim));
-  painter.drawText(room, Qt::AlignVCenter | Qt::AlignLeft,
-                   QFontMetrics(theme.text()).elidedText(dim_, Qt::ElideRight, room.width()));
+  painter.drawText(room, Qt::AlignVCenter | Qt::AlignLeft, dim);
 }
 
 }  // namespace tendon::gui

@@ -26,6 +26,7 @@ class Pill : public QAbstractButton {
 
  private:
   [[nodiscard]] QSize sizeWith(const QString& dim) const;
+  [[nodiscard]] QString shortened(int width) const;
 
   StateMark mark_ = StateMark::kPending;
   QString strong_;
