@@ -3285,6 +3285,10 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>Die Aufzeichnung beginnt</translation>
     </message>
     <message>
+        <source>Saving the last %1 s</source>
+        <translation>Speichert die letzten %1 s</translation>
+    </message>
+    <message>
         <source>Recording</source>
         <translation>Zeichnet auf</translation>
     </message>

@@ -62,6 +62,8 @@ class RecordingController : public QObject {
   [[nodiscard]] QString subject() const { return subject_; }  ///< "3 plotted signals"
   [[nodiscard]] QStringList patterns() const { return patterns_; }
   [[nodiscard]] QString file() const { return file_; }
+  /// The length of the history that is saved; 0 for a recording of what happens now.
+  [[nodiscard]] std::chrono::seconds past() const { return past_; }
   [[nodiscard]] const RecordingProgress& progress() const { return progress_; }
   /// Sentences about lost processes and the lost GCM, oldest first.
   [[nodiscard]] QStringList interruptions() const { return interruptions_; }

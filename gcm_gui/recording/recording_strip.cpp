@@ -40,7 +40,7 @@ RecordingStrip::RecordingStrip(RecordingController& controller, QWidget* parent)
     : QFrame(parent),
       controller_(controller),
       dot_(new QLabel),
-      title_(new QLabel(Words::tr("Recording"))),
+      title_(new QLabel),
       state_(new StateLabel),
       message_label_(new QLabel),
       interruptions_(new StateLabel),
@@ -158,12 +158,15 @@ void RecordingStrip::refresh() {
 void RecordingStrip::showRecording() {
   const RecordingProgress& progress = controller_.progress();
   const auto& counts = progress.status.counts;
+  const auto past = controller_.past().count();
+  const QString saving = Words::tr("Saving the last %1 s").arg(past);
+  title_->setText(past > 0 ? saving : Words::tr("Recording"));
   switch (controller_.state()) {
     case RecordingController::State::kStopping:
       state_->show(StateMark::kPending, Words::tr("Completing the file"));
       break;
     case RecordingController::State::kStarting:
-      state_->show(StateMark::kPending, Words::tr("Starting to record"));
+      state_->show(StateMark::kPending, past > 0 ? saving : Words::tr("Starting to record"));
       break;
     default:
       break;
@@ -205,7 +208,7 @@ void RecordingStrip::setMessage(const QString& message) {
 
 void RecordingStrip::elideMessage() {
   const auto& report = controller_.report();
-  const bool is_sentence = report && report->kind != RecordingReport::Kind::kDone;
+  const bool is_sentence = report && report->detail != report->file;
   message_label_->setText(message_label_->fontMetrics().elidedText(
       message_, is_sentence ? Qt::ElideRight : Qt::ElideMiddle, message_label_->width()));
 }

@@ -149,6 +149,28 @@ TEST_F(RecordingStripTest, TheOutcomeOffersTheFileUntilItIsClosed) {
   EXPECT_FALSE(Strip().isVisible());
 }
 
+TEST_F(RecordingStripTest, SaysThatTheLastSecondsAreSavedAndHowFarBackTheyReach) {
+  Plot();
+  QTest::keyClick(&window_, Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_TRUE(Strip().text().startsWith("Saving the last 30 s ")) << Strip().text().toStdString();
+  Q_EMIT recordings_.begun(kRun);
+  EXPECT_TRUE(Strip().text().startsWith("Saving the last 30 s ")) << Strip().text().toStdString();
+  KeepPictures(window_, "save-last-running");
+
+  progress_.status.counts = {.rows = 29'980, .events = 3, .bytes = 2'500'000};
+  Q_EMIT recordings_.ended(progress_, {});
+  EXPECT_TRUE(Strip().text().startsWith("Saved the last 30 s: 29980 rows, 3 events (2.5 MB)"))
+      << Strip().text().toStdString();
+  KeepPictures(window_, "save-last");
+
+  QTest::keyClick(&window_, Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
+  Q_EMIT recordings_.begun(kRun);
+  progress_.shortfalls = {"robot reached back 12.0 s: it has not been running longer"};
+  Q_EMIT recordings_.ended(progress_, {});
+  EXPECT_TRUE(Strip().text().endsWith("it has not been running longer"));
+  KeepPictures(window_, "save-last-short");
+}
+
 TEST_F(RecordingStripTest, ARefusalIsShownUnderTheButtonWithAWayOut) {
   Plot();
   Click("record");
