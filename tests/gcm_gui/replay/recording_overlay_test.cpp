@@ -172,6 +172,11 @@ TEST_F(RecordingOverlayTest, LooksAsInThePictures) {
   Feed();
   Plot().setShift(file_, Plot().shift(file_) + 5 * kSecond);
   KeepPictures(window_, "recording-overlay");
+  QTest::keyClick(Plot().canvas(), Qt::Key_T);
+  auto* editor = window_.findChild<QFrame*>("curveEditor");
+  ASSERT_NE(editor, nullptr);
+  KeepPictures(*editor, "recording-overlay-shift");
+  QTest::keyClick(editor, Qt::Key_Escape);
   ChooseFile();
   ASSERT_TRUE(Eventually([this] { return Dialog()->count() > 0; }));
   KeepPictures(*Dialog(), "recording-overlay-dialog");
