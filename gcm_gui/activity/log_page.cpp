@@ -42,8 +42,6 @@ LogPage::LogPage(SystemReports& reports, const CatalogueStore& store, SystemActi
                       Words::tr("The log of all processes is listed here."));
   list_->rows().setAllLeft(true);
   list_->setSelectionMode(QAbstractItemView::SingleSelection);
-  // The list usually shows its end; then its first visible row would often be cut.
-  list_->setVerticalScrollMode(QAbstractItemView::ScrollPerItem);
   FollowEnd(*list_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);

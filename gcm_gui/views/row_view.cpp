@@ -98,6 +98,8 @@ RowView* MakeRowList(QAbstractItemModel& model, const QString& name, const QStri
   list->setRootIsDecorated(false);
   list->setIndentation(0);
   list->rows().setLeftInset(10);
+  // A list often shows its end or its current row; the first visible row must not be cut then.
+  list->setVerticalScrollMode(QAbstractItemView::ScrollPerItem);
   list->setModel(&model);
   list->setEmptyText(empty_text);
   list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
