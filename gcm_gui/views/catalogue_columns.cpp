@@ -35,7 +35,7 @@ constexpr std::array<ColumnDefaults, Model::kColumnCount - 1> kColumnDefaults{
     {{QT_TRANSLATE_NOOP("Words", "Column: state and value"), 156, true},
      {QT_TRANSLATE_NOOP("Words", "Column: rate"), 76, false},
      {QT_TRANSLATE_NOOP("Words", "Column: age"), 64, false},
-     {QT_TRANSLATE_NOOP("Words", "Column: connected to"), 140, false}}};
+     {QT_TRANSLATE_NOOP("Words", "Column: connected to"), 128, false}}};
 
 }  // namespace
 
