@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <support/machine/sanitized.h>
 
 #include <algorithm>
 #include <array>
@@ -100,7 +101,9 @@ TEST_P(Replay, HandlesRandomMutationsOfTheCorpus) {
   ASSERT_FALSE(corpus.empty());
   std::mt19937 random(35);
 
-  for (int round = 0; round < GetParam().rounds; ++round) {
+  // A sanitizer makes a round ten times slower.
+  const int rounds = GetParam().rounds / (tendon::test::IsSanitized() ? 4 : 1);
+  for (int round = 0; round < rounds; ++round) {
     Body body = corpus[random() % corpus.size()];
     for (auto changes = 1 + random() % 4; changes > 0; --changes) {
       Mutate(random, corpus[random() % corpus.size()], body);
