@@ -12,6 +12,7 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 SLOWEST = 20
+NO_REASON = "the test gave no reason"
 OBJECT = re.compile(r"(?:.*/)?CMakeFiles/([^/]+)\.dir/(.+)")
 
 
@@ -22,7 +23,7 @@ def reason(output):
         return "; ".join(dict.fromkeys(" ".join(text.split()) for text in told))
     lines = [line.strip() for line in output.splitlines() if line.strip()]
     told = next((line for line in lines if line.lower().startswith("skipped")), lines[-1] if lines else "")
-    return re.sub(r"^skipped:? *", "", told, flags=re.IGNORECASE) or "the test gave no reason"
+    return re.sub(r"^skipped:? *", "", told, flags=re.IGNORECASE) or NO_REASON
 
 
 def tests(folder):
@@ -39,7 +40,7 @@ def tests(folder):
             if test.get("status") != "run":
                 continue
             skips = [skip.get("message").partition("\n")[2] for skip in test.iter("skipped")]
-            skipped = "; ".join(dict.fromkeys(" ".join(skip.split()) for skip in skips)) if skips else None
+            skipped = ("; ".join(dict.fromkeys(" ".join(skip.split()) for skip in skips)) or NO_REASON) if skips else None
             yield float(test.get("time")), f"{test.get('classname')}.{test.get('name')}", skipped
 
 

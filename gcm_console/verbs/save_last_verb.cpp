@@ -140,7 +140,7 @@ Result<ExitCode> SaveLastSeconds(Context& context, const SaveLastWords& words) {
   tendon::os::HoldTerminationSignals();  // so that an interrupted file is completed
   const auto queue = std::make_shared<tendon::recording::RecordingQueue>();
   const auto client = context.Client(queue);
-  if (!client) return client.error();
+  if (!client) return FailureOf(context, client.error());
   tendon::recording::GcmSystem system(**client, context.settings().timeout);
   const auto report = tendon::recording::SaveLast(system, queue, SaveLastOptionsOf(context, words));
   if (!report) return FailureOf(context, report.error());

@@ -48,7 +48,7 @@ struct Quantity {
 /// Formats a duration in seconds: "420 ns", "38.0 µs", "1.000 ms", "2.50 s".
 [[nodiscard]] QString DurationText(double seconds);
 
-/// Formats an age in nanoseconds: "12 s", "3 min", "2 h".
+/// Formats an age in nanoseconds: "12 s", "3 min", "2 h", "5 d".
 [[nodiscard]] QString AgeText(std::int64_t nanoseconds);
 
 /// Formats the time of day of `when`, in ns since 1970: "12:04:31.208".

@@ -183,6 +183,8 @@ class PastWriter {
       if (*written > 0) deadline = SteadyClock().Now() + timeout;
       if ((is_done || is_late) && queue_->waiting_bytes() == 0) return is_done;
     }
+    const auto written = WriteSome(0ms);
+    if (!written) return written.error();
     return false;
   }
 
