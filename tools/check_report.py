@@ -39,8 +39,8 @@ def tests(folder):
         for test in ElementTree.parse(results).iter("testcase"):
             if test.get("status") != "run":
                 continue
-            skips = [skip.get("message").partition("\n")[2] for skip in test.iter("skipped")]
-            skipped = ("; ".join(dict.fromkeys(" ".join(skip.split()) for skip in skips)) or NO_REASON) if skips else None
+            skips = [" ".join(skip.get("message").split("\n")[1:]) for skip in test.iter("skipped")]
+            skipped = ("; ".join(dict.fromkeys(map(str.strip, skips))) or NO_REASON) if skips else None
             yield float(test.get("time")), f"{test.get('classname')}.{test.get('name')}", skipped
 
 

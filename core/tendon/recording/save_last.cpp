@@ -107,6 +107,27 @@ class PastWriter {
     return std::optional(is_stopped_ ? Stopped() : SentNothing("the GCM", options_.timeout));
   }
 
+  /// Saves the tables, the events and, if it is wanted, the log of the report's processes.
+  Result<void> SaveAll(const RecordingSelection& selection, const Catalogue& catalogue,
+                       SaveLastReport& report) {
+    for (const TableSubscription& table : selection.tables) {
+      auto saved = SaveTable(table);
+      if (!saved) return saved.error();
+      report.tables.push_back(*std::move(saved));
+    }
+    for (const EventSubscription& events : selection.events) {
+      auto saved = SaveEvents(events, catalogue);
+      if (!saved) return saved.error();
+      report.events.push_back(*std::move(saved));
+    }
+    if (!options_.has_log) return {};
+    for (SavedProcess& saved : report.processes) saved.log_failure = ReadLog(saved.process);
+    auto failure = SaveLog();
+    if (!failure) return failure.error();
+    report.log_failure = *std::move(failure);
+    return {};
+  }
+
   /// Passes all entries that have arrived to the writer, which counts the entries that it cannot
   /// write.
   void WriteRest() {
@@ -344,29 +365,12 @@ Result<SaveLastReport> SaveLast(RecordedSystem& system,
     if (history) saved.history = *history;
     if (!history) saved.failure = history.error();
   }
-  const auto close_after = [&](const Error& failure) {
+  if (auto saved = past_writer.SaveAll(selection, catalogue, report); !saved) {
     past_writer.WriteRest();
     queue->Close();
-    auto closed = (*writer)->Close(queue->losses());
-    return closed ? failure : closed.error();  // this error also says whether the file has an index
-  };
-  for (const TableSubscription& table : selection.tables) {
-    auto saved = past_writer.SaveTable(table);
-    if (!saved) return close_after(saved.error());
-    report.tables.push_back(*std::move(saved));
-  }
-  for (const EventSubscription& events : selection.events) {
-    auto saved = past_writer.SaveEvents(events, catalogue);
-    if (!saved) return close_after(saved.error());
-    report.events.push_back(*std::move(saved));
-  }
-  if (options.has_log) {
-    for (SavedProcess& saved : report.processes) {
-      saved.log_failure = past_writer.ReadLog(saved.process);
-    }
-    auto failure = past_writer.SaveLog();
-    if (!failure) return close_after(failure.error());
-    report.log_failure = *std::move(failure);
+    auto closed =
+        (*writer)->Close(queue->losses());  // its error says whether the file has an index
+    return closed ? saved.error() : closed.error();
   }
   report.losses = queue->losses();
   queue->Close();
