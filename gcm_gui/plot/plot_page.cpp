@@ -6,7 +6,6 @@
 #include <gcm_gui/theme/theme.h>
 
 #include <QEvent>
-#include <QScrollArea>
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -29,16 +28,10 @@ void PlaceClose(PlotView& view) {
 PlotPage::PlotPage(QWidget* parent)
     : QWidget(parent),
       time_axis_(std::make_shared<SharedTimeAxis>()),
-      rows_(new QSplitter(Qt::Vertical)),
-      scroll_(new QScrollArea(this)) {
+      rows_(new QSplitter(Qt::Vertical, this)) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(scroll_);
-  scroll_->setWidget(rows_);
-  scroll_->setWidgetResizable(true);
-  scroll_->setFrameShape(QFrame::NoFrame);
-  scroll_->setFocusPolicy(Qt::NoFocus);
-  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  column->addWidget(rows_);
   rows_->setChildrenCollapsible(false);
   rows_->setHandleWidth(kGrid);
   current_ = &insert(0);
@@ -75,9 +68,6 @@ PlotView& PlotPage::split() {
   rows_->setSizes(heights);  // only the ratios count, so all plots get the same height
   setCurrent(view);
   align();
-  // The new plot gets its place when the layout is updated, which is before this call.
-  QMetaObject::invokeMethod(
-      scroll_, [this] { scroll_->ensureWidgetVisible(current_, 0, 0); }, Qt::QueuedConnection);
   return view;
 }
 
@@ -117,8 +107,6 @@ void PlotPage::markCurrent() {
   const bool are_several = views_.size() > 1;
   for (PlotView* view : views_) {
     view->setMarkedCurrent(are_several && view == current_);
-    // A single plot may be lower than its minimumSizeHint(); several plots scroll instead.
-    view->setMinimumHeight(are_several ? 0 : 1);
     view->findChild<QToolButton*>(kCloseName)->setVisible(are_several);
     PlaceClose(*view);
   }

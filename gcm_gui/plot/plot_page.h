@@ -7,7 +7,6 @@
 #include <memory>
 #include <vector>
 
-class QScrollArea;
 class QSplitter;
 
 namespace tendon::gui {
@@ -15,9 +14,9 @@ namespace tendon::gui {
 class PlotView;
 
 /// Several plots below each other with a common time: a change of the time applies to all of them,
-/// and their canvases are aligned. If there is too little room, the page scrolls. The current plot
-/// is the one that was clicked or had the focus last. The button that makes all plots live again is
-/// in the first plot that has curves. GUI thread.
+/// and their canvases are aligned. The current plot is the one that was clicked or had the focus
+/// last. The button that makes all plots live again is in the first plot that has curves. GUI
+/// thread.
 class PlotPage : public QWidget {
   Q_OBJECT
 
@@ -51,7 +50,6 @@ class PlotPage : public QWidget {
 
   std::shared_ptr<SharedTimeAxis> time_axis_;
   QSplitter* rows_;
-  QScrollArea* scroll_;
   std::vector<PlotView*> views_;  // from the top
   PlotView* current_ = nullptr;
   QString name_;

@@ -9,7 +9,6 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSplitter>
 #include <functional>
 #include <stdexcept>
 
@@ -81,7 +80,6 @@ TEST_F(EdgeNumbersFlow, AWindowPlotsExtremeNumbersCorrectly) {
   const QString system = Write("edges.json", SystemOfEdges());
   const auto edges = StartLcm("edges", system.toStdString());
   window_->resize(1280, 1400);
-  Find<QSplitter>("centreRows").setSizes({200, 1040});
   window_->plots().openLayout(Write("edges.plots.json", LayoutOfEdges()));
   ASSERT_TRUE(Eventually([this] { return window_->plots().plotCount() == 8; }));
 

@@ -77,19 +77,6 @@ class PlotPages : public testing::Test {
   PlotPanel panel_;
 };
 
-TEST_F(PlotPages, ManyPlotsKeepTheirHeightAndTheNewestIsVisible) {
-  constexpr int kPlots = 8;
-  while (panel_.plotCount() < kPlots) panel_.splitPlot();
-
-  EXPECT_TRUE(QTest::qWaitFor(
-      [&] { return !panel_.currentPlot().visibleRegion().isEmpty() && areAligned(); }, 120'000));
-  for (int i = 0; i < kPlots; ++i) EXPECT_GE(panel_.plot(i).height(), 100) << i;
-  EXPECT_EQ(panel_.height(), 420);
-
-  while (panel_.plotCount() > 1) panel_.closePlot(panel_.plotCount() - 1);
-  EXPECT_LT(panel_.minimumSizeHint().height(), 200) << "a single plot may be low";
-}
-
 TEST_F(PlotPages, CanvasesStayAligned) {
   EXPECT_TRUE(QTest::qWaitFor([this] { return areAligned(); }, 120'000));
   EXPECT_LT(above().mapToGlobal(QPoint()).y(), below().mapToGlobal(QPoint()).y());
