@@ -52,6 +52,8 @@ QString Pill::shortened(int width) const {
   while (metrics.horizontalAdvance(text) > width && text.contains(separator)) {
     text = text.section(separator, 0, -2);
   }
+  // elidedText() would also shorten a text whose advance was rounded down.
+  if (metrics.horizontalAdvance(text) <= width) return text;
   return metrics.elidedText(text, Qt::ElideRight, width);
 }
 

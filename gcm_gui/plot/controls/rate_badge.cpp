@@ -97,8 +97,11 @@ void RateBadge::paintEvent(QPaintEvent*) {
   QStylePainter painter(this);
   QStyleOptionToolButton option;
   initStyleOption(&option);
-  const int around = sizeHint().width() - fontMetrics().horizontalAdvance(text());
-  option.text = fontMetrics().elidedText(text(), Qt::ElideLeft, width() - around);
+  const int missing = sizeHint().width() - width();
+  if (missing > 0) {
+    const int room = fontMetrics().horizontalAdvance(text()) - missing;
+    option.text = fontMetrics().elidedText(text(), Qt::ElideLeft, room);
+  }
   painter.drawComplexControl(QStyle::CC_ToolButton, option);
 }
 
