@@ -4,11 +4,9 @@
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
 #include <gcm_gui/window/watched_application.h>
-#include <tendon/base/os/thread.h>
 
 #include <QSet>
 #include <QTimer>
-#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <iostream>
@@ -23,11 +21,6 @@ namespace tendon::gui {
 namespace {
 
 const QString kArmEdge = QStringLiteral("desk/supervisor/Robot");
-// Limits of the processor time of a handler. Most of the longest handlers is painting, which can
-// take longer than the limit on a slow or busy machine; there, a handler may take as long as a few
-// paintings of the window.
-constexpr std::chrono::milliseconds kLongestHandler{50};
-constexpr int kMostPaintings = 4;
 constexpr int kRounds = 3;
 
 class GraphFlowTest : public FlowFixture {
@@ -52,23 +45,18 @@ class GraphFlowTest : public FlowFixture {
     handlers_.forgetHandlers();
     since_ = std::chrono::steady_clock::now();
   }
-  /// Expects that no handler was slow since WatchHandlers(). After the last round, also expects
-  /// that no handler waited in this phase in all rounds. A wait in only some rounds is allowed:
-  /// another thread may have held a lock by chance.
+  /// After the last round, expects that no handler waited in this phase in all rounds. A wait in
+  /// only some rounds is allowed: another thread may have held a lock by chance. Prints the longest
+  /// processor time of a handler since WatchHandlers().
   void ExpectNoHandlerStalled(int round, const std::string& phase) {
     const auto milliseconds = [](auto duration) {
       return std::chrono::duration<double, std::milli>(duration).count();
     };
     const auto until = std::chrono::steady_clock::now() - since_;
     const std::chrono::nanoseconds longest = handlers_.longestHandler();
-    const std::chrono::nanoseconds painting = TimeToPaint();
     std::cout << "  " << phase << " after " << milliseconds(until)
               << " ms; the longest handler took " << milliseconds(longest) << " ms ("
-              << handlers_.longestName().toStdString() << "); painting the window takes "
-              << milliseconds(painting) << " ms\n";
-    EXPECT_LE(milliseconds(longest), milliseconds(std::max<std::chrono::nanoseconds>(
-                                         kLongestHandler, kMostPaintings * painting)))
-        << handlers_.longestName().toStdString();
+              << handlers_.longestName().toStdString() << ")\n";
     QSet<QString> waited;
     for (const QString& waiter : handlers_.waiters()) {
       waited.insert(waiter.section(QStringLiteral(" · "), 0, 0));
@@ -81,13 +69,6 @@ class GraphFlowTest : public FlowFixture {
   }
 
  private:
-  /// The processor time that this thread needs to paint the window once.
-  [[nodiscard]] std::chrono::nanoseconds TimeToPaint() {
-    const auto before = os::ThreadCpuTime();
-    window_->repaint();
-    return os::ThreadCpuTime() - before;
-  }
-
   WatchedApplication& handlers_ = *static_cast<WatchedApplication*>(qApp);
   std::chrono::steady_clock::time_point since_;
   std::map<std::string, QSet<QString>> waits_each_time_;  // by phase
