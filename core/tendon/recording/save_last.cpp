@@ -179,7 +179,11 @@ class PastWriter {
         if (past.failure && past.failure->code == ErrorCode::kTimeout) Skip(process, *past.failure);
         return past;
       }
-      if (!is_stopped_) Skip(process, SentNothing("process '" + process + "'", longest));
+      if (!is_stopped_) {
+        Skip(process, SentNothing("process '" + process + "'", longest));
+      } else if (const auto written = WriteSome(0ms); !written) {  // what has arrived
+        return written.error();
+      }
     }
     Past part;  // how far it reaches back is not known
     if constexpr (std::is_same_v<Past, PastRows>) {
@@ -204,8 +208,6 @@ class PastWriter {
       if (*written > 0) deadline = SteadyClock().Now() + timeout;
       if ((is_done || is_late) && queue_->waiting_bytes() == 0) return is_done;
     }
-    const auto written = WriteSome(0ms);
-    if (!written) return written.error();
     return false;
   }
 

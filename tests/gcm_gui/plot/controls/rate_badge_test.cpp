@@ -1,5 +1,9 @@
 #include <gcm_gui/plot/controls/rate_badge.h>
+#include <gcm_gui/theme/theme.h>
 #include <gmock/gmock.h>
+
+#include <QImage>
+#include <QPixmap>
 
 namespace tendon::gui {
 namespace {
@@ -58,6 +62,21 @@ TEST(RateBadge, IsShortenedIfThereIsLittleRoom) {
 
   EXPECT_LT(badge.minimumSizeHint().width(), badge.sizeHint().width());
   EXPECT_TRUE(badge.sizePolicy().horizontalPolicy() & QSizePolicy::ShrinkFlag);
+}
+
+TEST(RateBadge, IsShownWholeIfThereIsRoom) {
+  for (const double rate : {0.0, 1.0, 17.0, 1000.0, 1234.0}) {
+    RateBadge badge;
+    badge.setFigures({{.source = "a", .rate = rate}});
+    QToolButton plain;  // with the whole text
+    plain.setObjectName(badge.objectName());
+    SetRole(plain, "mono dim");
+    plain.setText(badge.text());
+    badge.resize(badge.sizeHint());
+    plain.resize(badge.size());
+
+    EXPECT_EQ(badge.grab().toImage(), plain.grab().toImage()) << badge.text().toStdString();
+  }
 }
 
 TEST(RateBadge, TheToolTipListsEachSource) {
