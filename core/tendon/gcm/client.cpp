@@ -140,6 +140,7 @@ class GcmClient::Implementation {
   ~Implementation() {
     constexpr std::chrono::seconds kLongest(5);
     link_->Stop();
+    events_->Stop();
     links_->Stop();
     timer_->Stop();
     EndLearning();

@@ -67,6 +67,7 @@ LocalSystem::~LocalSystem() {
     const std::scoped_lock lock(mutex_);
     log_.reset();
   }
+  events_->Stop();
   links_->Stop();
   timer_->Stop();
   telemetry_.reset();

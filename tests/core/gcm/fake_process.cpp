@@ -37,6 +37,9 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
       responder.Answer(Result(Call(*DecodeBody<message::CallMember>(body))));
     } else if (header.type == message::kPing) {
       responder.Answer(Result(Clock()));
+    } else if (header.type == message::kReadEvents) {
+      const std::scoped_lock lock(mutex);
+      readers.push_back(std::move(responder));
     } else if (header.type == message::kListen) {
       const std::scoped_lock lock(mutex);
       listener = channel;
@@ -186,6 +189,7 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
   std::optional<Joints> goal;
   int schema_requests = 0;
   int clock_requests = 0;
+  std::vector<Responder> readers;
   std::chrono::nanoseconds clock_ahead{0};
   std::shared_ptr<Channel> listener;
   std::uint32_t listener_handle = 0;
@@ -354,6 +358,11 @@ std::optional<Joints> FakeProcess::goal() const {
 int FakeProcess::schema_requests() const {
   const std::scoped_lock lock(state_->mutex);
   return state_->schema_requests;
+}
+
+std::size_t FakeProcess::waiting_readers() const {
+  const std::scoped_lock lock(state_->mutex);
+  return state_->readers.size();
 }
 
 int FakeProcess::clock_requests() const {

@@ -75,6 +75,8 @@ class FakeProcess {
   [[nodiscard]] std::optional<Joints> goal() const;
   [[nodiscard]] int schema_requests() const;
   [[nodiscard]] int clock_requests() const;
+  /// Returns the number of requests for past events. It never answers them.
+  [[nodiscard]] std::size_t waiting_readers() const;
 
  private:
   class State;

@@ -38,6 +38,7 @@ void EventFeed::ReadPast(EventSubscription wanted, std::chrono::nanoseconds last
                          std::shared_ptr<EventSink> sink, PastEventsReading::Done done) {
   const auto reading = std::make_shared<PastEventsReading>(std::move(wanted), last, std::move(sink),
                                                            std::move(done));
+  if (!Keep(reading)) return;
   auto events = look_up_(reading->wanted());
   if (!events) return reading->Fail(events.error());
   reading->SetEvents(*std::move(events));
@@ -50,6 +51,27 @@ void EventFeed::ReadPast(EventSubscription wanted, std::chrono::nanoseconds last
                               self->AskForPast(reading, channel, *clock);
                             });
                       });
+}
+
+bool EventFeed::Keep(const SharedReading& reading) {
+  const std::scoped_lock lock(mutex_);
+  if (is_stopped_) return false;
+  std::erase_if(readings_, [](const auto& one) { return one.expired(); });
+  readings_.push_back(reading);
+  return true;
+}
+
+void EventFeed::Stop() {
+  std::unique_lock lock(mutex_);
+  is_stopped_ = true;
+  const auto listeners = std::exchange(listeners_, {});
+  const auto readings = std::exchange(readings_, {});
+  active_.clear();
+  lock.unlock();
+  for (const auto& [id, listener] : listeners) listener->End();
+  for (const auto& weak : readings) {
+    if (const auto reading = weak.lock()) reading->End();
+  }
 }
 
 void EventFeed::AskForPast(const SharedReading& reading, const std::shared_ptr<Channel>& channel,

@@ -44,6 +44,9 @@ class EventFeed final : public ChannelHandler, public std::enable_shared_from_th
   /// Requests the interrupted subscriptions to a process again at once. Must be called when the
   /// process has returned or has a new address.
   void Retry(const std::string& process);
+  /// Ends all subscriptions and readings. After this function has returned, no sink and no `done`
+  /// is called.
+  void Stop();
 
   void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
                 std::span<const std::byte> body) override;
@@ -59,6 +62,8 @@ class EventFeed final : public ChannelHandler, public std::enable_shared_from_th
   using SharedClock = std::shared_ptr<SourceClock>;
   SharedClock ClockOf(const std::shared_ptr<Channel>& channel);
   using SharedReading = std::shared_ptr<PastEventsReading>;
+  /// Adds a reading to readings_ if the feed has not ended.
+  [[nodiscard]] bool Keep(const SharedReading& reading);
   void AskForPast(const SharedReading& reading, const std::shared_ptr<Channel>& channel,
                   const SharedClock& clock);
   void Ask(const SharedListener& listener, const std::shared_ptr<Channel>& channel,
@@ -77,6 +82,8 @@ class EventFeed final : public ChannelHandler, public std::enable_shared_from_th
   std::mutex mutex_;
   std::map<Id, SharedListener> listeners_;
   std::map<Key, SharedListener> active_;
+  std::vector<std::weak_ptr<PastEventsReading>> readings_;
+  bool is_stopped_ = false;
   std::map<const Channel*, std::weak_ptr<SourceClock>> clocks_;
   Id last_id_ = 0;
   std::uint32_t next_handle_ = 1;

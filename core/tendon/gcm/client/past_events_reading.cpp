@@ -15,19 +15,31 @@ PastEventsReading::PastEventsReading(EventSubscription wanted, std::chrono::nano
 }
 
 bool PastEventsReading::Take(const message::ReadEventsReply& page, const SourceClock& clock) {
+  if (const auto taken = TryTake(page, clock); !taken) {
+    Fail(taken.error());
+    return false;
+  }
+  if (next_.first < end_) return true;
+  const std::scoped_lock lock(mutex_);
+  if (done_) done_(read_);
+  return false;
+}
+
+Result<void> PastEventsReading::TryTake(const message::ReadEventsReply& page,
+                                        const SourceClock& clock) {
+  const std::scoped_lock lock(mutex_);
   if (next_.epoch == 0) {
     next_.epoch = page.epoch;
     end_ = page.end;
-    sink_->OnListening(events_);
+    if (sink_) sink_->OnListening(events_);
   }
   const bool goes_on = page.next > next_.first || page.next >= end_;
   if (page.epoch == 0 || page.epoch != next_.epoch || !goes_on) {
-    Fail({ErrorCode::kInvalid,
-          "process '" + wanted_.provided.process + "' sent invalid events of its history"});
-    return false;
+    return Error{ErrorCode::kInvalid,
+                 "process '" + wanted_.provided.process + "' sent invalid events of its history"};
   }
   for (const message::PastEvent& past : page.past) {
-    if (past.event >= page.events.size()) continue;
+    if (past.event >= page.events.size() || !sink_) continue;
     const auto event = std::ranges::find(wanted_.events, page.events[past.event]);
     if (event == wanted_.events.end()) continue;
     const SteadyTime there{std::chrono::nanoseconds(past.time)};
@@ -37,14 +49,19 @@ bool PastEventsReading::Take(const message::ReadEventsReply& page, const SourceC
   }
   read_.lost += page.lost;
   next_.first = page.next;
-  if (page.next < end_) return true;
-  done_(read_);
-  return false;
+  return {};
 }
 
 void PastEventsReading::Fail(const Error& reason) {
+  const std::scoped_lock lock(mutex_);
   read_.failure = reason;
-  done_(read_);
+  if (done_) done_(read_);
+}
+
+void PastEventsReading::End() {
+  const std::scoped_lock lock(mutex_);
+  sink_ = nullptr;
+  done_ = nullptr;
 }
 
 }  // namespace tendon::client

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -16,7 +17,8 @@ class SourceClock;
 
 /// Reads the kept events of one interface page by page, for EventFeed::ReadPast().
 ///
-/// Thread safety: from any thread, one call at a time.
+/// Thread safety: from any thread, one call at a time. Only End() may be called beside another
+/// call.
 class PastEventsReading {
  public:
   using Done = std::function<void(const PastEvents&)>;
@@ -33,11 +35,17 @@ class PastEventsReading {
   [[nodiscard]] bool Take(const message::ReadEventsReply& page, const SourceClock& clock);
   /// Calls `done` with this failure.
   void Fail(const Error& reason);
+  /// After this function has returned, neither the sink nor `done` is called.
+  void End();
 
  private:
+  /// Like Take(), but without the lock. Returns an error if the page is invalid.
+  [[nodiscard]] Result<void> TryTake(const message::ReadEventsReply& page,
+                                     const SourceClock& clock);
   const EventSubscription wanted_;
-  const std::shared_ptr<EventSink> sink_;
-  const Done done_;
+  std::mutex mutex_;  // guards the next two members
+  std::shared_ptr<EventSink> sink_;
+  Done done_;  // empty after End(), like the sink
   std::vector<MemberDescription> events_;
   message::ReadEvents next_;
   PastEvents read_;

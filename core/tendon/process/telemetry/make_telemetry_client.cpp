@@ -5,6 +5,7 @@
 #include <map>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 namespace tendon {
 namespace {
@@ -17,6 +18,9 @@ class ChannelTelemetryClient final : public TelemetryClient {
   ChannelTelemetryClient& operator=(const ChannelTelemetryClient&) = delete;
   ~ChannelTelemetryClient() override {
     for (const auto& [id, subscription] : subscriptions_) subscription->End();
+    for (const auto& weak : readings_) {
+      if (const auto reading = weak.lock()) reading->End();
+    }
     worker_->Stop();
     pulse_->Stop();
     for (const auto& [process, source] : sources_) source->Close();
@@ -45,6 +49,11 @@ class ChannelTelemetryClient final : public TelemetryClient {
   void ReadPast(const TableSubscription& table, std::chrono::nanoseconds last,
                 std::shared_ptr<RowSink> sink, std::function<void(const PastRows&)> done) override {
     auto reading = std::make_shared<PastRowsReading>(table, last, std::move(sink), std::move(done));
+    {
+      const std::scoped_lock lock(mutex_);
+      std::erase_if(readings_, [](const auto& one) { return one.expired(); });
+      readings_.push_back(reading);
+    }
     worker_->Post(
         [this, reading = std::move(reading)] { SourceOf(reading->process()).ReadPast(reading); });
   }
@@ -70,6 +79,7 @@ class ChannelTelemetryClient final : public TelemetryClient {
   std::map<std::string, std::shared_ptr<RowSource>> sources_;  // used only on the worker
   mutable std::mutex mutex_;
   std::map<Id, std::shared_ptr<RowSubscription>> subscriptions_;
+  std::vector<std::weak_ptr<PastRowsReading>> readings_;
   Id last_id_ = 0;
 };
 

@@ -22,8 +22,24 @@ bool PastRowsReading::Take(const message::ReadRowsReply& page, const ClockOffset
     return false;
   }
   const bool is_last = next_.first_tick >= end_tick_;
-  if (is_last) done_(read_);
+  if (is_last) Finish();
   return !is_last;
+}
+
+void PastRowsReading::Fail(const Error& reason) {
+  read_.failure = reason;
+  Finish();
+}
+
+void PastRowsReading::Finish() {
+  const std::scoped_lock lock(mutex_);
+  if (done_) done_(read_);
+}
+
+void PastRowsReading::End() {
+  subscription_.End();
+  const std::scoped_lock lock(mutex_);
+  done_ = nullptr;
 }
 
 Result<void> PastRowsReading::TryTake(const message::ReadRowsReply& page,

@@ -17,7 +17,7 @@ namespace tendon {
 
 /// Reads the kept rows of one table page by page, for TelemetryClient::ReadPast().
 ///
-/// Thread safety: any thread, one call at a time.
+/// Thread safety: any thread, one call at a time. Only End() may be called beside another call.
 class PastRowsReading {
  public:
   using Done = std::function<void(const PastRows&)>;
@@ -30,18 +30,21 @@ class PastRowsReading {
   /// Passes the rows of a page to the sink. Returns true if another page must be requested.
   /// Before it returns false, it calls `done`.
   [[nodiscard]] bool Take(const message::ReadRowsReply& page, const ClockOffset& clock);
-  void Fail(const Error& reason) {
-    read_.failure = reason;
-    done_(read_);
-  }
+  void Fail(const Error& reason);
+  /// After this function has returned, neither the sink nor `done` is called.
+  void End();
 
  private:
   /// Like Take(), but returns an error if the reply is invalid. The reply of a process is
   /// untrusted.
   [[nodiscard]] Result<void> TryTake(const message::ReadRowsReply& page, const ClockOffset& clock);
 
+  /// Calls `done`, unless the reading was ended.
+  void Finish();
+
   RowSubscription subscription_;
-  const Done done_;
+  std::mutex mutex_;
+  Done done_;  // guarded by mutex_; empty after End()
   message::ReadRows next_;
   PastRows read_;
   std::uint64_t beginning_ = 0;

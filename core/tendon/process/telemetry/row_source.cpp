@@ -38,14 +38,14 @@ void RowSource::Remove(const std::shared_ptr<RowSubscription>& subscription) {
 }
 
 void RowSource::ReadPast(const std::shared_ptr<PastRowsReading>& reading) {
-  const auto opened = Open(std::max(kSourceOpenTimeout, access_.past_timeout / 2));
+  const auto opened = Open(std::max(kSourceOpenTimeout, past_timeout_ / 2));
   opened ? AskForPastRows(channel_, reading) : reading->Fail(opened.error());
 }
 
 void RowSource::AskForPastRows(const std::shared_ptr<Channel>& channel,
                                const std::shared_ptr<PastRowsReading>& reading) {
   tendon::Ask<message::ReadRowsReply>(
-      *worker_, channel, message::kReadRows, reading->NextRequest(), access_.past_timeout,
+      *worker_, channel, message::kReadRows, reading->NextRequest(), past_timeout_,
       [self = shared_from_this(), channel, reading](const Result<message::ReadRowsReply>& page) {
         if (!page) return reading->Fail(page.error());
         if (reading->Take(*page, self->clock())) self->AskForPastRows(channel, reading);

@@ -91,6 +91,7 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   RowSource(const Access& access, std::shared_ptr<Worker> worker, std::shared_ptr<Worker> pulse,
             std::string process)
       : access_(access),
+        past_timeout_(access.past_timeout),
         worker_(std::move(worker)),
         pulse_(std::move(pulse)),
         process_(std::move(process)) {}
@@ -164,6 +165,7 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   std::shared_ptr<RowSubscription> Take(const Channel* channel, std::uint32_t handle);
 
   const Access& access_;  // used only on the worker, because a channel may outlive it
+  const std::chrono::milliseconds past_timeout_;
   const std::shared_ptr<Worker> worker_;
   const std::shared_ptr<Worker> pulse_;
   const std::string process_;

@@ -142,5 +142,17 @@ TEST(PastRowsReading, AnErrorEndsItAndLeavesWhatWasRead) {
   EXPECT_EQ(one.outcome->reach, 900ms);
 }
 
+TEST(PastRowsReading, AfterItsEndNeitherTheSinkNorDoneIsCalled) {
+  Reading one;
+  EXPECT_TRUE(one.Take(Page(100, 104, 106, 0)));
+
+  one.reading.End();
+  (void)one.Take(Page(104, 106, 106, 4));
+  one.reading.Fail({ErrorCode::kUnreachable, "too late"});
+
+  EXPECT_EQ(one.sink->ticks.size(), 4U);
+  EXPECT_FALSE(one.outcome);
+}
+
 }  // namespace
 }  // namespace tendon

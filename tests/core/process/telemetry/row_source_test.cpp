@@ -4,10 +4,15 @@
 #include <tendon/process/version_messages.h>
 #include <tendon/process/viewer_messages.h>
 
+#include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <future>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/process/telemetry/recording_handler.h"
 #include "support/wait.h"
@@ -102,6 +107,112 @@ TEST(RowSource, SaysThatAProcessIsTooOldForPastRows) {
             "process 'robot' does not know the request 'read past rows', because it runs an older "
             "version of Tendon; start it again with " +
                 OwnVersion().release + " or later");
+}
+
+/// Answers the first requests for past rows with one row each. Keeps the others waiting.
+class SlowReader final : public RecordingHandler {
+ public:
+  explicit SlowReader(std::uint64_t pages) : pages_(pages) {}
+
+  [[nodiscard]] bool is_asked_for_more() const { return is_waiting_; }
+
+ private:
+  void OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
+                 std::span<const std::byte> body, Responder responder) override {
+    if (header.type != message::kReadRows) {
+      return ChannelHandler::OnRequest(channel, header, body, std::move(responder));
+    }
+    if (tick_ == pages_) {
+      waiting_.emplace(std::move(responder));
+      is_waiting_ = true;
+      return;
+    }
+    RowBatchWriter rows({});
+    rows.BeginRow(tick_, 1);
+    const auto page = rows.Finish({.rows_before = tick_, .next_tick = tick_ + 1});
+    ++tick_;
+    responder.Reply(EncodeBody(message::ReadRowsReply{.subscribed = {.epoch = 1},
+                                                      .now = 1,
+                                                      .end_tick = pages_ + 1,
+                                                      .rows = {page.begin(), page.end()}}));
+  }
+
+  const std::uint64_t pages_;
+  std::uint64_t tick_ = 0;
+  std::optional<Responder> waiting_;
+  std::atomic<bool> is_waiting_{false};
+};
+
+/// Counts the rows, and those that arrive after the end of the client.
+class CountingSink final : public RowSink {
+ public:
+  void OnSubscribed(const std::vector<Schema>& /*columns*/) override {}
+  void OnRows(const RowBatch& batch) override {
+    rows += batch.count;
+    if (has_ended) late += batch.count;
+  }
+  void OnStale(const Error& /*reason*/) override {}
+
+  std::atomic<std::uint64_t> rows{0};
+  std::atomic<std::uint64_t> late{0};
+  std::atomic<bool> has_ended{false};
+};
+
+/// A client that reads past rows of a process.
+class PastRowsOf {
+ public:
+  explicit PastRowsOf(std::shared_ptr<RecordingHandler> process)
+      : listener_(*middleware_.Listen(
+            "127.0.0.1:0", Channel::Acceptor(HelloOf("robot"), [process] { return process; }))),
+        client_(MakeTelemetryClient(
+            std::make_shared<LoopbackMiddleware>(network_),
+            [this](const std::string& /*process*/) {
+              return Result<std::string>(listener_->address());
+            },
+            HelloOf("viewer"))) {
+    client_->ReadPast({"robot", "plant", "state", {}}, std::chrono::seconds(1), sink,
+                      [done = done](const PastRows& /*past*/) { *done = true; });
+  }
+  void EndClient() {
+    client_.reset();
+    sink->has_ended = true;
+  }
+
+  const std::shared_ptr<CountingSink> sink = std::make_shared<CountingSink>();
+  const std::shared_ptr<std::atomic<bool>> done = std::make_shared<std::atomic<bool>>(false);
+
+ private:
+  const std::shared_ptr<LoopbackNetwork> network_ = std::make_shared<LoopbackNetwork>();
+  LoopbackMiddleware middleware_{network_};
+  std::unique_ptr<Listener> listener_;
+  std::unique_ptr<TelemetryClient> client_;
+};
+
+TEST(RowSource, AReadingThatWaitsForThePeerIsForgottenWithTheClient) {
+  const auto process = std::make_shared<SlowReader>(1);
+  PastRowsOf reading(process);
+  ASSERT_TRUE(EventuallyTrue([&] { return process->is_asked_for_more(); }));
+
+  reading.EndClient();
+
+  EXPECT_TRUE(EventuallyTrue([&] { return process->is_closed(); }));
+  EXPECT_EQ(reading.sink->rows, 1U);
+  EXPECT_FALSE(*reading.done);
+}
+
+TEST(RowSource, TheClientMayEndWhilePastRowsArrive) {
+  constexpr std::uint64_t kEndless = std::uint64_t{1} << 40U;
+  for (int i = 0; i < 20; ++i) {
+    const auto process = std::make_shared<SlowReader>(kEndless);
+    PastRowsOf reading(process);
+    ASSERT_TRUE(EventuallyTrue([&] { return reading.sink->rows > 10; }));
+
+    reading.EndClient();
+
+    ASSERT_TRUE(EventuallyTrue([&] { return process->is_closed(); }));
+    EXPECT_EQ(reading.sink->late, 0U);
+    EXPECT_FALSE(*reading.done);
+  }
 }
 
 }  // namespace
