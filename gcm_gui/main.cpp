@@ -282,7 +282,7 @@ int main(int argc, char** argv) {
   tendon::gui::ExceptionGuard::instance();  // created before any thread that may need it
   QApplication::setApplicationName("gcm-gui");
   QApplication::setOrganizationName("tendon");
-  tendon::gui::SpeakAs(QLocale::system());
+  tendon::gui::SetLanguage(QLocale::system());
   tendon::gui::Theme::instance().choose(ThemeChoice(options.theme));
   try {
     return IsRecording(options.file) ? RunReplay(options) : Run(options);

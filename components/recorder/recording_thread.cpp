@@ -39,7 +39,7 @@ void RecordingThread::Start() {
 void RecordingThread::Stop() {
   worker_.Post([this] {
     if (!recorder_ && !is_starting_) {
-      return Tell(RecordingOutcome::Kind::kFailed, "there is no recording to stop");
+      return Report(RecordingOutcome::Kind::kFailed, "there is no recording to stop");
     }
     StopNow();
   });
@@ -70,11 +70,11 @@ std::vector<RecordingOutcome> RecordingThread::TakeOutcomes() {
 
 void RecordingThread::StartNow() {
   if (is_starting_)
-    return Tell(RecordingOutcome::Kind::kFailed, "a recording is already being started");
+    return Report(RecordingOutcome::Kind::kFailed, "a recording is already being started");
   if (recorder_) {
-    return Tell(RecordingOutcome::Kind::kFailed, "a recording is already running and writes " +
-                                                     recorder_->status().file.string() +
-                                                     "; stop that recording first");
+    return Report(RecordingOutcome::Kind::kFailed, "a recording is already running and writes " +
+                                                       recorder_->status().file.string() +
+                                                       "; stop that recording first");
   }
   is_starting_ = true;
   ++starts_;
@@ -94,8 +94,8 @@ void RecordingThread::Begin() {
     system_.reset();
     constexpr int kTriesUntilTold = 10;
     if (++tries_ == kTriesUntilTold) {
-      Tell(RecordingOutcome::Kind::kDelayed,
-           "the recording has not begun yet: " + unknown->message);
+      Report(RecordingOutcome::Kind::kDelayed,
+             "the recording has not begun yet: " + unknown->message);
     }
     return worker_.PostAfter(100ms, [this, start = starts_] {
       if (start == starts_) Begin();
@@ -105,7 +105,7 @@ void RecordingThread::Begin() {
   auto started = tendon::recording::Recorder::Start(system_, queue, std::move(options_));
   if (!started) {
     system_.reset();
-    return Tell(RecordingOutcome::Kind::kFailed, started.error().message);
+    return Report(RecordingOutcome::Kind::kFailed, started.error().message);
   }
   recorder_ = *std::move(started);
   ++recordings_;
@@ -118,7 +118,7 @@ void RecordingThread::Begin() {
 void RecordingThread::StopNow() {
   if (std::exchange(is_starting_, false)) {
     SetWaiting(false);
-    return Tell(RecordingOutcome::Kind::kStopped, "");
+    return Report(RecordingOutcome::Kind::kStopped, "");
   }
   const auto stopped = recorder_->Stop();
   const RecorderStatus status = recorder_->status();
@@ -136,17 +136,17 @@ void RecordingThread::StopNow() {
   }
   recorder_.reset();
   system_.reset();
-  if (!stopped) return Tell(RecordingOutcome::Kind::kFailed, stopped.error().message);
+  if (!stopped) return Report(RecordingOutcome::Kind::kFailed, stopped.error().message);
   if (is_waiting_ && !status.is_waiting)
-    Tell(RecordingOutcome::Kind::kStarted, status.file.string());
-  Tell(RecordingOutcome::Kind::kStopped, status.is_waiting ? "" : status.file.string());
+    Report(RecordingOutcome::Kind::kStarted, status.file.string());
+  Report(RecordingOutcome::Kind::kStopped, status.is_waiting ? "" : status.file.string());
 }
 
 void RecordingThread::SaveLastNow(double seconds) {
   if (!(seconds > 0.0 && seconds <= kLongestPast)) {
-    return Tell(RecordingOutcome::Kind::kFailed,
-                "cannot save the last " + std::to_string(seconds) +
-                    " s: expected more than 0 and at most 86400 s");
+    return Report(RecordingOutcome::Kind::kFailed,
+                  "cannot save the last " + std::to_string(seconds) +
+                      " s: expected more than 0 and at most 86400 s");
   }
   const auto queue = std::make_shared<tendon::recording::RecordingQueue>();
   tendon::recording::LocalSystem system(process_, queue);
@@ -158,11 +158,11 @@ void RecordingThread::SaveLastNow(double seconds) {
       std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(seconds));
   const std::chrono::nanoseconds last = options.last;
   const auto saved = tendon::recording::SaveLast(system, queue, std::move(options));
-  if (!saved) return Tell(RecordingOutcome::Kind::kFailed, saved.error().message);
+  if (!saved) return Report(RecordingOutcome::Kind::kFailed, saved.error().message);
   for (const auto& text : tendon::recording::ShortfallsOf(*saved, last)) {
-    Tell(RecordingOutcome::Kind::kFailed, text);
+    Report(RecordingOutcome::Kind::kFailed, text);
   }
-  Tell(RecordingOutcome::Kind::kSaved, saved->file.string());
+  Report(RecordingOutcome::Kind::kSaved, saved->file.string());
 }
 
 /// Ten times a second while there is a recording.
@@ -171,7 +171,7 @@ void RecordingThread::Look() {
   const RecorderStatus status = recorder_->status();
   if (is_waiting_ && !status.is_waiting) {
     is_waiting_ = false;
-    Tell(RecordingOutcome::Kind::kStarted, status.file.string());
+    Report(RecordingOutcome::Kind::kStarted, status.file.string());
   }
   if (status.failure || status.is_finished) return StopNow();
   const tendon::SteadyTime now = tendon::SteadyClock().Now();
@@ -204,7 +204,7 @@ void RecordingThread::SetWaiting(bool is_waiting) {
   state_.is_waiting = is_waiting;
 }
 
-void RecordingThread::Tell(RecordingOutcome::Kind kind, std::string text) {
+void RecordingThread::Report(RecordingOutcome::Kind kind, std::string text) {
   const std::scoped_lock lock(mutex_);
   outcomes_.push_back({kind, std::move(text)});
 }

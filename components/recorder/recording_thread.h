@@ -58,7 +58,7 @@ class RecordingThread {
   void SaveLastNow(double seconds);
   void Look();
   void SetWaiting(bool is_waiting);
-  void Tell(RecordingOutcome::Kind kind, std::string text);
+  void Report(RecordingOutcome::Kind kind, std::string text);
   [[nodiscard]] tendon::recording::RecorderOptions NextRecording() const;
   [[nodiscard]] tendon::recording::FileOptions NextFile() const;
 

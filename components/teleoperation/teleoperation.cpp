@@ -65,7 +65,7 @@ void Teleoperation::Run() {
   if (status == tendon::Status::kNotActive) is_leading_ = false;
   if (!status) return;
   if (!is_leading_) SetOut(joints);
-  GoOn(joints);
+  ContinueFrom(joints);
 }
 
 void Teleoperation::Cleanup() {
@@ -85,7 +85,7 @@ void Teleoperation::SetOut(const JointState& joints) {
   }
 }
 
-void Teleoperation::GoOn(const JointState& joints) {
+void Teleoperation::ContinueFrom(const JointState& joints) {
   target_.position = PostureAt(0.0);
   tracking_.worst = 0.0;
   for (std::size_t joint = 0; joint < kJoints; ++joint) {

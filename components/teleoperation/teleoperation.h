@@ -31,7 +31,7 @@ class Teleoperation : public tendon::PeriodicTask {
   void OnResume() override { is_leading_ = false; }
 
   void SetOut(const JointState& joints);
-  void GoOn(const JointState& joints);
+  void ContinueFrom(const JointState& joints);
   void SendGoal();
   [[nodiscard]] JointVector PostureAt(double time_ahead) const;
 

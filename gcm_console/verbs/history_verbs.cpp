@@ -78,8 +78,9 @@ Result<HistoryEntry> UndoOne(Context& context, const UndoWords& words, UndoResul
   auto step = AskForUndo(context, words.step);
   const bool may_pass = words.skip && undone.passed_over.empty();
   if (step || !may_pass || step.error().code != tendon::ErrorCode::kFailed) return step;
-  auto passed = context.Ask<HistoryEntry>(
-      [&words](tendon::GcmClient& client, auto handler) { client.PassOver(handler, words.step); });
+  auto passed = context.Ask<HistoryEntry>([&words](tendon::GcmClient& client, auto handler) {
+    client.SkipNewestStep(handler, words.step);
+  });
   if (!passed) return step;
   undone.passed_over.push_back(*std::move(passed));
   return AskForUndo(context, words.step);

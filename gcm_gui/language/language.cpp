@@ -33,7 +33,7 @@ QStringList Languages() {
   return languages;
 }
 
-void SpeakAs(const QLocale& locale) {
+void SetLanguage(const QLocale& locale) {
   QLocale::setDefault(QLocale::c());
   std::setlocale(LC_NUMERIC, "C");  // NOLINT(concurrency-mt-unsafe): before other threads
   Install(locale, QStringLiteral("qtbase"), QLibraryInfo::path(QLibraryInfo::TranslationsPath));

@@ -12,6 +12,6 @@ namespace tendon::gui {
 /// there is no translation. Numbers look the same in every language, as in commands, JSON and CSV:
 /// with a decimal point and without thousands separators. Call it once, before the first widget is
 /// created, in the GUI thread.
-void SpeakAs(const QLocale& locale);
+void SetLanguage(const QLocale& locale);
 
 }  // namespace tendon::gui

@@ -377,9 +377,9 @@ void GcmClient::Undo(StepHandler handler, std::uint64_t step) {
       message::kUndo, which, implementation_->Guarded(std::move(handler)), kUndoTimeouts);
 }
 
-void GcmClient::PassOver(StepHandler handler, std::uint64_t step) {
+void GcmClient::SkipNewestStep(StepHandler handler, std::uint64_t step) {
   implementation_->link().Request<message::HistoryEntry>(
-      message::kPassOver, message::StepSelection{.id = step},
+      message::kSkipStep, message::StepSelection{.id = step},
       implementation_->Guarded(std::move(handler)));
 }
 

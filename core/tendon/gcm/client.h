@@ -134,7 +134,7 @@ class GcmClient {
   /// Marks the newest step as skipped, so that earlier steps can be undone. Fails with kFailed if
   /// the process of the step is lost but may come back. If the step could be undone, `step` must be
   /// its number; with 0, also fails with kFailed.
-  void PassOver(StepHandler handler, std::uint64_t step = 0);
+  void SkipNewestStep(StepHandler handler, std::uint64_t step = 0);
   /// Takes the plan lock, which allows only this client to execute plans. The lock is held until
   /// ReleasePlanLock(), or until the link to the GCM ends. Fails with kFailed if another client has
   /// the lock; the error names that client.

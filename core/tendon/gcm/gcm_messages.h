@@ -54,7 +54,7 @@ inline constexpr auto kHealth = static_cast<MessageType>(0x31a);   // None -> Sy
 inline constexpr auto kProcess = static_cast<MessageType>(0x31b);  // ProcessOrder -> None
 inline constexpr auto kGetChildren = static_cast<MessageType>(0x31d);  // None -> Children
 inline constexpr auto kPlanLock = static_cast<MessageType>(0x31e);     // PlanLock -> None
-inline constexpr auto kPassOver = static_cast<MessageType>(0x31f);  // StepSelection -> HistoryEntry
+inline constexpr auto kSkipStep = static_cast<MessageType>(0x31f);  // StepSelection -> HistoryEntry
 inline constexpr auto kWatchLog = static_cast<MessageType>(0x342);  // WatchLog -> WatchLogReply
 // Sent by the GCM, in addition to the messages of process/log/log_messages.h.
 inline constexpr auto kChanges = static_cast<MessageType>(0x320);  // notice to a viewer: Changes

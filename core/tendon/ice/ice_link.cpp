@@ -167,7 +167,7 @@ void IceLink::SendMarker() {
   if (!Begin(oneway_, "ice_ping", {})) is_marker_on_way_.Set(false);
 }
 
-bool IceLink::DeliverAsked(std::span<const std::byte> frame, ReplySlot& answer) {
+bool IceLink::DeliverDirect(std::span<const std::byte> frame, ReplySlot& answer) {
   const std::scoped_lock delivery(delivery_);
   const std::size_t limit = limit_.Get();
   if (limit == 0) return true;

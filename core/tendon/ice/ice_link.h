@@ -43,7 +43,7 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   /// Ice queues any number of these replies and does not report when they were sent. If 2 MiB of
   /// them may be unsent, a marker is sent after them, because Ice reports when the marker was sent.
   /// If 4 MiB may be unsent, further replies are sent with Send(), which limits the unsent bytes.
-  bool DeliverAsked(std::span<const std::byte> frame, ReplySlot& answer);
+  bool DeliverDirect(std::span<const std::byte> frame, ReplySlot& answer);
   /// Returns true if a reply may be sent as the response of its call: fewer than 4 MiB of these
   /// replies may be unsent.
   [[nodiscard]] bool MayReturn() const { return OnWay() < kMostReturned; }
@@ -77,7 +77,7 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
  private:
   friend class Links;
 
-  /// The limits for reply bytes that may be unsent; see DeliverAsked().
+  /// The limits for reply bytes that may be unsent; see DeliverDirect().
   static constexpr std::size_t kMostReturned = std::size_t{4} << 20U;
   static constexpr std::size_t kManyReturned = std::size_t{2} << 20U;
 

@@ -110,7 +110,7 @@ class TopicPublisher final : public std::enable_shared_from_this<TopicPublisher>
     const std::scoped_lock lock(mutex_);
     if (has_ended_) return;
     publisher_ = (*publisher)->ice_invocationTimeout(-1)->ice_oneway();
-    complaint_.clear();
+    warning_.clear();
   }
 
   /// Stores the topic. Returns false after End(); then the caller must destroy the topic.
@@ -138,13 +138,13 @@ class TopicPublisher final : public std::enable_shared_from_this<TopicPublisher>
 
   /// Logs the reason, unless the last logged reason was the same.
   void LogOnce(const std::string& reason) {
-    if (std::exchange(complaint_, reason) != reason) Log(LogLevel::kWarning, "broker", reason);
+    if (std::exchange(warning_, reason) != reason) Log(LogLevel::kWarning, "broker", reason);
   }
 
   const BrokerConnection& connection_;  // used only on the worker
   const std::string broker_;
   const std::string name_;
-  std::string complaint_;  // used only on the worker
+  std::string warning_;  // used only on the worker
   std::mutex mutex_;
   bool has_ended_ = false;
   std::shared_ptr<IceStorm::TopicPrx> topic_;

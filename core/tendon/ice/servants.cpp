@@ -33,7 +33,7 @@ constexpr std::array kYes{std::byte{7}, std::byte{0}, std::byte{0}, std::byte{0}
 /// if the reply is deferred.
 bool Ask(IceLink& link, std::span<const std::byte> frame, IceInternal::Incoming& incoming) {
   ImmediateReply answer(link, incoming);
-  if (!link.DeliverAsked(frame, answer)) CutOff(link, NoFrame(link.peer()).message);
+  if (!link.DeliverDirect(frame, answer)) CutOff(link, NoFrame(link.peer()).message);
   if (answer.is_deferred()) return false;
   if (!answer.has_begun()) {
     incoming.startWriteParams()->writeSize(0);

@@ -166,18 +166,18 @@ void Channel::OnLentFrame(std::span<const std::byte> frame, std::shared_ptr<cons
     OnMessage(*header, body, std::move(owner));
     Resume();
   } catch (const std::bad_alloc&) {
-    OnNoRoom("out of memory (ulimit -v)", frame.size());
+    OnOutOfMemory("out of memory (ulimit -v)", frame.size());
   }
 }
 
 /// Closes the channel because there is not enough memory for one of its messages. All other
 /// channels continue.
-void Channel::OnNoRoom(const char* limit, std::size_t size) {
-  static RateLimitedWarning complaints("channel");
+void Channel::OnOutOfMemory(const char* limit, std::size_t size) {
+  static RateLimitedWarning warnings("channel");
   CallGuarded("channel", [&] {
     const std::string what =
         std::string(limit) + ": a message of " + std::to_string(size) + " bytes is refused";
-    complaints.Add(what);
+    warnings.Add(what);
     Fail({ErrorCode::kFailed, what});
   });
 }
@@ -285,12 +285,12 @@ void Channel::OnPart(const FrameHeader& header, std::span<const std::byte> part)
   switch (progress) {
     case Progress::kMoreToCome:
       return;
-    case Progress::kNonsense:
+    case Progress::kMalformed:
       return Fail({ErrorCode::kInvalid, peer_.name + " sent parts that are not a valid message"});
     case Progress::kOutOfMemory:
-      return OnNoRoom("out of memory (ulimit -v)", FrameHeader::kSize + frame.header.size);
+      return OnOutOfMemory("out of memory (ulimit -v)", FrameHeader::kSize + frame.header.size);
     case Progress::kTooMuch:
-      return OnTooMuch(frame.header);
+      return OnBudgetExceeded(frame.header);
     case Progress::kWhole:
       break;
   }
@@ -300,9 +300,9 @@ void Channel::OnPart(const FrameHeader& header, std::span<const std::byte> part)
 
 /// Called if the budget for unfinished messages is used up. Refuses a request. A notice cannot be
 /// refused, so the channel is closed; otherwise the notice would be lost silently.
-void Channel::OnTooMuch(const FrameHeader& header) {
+void Channel::OnBudgetExceeded(const FrameHeader& header) {
   constexpr const char* kWhy = "512 MiB of unfinished messages are already kept";
-  if (header.request == 0) return OnNoRoom(kWhy, FrameHeader::kSize + header.size);
+  if (header.request == 0) return OnOutOfMemory(kWhy, FrameHeader::kSize + header.size);
   CallGuarded(peer_.name, [&] { SendRefusal(header.request, {ErrorCode::kFailed, kWhy}); });
 }
 
@@ -313,7 +313,7 @@ bool Channel::IsWanted(const FrameHeader& header) {
     return requests_.IsAwaited(header.request);
   }
   std::optional<Error> refusal = Error{ErrorCode::kFailed, "the required role is unknown"};
-  CallGuarded(peer_.name, [&] { refusal = handler_->WhyNotTaken(*this, header); });
+  CallGuarded(peer_.name, [&] { refusal = handler_->RefusalOfLargeMessage(*this, header); });
   if (refusal && header.request != 0) SendRefusal(header.request, *refusal);
   return !refusal;
 }

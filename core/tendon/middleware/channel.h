@@ -164,8 +164,8 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   void HandleLarge(PartAssembly::Frame frame);
   void ReportTakenParts();
   void SendTakenParts();
-  void OnTooMuch(const FrameHeader& header);
-  void OnNoRoom(const char* limit, std::size_t size);
+  void OnBudgetExceeded(const FrameHeader& header);
+  void OnOutOfMemory(const char* limit, std::size_t size);
 
   // Send messages to the peer, whole or in parts.
   Status Send(MessageType type, std::uint64_t request, std::uint32_t handle,

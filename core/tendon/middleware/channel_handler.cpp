@@ -17,8 +17,8 @@ void ChannelHandler::OnRequest(const std::shared_ptr<Channel>& /*channel*/,
 void ChannelHandler::OnNotice(const std::shared_ptr<Channel>& /*channel*/,
                               const FrameHeader& /*header*/, std::span<const std::byte> /*body*/) {}
 
-std::optional<Error> ChannelHandler::WhyNotTaken(const Channel& /*channel*/,
-                                                 const FrameHeader& /*header*/) {
+std::optional<Error> ChannelHandler::RefusalOfLargeMessage(const Channel& /*channel*/,
+                                                           const FrameHeader& /*header*/) {
   return std::nullopt;
 }
 

@@ -39,7 +39,8 @@ class ChannelHandler {
   /// Called with the header when the first part of a large message has arrived. If this function
   /// returns an error, the message is discarded; if the message is a request, it is refused with
   /// the error. By default, accepts all messages.
-  virtual std::optional<Error> WhyNotTaken(const Channel& channel, const FrameHeader& header);
+  virtual std::optional<Error> RefusalOfLargeMessage(const Channel& channel,
+                                                     const FrameHeader& header);
 
   /// Called exactly once for every link that was opened, as the last call, even if the handshake
   /// failed. The channel then releases the handler.

@@ -56,13 +56,13 @@ PartAssembly::Progress PartAssembly::Add(std::uint32_t number, std::span<const s
   auto found = unfinished_.find(number);
   const bool is_first = found == unfinished_.end();
   if (is_first) found = Begin(number, part);
-  if (found == unfinished_.end()) return Progress::kNonsense;
+  if (found == unfinished_.end()) return Progress::kMalformed;
   UnfinishedFrame& unfinished = found->second;
   const std::size_t left = unfinished.header.size - unfinished.come;
   const auto more = is_first ? part.subspan(FrameHeader::kSize) : part;
   const std::size_t least = std::min(kLeastPartSize - (part.size() - more.size()), left);
   // Only the last part may be smaller than `least`. This limits the work per byte.
-  if (more.size() > left || more.size() < least) return Progress::kNonsense;
+  if (more.size() > left || more.size() < least) return Progress::kMalformed;
   taken_ += part.size();
   unfinished.last_part = clock_.Now();
   const bool is_last = more.size() == left;

@@ -36,11 +36,12 @@ class PartAssembly {
   PartAssembly& operator=(const PartAssembly&) = delete;
   ~PartAssembly() { Clear(); }
 
-  /// The result of adding a part. After kNonsense and kOutOfMemory, the caller must close the link.
+  /// The result of adding a part. After kMalformed and kOutOfMemory, the caller must close the
+  /// link.
   enum class Progress {
     kMoreToCome,
     kWhole,        ///< a frame is complete
-    kNonsense,     ///< the peer must not send this part
+    kMalformed,    ///< the peer must not send this part
     kOutOfMemory,  ///< no memory for the frame
     kTooMuch       ///< the budget is used up: the frame is discarded
   };

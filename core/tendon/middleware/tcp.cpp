@@ -40,7 +40,7 @@ class EventLoop {
   using Key = std::uint64_t;
   EventLoop() : thread_([this] { Run(); }) {}
   [[nodiscard]] os::Poller& poller() { return poller_; }
-  [[nodiscard]] RateLimitedWarning& complaints() { return complaints_; }
+  [[nodiscard]] RateLimitedWarning& warnings() { return warnings_; }
   /// A buffer for received bytes. May be used only in the loop's thread.
   [[nodiscard]] std::span<std::byte> scratch() { return scratch_; }
 
@@ -147,7 +147,7 @@ class EventLoop {
   }
 
   os::Poller poller_;
-  RateLimitedWarning complaints_{"tcp"};
+  RateLimitedWarning warnings_{"tcp"};
   Bytes scratch_ = Bytes(std::size_t{256} << 10U);
   std::mutex mutex_;
   Key last_key_ = 0;
@@ -330,7 +330,7 @@ class TcpLink final : public Link,
   }
 
   void Reject(const Error& reason) {
-    loop_->complaints().Add(reason.message + ": closed");
+    loop_->warnings().Add(reason.message + ": closed");
     Finish(reason);
   }
 
@@ -383,7 +383,7 @@ class ListeningEndpoint final : public SocketOwner,
       std::make_shared<TcpLink>(loop_, std::move(connection), key_)->BeginAccepted(accept_);
     }
     if (accepted != os::Accepted::kFailed) return;
-    loop_->complaints().Add("too many open files (ulimit -n): new connections have to wait");
+    loop_->warnings().Add("too many open files (ulimit -n): new connections have to wait");
     loop_->poller().Change(socket_, key_, Watch::kNothing);
   }
 
@@ -392,7 +392,7 @@ class ListeningEndpoint final : public SocketOwner,
   }
 
   void OnOutOfMemory() override {
-    loop_->complaints().Add(std::string(kOutOfMemory) + "a new connection is refused");
+    loop_->warnings().Add(std::string(kOutOfMemory) + "a new connection is refused");
   }
 
   void CloseNow() override {

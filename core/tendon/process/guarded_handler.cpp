@@ -37,8 +37,8 @@ Role GuardedHandler::RoleOf(const Channel& channel) const {
   return std::min(role_, channel.peer().role);
 }
 
-std::optional<Error> GuardedHandler::WhyNotTaken(const Channel& channel,
-                                                 const FrameHeader& header) {
+std::optional<Error> GuardedHandler::RefusalOfLargeMessage(const Channel& channel,
+                                                           const FrameHeader& header) {
   constexpr std::uint32_t kMostOfViewers = std::uint32_t{1} << 20U;
   const Right* const right = FindRight(static_cast<std::uint16_t>(header.type));
   if (right == nullptr || !Includes(RoleOf(channel), right->role)) {

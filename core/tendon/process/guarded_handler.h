@@ -33,7 +33,8 @@ class GuardedHandler : public ChannelHandler {
                  std::span<const std::byte> body, Responder responder) final;
   void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
                 std::span<const std::byte> body) final;
-  std::optional<Error> WhyNotTaken(const Channel& channel, const FrameHeader& header) final;
+  std::optional<Error> RefusalOfLargeMessage(const Channel& channel,
+                                             const FrameHeader& header) final;
 
  private:
   virtual void OnAllowedRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,

@@ -97,7 +97,7 @@ std::uint64_t Outbox::SendNow([[maybe_unused]] const Turn& turn, BlockingCall ca
   return 0;
 }
 
-void Outbox::Take(std::uint32_t handle, CallBuffer& call, const Mailbox& callers) {
+void Outbox::SendOrBatch(std::uint32_t handle, CallBuffer& call, const Mailbox& callers) {
   const bool is_large = call.argument().size() >= kFullBatch;
   const bool is_alone = is_large ? SendBatch() : batch_.empty() && callers.size() == 1;
   const auto frame = [&] {
@@ -105,7 +105,7 @@ void Outbox::Take(std::uint32_t handle, CallBuffer& call, const Mailbox& callers
                                 : call.TimedFrame(handle, times_of_->event_time());
   };
   if (is_alone && SendFrame(frame(), 1)) return;
-  Take(handle, call.argument());
+  AddToBatch(handle, call.argument());
 }
 
 /// Returns true if the batch is empty now, and false if the link has no room for it.
@@ -151,7 +151,7 @@ void Outbox::SendRest(std::chrono::milliseconds patience) {
 }
 
 /// Takes up to `limit` calls from the inbox, until the batch is full. Some of them are already sent
-/// by Take().
+/// by SendOrBatch().
 void Outbox::Collect(std::size_t limit) {
   const std::uint64_t before = sent_;
   while (!blocking_call_ && sent_ - before + batch_.calls() < limit &&

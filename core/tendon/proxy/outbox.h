@@ -116,15 +116,15 @@ class Outbox {
 
   // Network thread: called by Send() with the next call from the inbox.
 
-  void Take(std::uint32_t handle, std::span<const std::byte> argument) {
+  void AddToBatch(std::uint32_t handle, std::span<const std::byte> argument) {
     if (times_of_ == nullptr) return batch_.Add(handle, argument);
     batch_.AddTimed(handle, argument, times_of_->event_time());
   }
   /// Sends the call from its buffer, without a copy, if it gets a frame of its own: a large call
   /// does, and a call after which no other is queued. If the link has no room, copies it into the
   /// batch. `callers` is the mailbox of the call, in which the call keeps its slot until then.
-  void Take(std::uint32_t handle, CallBuffer& call, const Mailbox& callers);
-  void Take(BlockingCall call) { blocking_call_ = std::move(call); }
+  void SendOrBatch(std::uint32_t handle, CallBuffer& call, const Mailbox& callers);
+  void SetBlockingCall(BlockingCall call) { blocking_call_ = std::move(call); }
 
  private:
   [[nodiscard]] bool has_taken() const { return !batch_.empty() || blocking_call_; }

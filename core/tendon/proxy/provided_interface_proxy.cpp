@@ -3,8 +3,8 @@
 #include <tendon/proxy/function_proxy.h>
 #include <tendon/proxy/mirrored_read.h>
 #include <tendon/proxy/provided_interface_proxy.h>
-#include <tendon/proxy/queued_command_proxy.h>
-#include <tendon/proxy/read_proxy.h>
+#include <tendon/proxy/queued_offer_proxy.h>
+#include <tendon/proxy/read_offer_proxy.h>
 
 #include <algorithm>
 #include <utility>
@@ -26,7 +26,7 @@ ProvidedInterfaceProxy::ProvidedInterfaceProxy(std::shared_ptr<NetworkThread> th
                                                const RequiredDescription& required,
                                                std::chrono::milliseconds read_deadline)
     : thread_(std::move(thread)),
-      line_(remote.line),
+      executor_(remote.executor),
       handle_(remote.opened.handle),
       mirrored_(remote.mirrored),
       outbox_(remote.channel, message::kCommands, thread_->wakeup(), ToString(remote.name),
@@ -72,14 +72,14 @@ void ProvidedInterfaceProxy::AddEvents(const ProvidedDescription& provided,
     events_.back() = std::make_unique<EventProxy>();
     interface_.AddEvent(*events_.back(), *event);
     // Two threads raise events, because the middleware's thread may report faults of the source.
-    if (line_) events_.back()->SetRaisers(CallerThreads::kManyThreads, nullptr);
+    if (executor_) events_.back()->SetRaisers(CallerThreads::kManyThreads, nullptr);
   }
 }
 
 void ProvidedInterfaceProxy::OnEvent(std::size_t handler, std::span<const std::byte> value) {
   if (handler >= events_.size() || !events_[handler]) return;
-  if (!line_) return Raise(handler, value);
-  const bool is_posted = line_->Post(
+  if (!executor_) return Raise(handler, value);
+  const bool is_posted = executor_->Post(
       [self = shared_from_this(), handler, copy = Bytes(value.begin(), value.end())] {
         self->CountLostEvents();
         self->Raise(handler, copy);
@@ -101,13 +101,13 @@ void ProvidedInterfaceProxy::OnEventsLost(const message::EventsLost& events) {
   for (std::size_t i = 0; i < std::min(events_.size(), events.lost.size()); ++i) {
     if (events_[i]) events_[i]->SetLostThere(events.lost[i]);
   }
-  if (!line_) return CountLostEvents();
+  if (!executor_) return CountLostEvents();
   // If the queue of the executor is full, the calls in the queue will count these events.
-  (void)line_->Post([self = shared_from_this()] { self->CountLostEvents(); });
+  (void)executor_->Post([self = shared_from_this()] { self->CountLostEvents(); });
 }
 
 void ProvidedInterfaceProxy::DrainEvents(SteadyTime deadline) const {
-  if (line_) (void)line_->Drain(deadline);
+  if (executor_) (void)executor_->Drain(deadline);
 }
 
 void ProvidedInterfaceProxy::CountLostEvents() {
@@ -130,7 +130,7 @@ bool ProvidedInterfaceProxy::OnCredit(const message::Credit& credit) {
   if (is_faulted != remote_component_.is_faulted()) {
     remote_component_.SetFaulted(is_faulted);
     // Posted to the executor, so that handlers get earlier events first.
-    const bool is_posted = line_ && line_->Post([self = shared_from_this()] {
+    const bool is_posted = executor_ && executor_->Post([self = shared_from_this()] {
       self->interface_.SetSourceFaulted(self->remote_component_.is_faulted());
     });
     if (!is_posted) interface_.SetSourceFaulted(is_faulted);

@@ -41,7 +41,7 @@ class ProvidedInterfaceProxy final : public NetworkJob,
     /// The values of mirrored commands, by name of the command.
     std::map<std::string, std::shared_ptr<MirroredValue>> mirrored{};
     /// Raises the events; null unless one of their handlers runs in the raising thread.
-    std::shared_ptr<SerialExecutor> line{};
+    std::shared_ptr<SerialExecutor> executor{};
   };
   /// Offers those members of the remote interface that `required` uses. Throws ConfigurationError
   /// if the description of the remote interface is invalid.
@@ -89,7 +89,7 @@ class ProvidedInterfaceProxy final : public NetworkJob,
   void CountLostEvents();
 
   const std::shared_ptr<NetworkThread> thread_;
-  const std::shared_ptr<SerialExecutor> line_;
+  const std::shared_ptr<SerialExecutor> executor_;
   const std::uint32_t handle_;
   const std::map<std::string, std::shared_ptr<MirroredValue>> mirrored_;
   Outbox outbox_;

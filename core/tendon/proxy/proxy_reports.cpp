@@ -58,7 +58,7 @@ void RefusedPayloads::Report() {
 }
 
 void RefusedPayloads::Log(const std::string& member, std::size_t size) {
-  complaints_.Add(ExceedsMaxPayload("'" + member + "'", size, interface_).message);
+  warnings_.Add(ExceedsMaxPayload("'" + member + "'", size, interface_).message);
 }
 
 }  // namespace tendon

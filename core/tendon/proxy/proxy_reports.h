@@ -56,7 +56,7 @@ class RefusedPayloads {
   /// robot/arm/Cloud". Such messages are logged at most once in ten seconds, with their number.
   void Log(const std::string& member, std::size_t size);
 
-  [[nodiscard]] std::uint64_t logged() const { return complaints_.count(); }
+  [[nodiscard]] std::uint64_t logged() const { return warnings_.count(); }
 
  private:
   const std::string interface_;
@@ -65,7 +65,7 @@ class RefusedPayloads {
   SharedCounter<> notes_;
   // Value of notes_ at the last Report(); used only in the network thread.
   std::uint64_t reported_ = 0;
-  RateLimitedWarning complaints_{"network"};
+  RateLimitedWarning warnings_{"network"};
 };
 
 }  // namespace tendon

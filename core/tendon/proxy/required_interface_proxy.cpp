@@ -1,6 +1,6 @@
 #include <tendon/base/text.h>
 #include <tendon/middleware/large_message_in_progress.h>
-#include <tendon/proxy/read_proxy.h>
+#include <tendon/proxy/read_offer_proxy.h>
 #include <tendon/proxy/required_interface_proxy.h>
 
 #include <algorithm>
@@ -109,7 +109,8 @@ RequiredInterfaceProxy::RequiredInterfaceProxy(std::shared_ptr<NetworkThread> th
   interface_.Seal();
 }
 
-void RequiredInterfaceProxy::MakeLines(const ProvidedInterface& server, CallExecutors& threads) {
+void RequiredInterfaceProxy::MakeExecutors(const ProvidedInterface& server,
+                                           CallExecutors& threads) {
   bool has_commands = false;
   bool has_reads = false;
   for (std::size_t i = 0; i < functions_.size(); ++i) {
@@ -120,8 +121,8 @@ void RequiredInterfaceProxy::MakeLines(const ProvidedInterface& server, CallExec
   }
   // The queue has room for the whole credit of the peer, with arguments of any size, and for one
   // call that has just ended.
-  if (has_commands) commands_ = threads.commands.MakeLine(capacity_ + std::size_t{1});
-  if (has_reads) reads_ = threads.reads.MakeLine(kMostReads, kMostReadBytes);
+  if (has_commands) commands_ = threads.commands.MakeExecutor(capacity_ + std::size_t{1});
+  if (has_reads) reads_ = threads.reads.MakeExecutor(kMostReads, kMostReadBytes);
   if (has_commands || has_reads) interface_.SetCallers(CallerThreads::kManyThreads);
 }
 
@@ -170,11 +171,11 @@ void RequiredInterfaceProxy::EndCredit() {
 }
 
 template <typename Call>
-bool RequiredInterfaceProxy::PostTo(SerialExecutor& line, std::span<const std::byte> argument,
+bool RequiredInterfaceProxy::PostTo(SerialExecutor& executor, std::span<const std::byte> argument,
                                     Call call) {
-  return line.Post([self = shared_from_this(), call = std::move(call),
-                    bytes = Bytes(argument.begin(), argument.end())] { call(*self, bytes); },
-                   argument.size());
+  return executor.Post([self = shared_from_this(), call = std::move(call),
+                        bytes = Bytes(argument.begin(), argument.end())] { call(*self, bytes); },
+                       argument.size());
 }
 
 class RequiredInterfaceProxy::QueuedCommandCount {
@@ -186,7 +187,7 @@ class RequiredInterfaceProxy::QueuedCommandCount {
   /// Destroyed when the command was executed, moved to the mailbox, or dropped.
   ~QueuedCommandCount() {
     const std::scoped_lock lock(proxy_.mutex_);
-    --proxy_.waiting_in_line_;
+    --proxy_.queued_in_executor_;
   }
 
  private:
@@ -194,8 +195,8 @@ class RequiredInterfaceProxy::QueuedCommandCount {
 };
 
 void RequiredInterfaceProxy::LogDropped(std::size_t function, const std::string& reason) {
-  complaints_.Add("a call of '" + function_names_[function] + "' from " + channel_->peer().name +
-                  " was dropped: " + reason);
+  warnings_.Add("a call of '" + function_names_[function] + "' from " + channel_->peer().name +
+                " was dropped: " + reason);
 }
 
 void RequiredInterfaceProxy::LogRefused(std::size_t function) {
@@ -204,10 +205,10 @@ void RequiredInterfaceProxy::LogRefused(std::size_t function) {
 }
 
 /// Returns true if a call of this command must be queued in the serial executor.
-bool RequiredInterfaceProxy::MustWaitInLine(std::size_t function) const {
+bool RequiredInterfaceProxy::MustUseExecutor(std::size_t function) const {
   if (!commands_ || runs_component_[function]) return commands_ != nullptr;
   const std::scoped_lock lock(mutex_);
-  return waiting_in_line_ > 0;
+  return queued_in_executor_ > 0;
 }
 
 void RequiredInterfaceProxy::WaitForRoom(std::size_t function, SteadyTime deadline) const {
@@ -225,7 +226,7 @@ void RequiredInterfaceProxy::WaitForRoom(std::size_t function, SteadyTime deadli
 void RequiredInterfaceProxy::OnCommand(std::size_t function, std::span<const std::byte> argument) {
   if (function >= functions_.size() || !IsQueued(functions_[function]->kind())) return;
   // A command that is refused here is counted as executed.
-  if (!MustWaitInLine(function)) {
+  if (!MustUseExecutor(function)) {
     const Status status = (*functions_[function])(argument, answer_);
     if (status == Status(Status::kInvalid) || status == Status(Status::kFailed)) {
       LogDropped(function, "the argument of the call cannot be decoded");
@@ -250,10 +251,10 @@ void RequiredInterfaceProxy::OnCommand(std::size_t function, std::span<const std
   if (!is_posted) LogRefused(function);
 }
 
-void RequiredInterfaceProxy::CountReceived(CreditReporting reporting, std::uint64_t in_line) {
+void RequiredInterfaceProxy::CountReceived(CreditReporting reporting, std::uint64_t in_executor) {
   std::unique_lock lock(mutex_);
   ++received_;
-  waiting_in_line_ += in_line;
+  queued_in_executor_ += in_executor;
   if (reporting_ >= reporting) return;
   if (reporting == CreditReporting::kRelaxed) owed_since_ = SteadyClock().Now();
   reporting_ = reporting;
@@ -314,7 +315,7 @@ void RequiredInterfaceProxy::OnWait(std::size_t function, std::span<const std::b
                                           .responder = std::move(responder)};
   const CreditReporting reporting =
       executing.responder.Defer() ? CreditReporting::kRelaxed : CreditReporting::kPrompt;
-  if (!MustWaitInLine(function)) {
+  if (!MustUseExecutor(function)) {
     const Status status = Begin(executing, argument, answer_);
     CountReceived(reporting);
     return OnStarted(std::move(executing), status, answer_);
@@ -414,7 +415,7 @@ void RequiredInterfaceProxy::SendCredit(SteadyTime now, SteadyTime& next) {
   // This order of reads matters. If a call is posted during the reads, `executed` becomes too
   // small, never too large.
   const std::uint64_t received = received_;
-  const std::uint64_t waiting = waiting_in_line_ + connection_->waiting();
+  const std::uint64_t waiting = queued_in_executor_ + connection_->waiting();
   const std::uint64_t executed = received - std::min(waiting, received);
   const message::Credit credit{.executed = std::max(executed, reported_.executed),
                                .accepting = IsAccepting(),

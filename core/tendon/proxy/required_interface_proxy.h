@@ -9,7 +9,7 @@
 #include <tendon/proxy/network_thread.h>
 #include <tendon/proxy/outbox.h>
 #include <tendon/proxy/proxy_reports.h>
-#include <tendon/proxy/queued_command_proxy.h>
+#include <tendon/proxy/queued_offer_proxy.h>
 #include <tendon/proxy/worker_pool.h>
 
 #include <functional>
@@ -43,7 +43,7 @@ class RequiredInterfaceProxy final : public NetworkJob,
   /// the commands and one for the reads of this kind. While a command is queued or running in the
   /// executor, all other commands also use the executor, so that commands keep their order. Must be
   /// called before the proxy is connected to `server`.
-  void MakeLines(const ProvidedInterface& server, CallExecutors& threads);
+  void MakeExecutors(const ProvidedInterface& server, CallExecutors& threads);
 
   /// Prepares the handlers that will receive the calls of commands of `server`. Must be called
   /// before the proxy is connected to `server`.
@@ -113,20 +113,20 @@ class RequiredInterfaceProxy final : public NetworkJob,
   /// exceeded its credit, or memory is exhausted.
   void LogDropped(std::size_t function, const std::string& reason);
   void LogRefused(std::size_t function);
-  [[nodiscard]] bool MustWaitInLine(std::size_t function) const;
+  [[nodiscard]] bool MustUseExecutor(std::size_t function) const;
   [[nodiscard]] bool IsStale(SteadyTime since) const;
   /// Called by the serial executor. If calls of `function` are queued in the mailbox and the
   /// mailbox is full, waits until the mailbox has a free slot.
   void WaitForRoom(std::size_t function, SteadyTime deadline) const;
   /// Posts `call(*this, argument)` with a copy of the argument. Returns false if the queue is full.
   template <typename Call>
-  bool PostTo(SerialExecutor& line, std::span<const std::byte> argument, Call call);
+  bool PostTo(SerialExecutor& executor, std::span<const std::byte> argument, Call call);
   void Read(std::size_t function, std::span<const std::byte> argument, Responder responder,
             Bytes& spare);
   Status Begin(ExecutingCalls::ExecutingCall& executing, std::span<const std::byte> argument,
                Bytes& result);
   void OnStarted(ExecutingCalls::ExecutingCall executing, Status status, Bytes& result);
-  void CountReceived(CreditReporting reporting, std::uint64_t in_line = 0);
+  void CountReceived(CreditReporting reporting, std::uint64_t in_executor = 0);
   void OnEnd(ExecutingCalls::ExecutingCall& executing, Status status, Bytes& result) override;
   [[nodiscard]] bool IsAccepting() const;
   [[nodiscard]] std::string Fault() const;
@@ -144,7 +144,7 @@ class RequiredInterfaceProxy final : public NetworkJob,
   std::vector<std::unique_ptr<FunctionProxy>> functions_;
   std::vector<std::string> function_names_;
   std::vector<QueuedOfferProxy*> handlers_;  // indexed by event handler
-  RateLimitedWarning complaints_{"network"};
+  RateLimitedWarning warnings_{"network"};
   // For each function: true if a call runs code of the component in the caller's thread.
   std::vector<bool> runs_component_;
   // For commands that run code of the component, and for commands after them; may be null.
@@ -158,7 +158,7 @@ class RequiredInterfaceProxy final : public NetworkJob,
   const Connection* connection_ = nullptr;
   Server server_;
   std::uint64_t received_ = 0;
-  std::uint64_t waiting_in_line_ = 0;  // commands in commands_
+  std::uint64_t queued_in_executor_ = 0;  // commands in commands_
   CreditReporting reporting_ = CreditReporting::kIdle;
   message::Credit reported_;
   SteadyTime owed_since_{};  // start of the time without a report

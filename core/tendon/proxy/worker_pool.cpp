@@ -163,8 +163,8 @@ WorkerPool::WorkerPool(std::string name) : pool_(std::make_shared<Pool>(std::mov
 
 WorkerPool::~WorkerPool() { pool_->Stop(); }
 
-std::shared_ptr<SerialExecutor> WorkerPool::MakeLine(std::size_t most_calls,
-                                                     std::size_t most_bytes) {
+std::shared_ptr<SerialExecutor> WorkerPool::MakeExecutor(std::size_t most_calls,
+                                                         std::size_t most_bytes) {
   return std::shared_ptr<SerialExecutor>(new SerialExecutor(pool_, most_calls, most_bytes));
 }
 

@@ -29,7 +29,7 @@ class WorkerPool {
   /// Makes a serial executor. Its queue holds at most `most_calls` calls, and at most `most_bytes`
   /// of memory that the calls own; a single call may own more. The executor may outlive this
   /// object.
-  [[nodiscard]] std::shared_ptr<SerialExecutor> MakeLine(
+  [[nodiscard]] std::shared_ptr<SerialExecutor> MakeExecutor(
       std::size_t most_calls, std::size_t most_bytes = std::numeric_limits<std::size_t>::max());
 
  private:

@@ -63,11 +63,11 @@ Result<LocalCertificate::Loaded> LocalCertificate::Load(const Credentials& crede
 std::shared_ptr<const LocalCertificate::Pair> LocalCertificate::Now() {
   const std::scoped_lock lock(mutex_);
   const auto renewed = Renew();
-  const std::string complaint = renewed ? std::string() : renewed.error().message;
-  if (!complaint.empty() && complaint != complaint_) {
-    Log(LogLevel::kWarning, kSource, "this program keeps its previous certificate: " + complaint);
+  const std::string warning = renewed ? std::string() : renewed.error().message;
+  if (!warning.empty() && warning != warning_) {
+    Log(LogLevel::kWarning, kSource, "this program keeps its previous certificate: " + warning);
   }
-  complaint_ = complaint;
+  warning_ = warning;
   return pair_;
 }
 

@@ -55,7 +55,7 @@ class LocalCertificate {
   std::mutex mutex_;
   std::string text_;  // content of the certificate file when it was last loaded
   std::shared_ptr<const Pair> pair_;
-  std::string complaint_;  // the last problem that was logged
+  std::string warning_;  // the last problem that was logged
 };
 
 }  // namespace tendon::openssl

@@ -26,7 +26,8 @@ class Choosy final : public ChannelHandler {
     const std::scoped_lock lock(mutex_);
     channel_ = channel;
   }
-  std::optional<Error> WhyNotTaken(const Channel& /*channel*/, const FrameHeader& header) override {
+  std::optional<Error> RefusalOfLargeMessage(const Channel& /*channel*/,
+                                             const FrameHeader& header) override {
     if (header.type != kForbidden) return std::nullopt;
     return Error{ErrorCode::kDenied, "nobody may send it"};
   }

@@ -70,20 +70,20 @@ TEST(PartAssembly, RefusesInvalidParts) {
   Bytes foreign = frame;
   foreign[0] = std::byte{0};
 
-  EXPECT_EQ(PartAssembly().Add(1, Bytes(10), whole), Progress::kNonsense);
-  EXPECT_EQ(PartAssembly().Add(1, PartOf(foreign, 0), whole), Progress::kNonsense);
+  EXPECT_EQ(PartAssembly().Add(1, Bytes(10), whole), Progress::kMalformed);
+  EXPECT_EQ(PartAssembly().Add(1, PartOf(foreign, 0), whole), Progress::kMalformed);
   EXPECT_EQ(PartAssembly().Add(1, std::span(frame).first(kLeastPartSize - 1), whole),
-            Progress::kNonsense);
-  EXPECT_EQ(PartAssembly().Add(1, Bytes(), whole), Progress::kNonsense);
+            Progress::kMalformed);
+  EXPECT_EQ(PartAssembly().Add(1, Bytes(), whole), Progress::kMalformed);
   for (const MessageType type : {MessageType::kPartsTaken, MessageType::kHello, MessageType::kProof,
                                  MessageType::kReplies}) {
     EXPECT_EQ(PartAssembly().Add(1, FrameOfSize(100, std::byte{1}, type), whole),
-              Progress::kNonsense);
+              Progress::kMalformed);
   }
   PartAssembly begun;
   ASSERT_EQ(begun.Add(1, PartOf(frame, 0), whole), Progress::kMoreToCome);
-  EXPECT_EQ(begun.Add(1, Bytes(3), whole), Progress::kNonsense);
-  EXPECT_EQ(begun.Add(1, Bytes(kPartSize + 1), whole), Progress::kNonsense);
+  EXPECT_EQ(begun.Add(1, Bytes(3), whole), Progress::kMalformed);
+  EXPECT_EQ(begun.Add(1, Bytes(kPartSize + 1), whole), Progress::kMalformed);
 }
 
 TEST(PartAssembly, AssemblesPartsOfAllSizes) {
@@ -107,9 +107,9 @@ TEST(PartAssembly, HoldsNoMoreThanASenderMaySend) {
   ASSERT_EQ(assembly.Add(1, PartOf(largest, 0), whole), Progress::kMoreToCome);
   ASSERT_EQ(assembly.Add(2, PartOf(window, 0), whole), Progress::kMoreToCome);
 
-  EXPECT_EQ(assembly.Add(3, FrameOfSize(FrameHeader::kSize), whole), Progress::kNonsense);
+  EXPECT_EQ(assembly.Add(3, FrameOfSize(FrameHeader::kSize), whole), Progress::kMalformed);
   EXPECT_EQ(PartAssembly().Add(1, PartOf(FrameOfSize(largest.size() + 1), 0), whole),
-            Progress::kNonsense);
+            Progress::kMalformed);
 }
 
 TEST(PartAssembly, HoldsOneHugeFrameOrAWindow) {
@@ -120,10 +120,10 @@ TEST(PartAssembly, HoldsOneHugeFrameOrAWindow) {
   const Bytes half = FrameOfSize(kSendWindow / 2);
 
   EXPECT_EQ(huge.Add(1, PartOf(giant, 0), whole), Progress::kMoreToCome);
-  EXPECT_EQ(huge.Add(2, PartOf(giant, 0), whole), Progress::kNonsense);
+  EXPECT_EQ(huge.Add(2, PartOf(giant, 0), whole), Progress::kMalformed);
   EXPECT_EQ(assembly.Add(1, PartOf(half, 0), whole), Progress::kMoreToCome);
   EXPECT_EQ(assembly.Add(2, PartOf(half, 0), whole), Progress::kMoreToCome);
-  EXPECT_EQ(assembly.Add(3, PartOf(half, 0), whole), Progress::kNonsense);
+  EXPECT_EQ(assembly.Add(3, PartOf(half, 0), whole), Progress::kMalformed);
 }
 
 TEST(PartAssembly, DiscardsUnwantedFrames) {

@@ -33,7 +33,7 @@ const Types kActs = {
     message::kEventsLost,     message::kCallMember, message::kJoin,       message::kReport,
     message::kLeave,          message::kConnect,    message::kDisconnect, message::kUndo,
     message::kForget,         message::kReplace,    message::kLogRecords, message::kSetLogLevel,
-    message::kLifecycleOrder, message::kPassOver,   message::kBeginOrder, message::kReportHealth,
+    message::kLifecycleOrder, message::kSkipStep,   message::kBeginOrder, message::kReportHealth,
     message::kProcess,        message::kMirror,     message::kPlanLock};
 
 /// Compares names, so that a wrong number in the table is noticed.
@@ -59,7 +59,7 @@ TEST(Rights, AuditEveryChangeOfTheSystem) {
   const Types written = {message::kCallMember, message::kLeave,       message::kConnect,
                          message::kDisconnect, message::kUndo,        message::kForget,
                          message::kReplace,    message::kSetLogLevel, message::kLifecycleOrder,
-                         message::kPassOver,   message::kProcess};
+                         message::kSkipStep,   message::kProcess};
   for (const Right& right : kRights) {
     EXPECT_EQ(right.audit == Audit::kAll, written.contains(static_cast<MessageType>(right.type)))
         << right.act;

@@ -3,7 +3,7 @@
 #include <tendon/middleware/body.h>
 #include <tendon/proxy/event_proxy.h>
 #include <tendon/proxy/function_proxy.h>
-#include <tendon/proxy/read_proxy.h>
+#include <tendon/proxy/read_offer_proxy.h>
 
 #include <memory>
 #include <utility>

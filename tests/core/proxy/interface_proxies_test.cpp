@@ -1,7 +1,7 @@
 #include "core/proxy/interface_proxies.h"
 
 #include <tendon/base/text.h>
-#include <tendon/proxy/read_proxy.h>
+#include <tendon/proxy/read_offer_proxy.h>
 
 #include <algorithm>
 #include <string>

@@ -1,5 +1,5 @@
 #include <support/peers/traced_channel.h>
-#include <tendon/proxy/queued_command_proxy.h>
+#include <tendon/proxy/queued_offer_proxy.h>
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 #include <tendon/lockfree/completion.h>
 #include <tendon/lockfree/flag.h>
 #include <tendon/proxy/outstanding_calls.h>
-#include <tendon/proxy/read_proxy.h>
+#include <tendon/proxy/read_offer_proxy.h>
 
 #include <array>
 #include <cstddef>

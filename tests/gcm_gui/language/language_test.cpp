@@ -17,7 +17,7 @@
 namespace tendon::gui {
 namespace {
 
-/// Removes the translations that SpeakAs() has installed.
+/// Removes the translations that SetLanguage() has installed.
 void SpeakEnglish() {
   for (auto* one : QCoreApplication::instance()->findChildren<QTranslator*>()) delete one;
 }
@@ -29,10 +29,10 @@ class LanguageTest : public ::testing::Test {
 
 TEST_F(LanguageTest, FollowsTheDesktop) {
   EXPECT_EQ(Words::tr("Nothing is wrong."), "Nothing is wrong.");
-  SpeakAs(QLocale(QStringLiteral("de_DE")));
+  SetLanguage(QLocale(QStringLiteral("de_DE")));
   EXPECT_EQ(Words::tr("Nothing is wrong."), "Es ist alles in Ordnung.");
   SpeakEnglish();
-  SpeakAs(QLocale(QStringLiteral("fr_CA")));
+  SetLanguage(QLocale(QStringLiteral("fr_CA")));
   EXPECT_EQ(Words::tr("Nothing is wrong."), "Tout va bien.");
 }
 
@@ -43,14 +43,14 @@ TEST_F(LanguageTest, NumbersAreTheSameInAllLanguages) {
   QLocale::setDefault(QLocale(QStringLiteral("de_DE")));
   ASSERT_EQ(QLocale().toString(1234.5, 'f', 1), "1.234,5");
 
-  SpeakAs(QLocale(QStringLiteral("de_DE")));
+  SetLanguage(QLocale(QStringLiteral("de_DE")));
 
   EXPECT_EQ(QLocale().toString(1234.5, 'f', 1), "1234.5");
   EXPECT_STREQ(std::localeconv()->decimal_point, ".");
 }
 
 TEST_F(LanguageTest, FallsBackToEnglish) {
-  SpeakAs(QLocale(QStringLiteral("ja_JP")));
+  SetLanguage(QLocale(QStringLiteral("ja_JP")));
   EXPECT_EQ(Words::tr("Nothing is wrong."), "Nothing is wrong.");
 }
 
@@ -58,7 +58,7 @@ TEST_F(LanguageTest, ListsTheLanguages) { EXPECT_EQ(Languages(), (QStringList{"d
 
 /// A base class that sets the locale before the members of the window are created.
 struct Speaking {
-  explicit Speaking(const char* language) { SpeakAs(QLocale(QString(language))); }
+  explicit Speaking(const char* language) { SetLanguage(QLocale(QString(language))); }
   ~Speaking() { SpeakEnglish(); }
 };
 

@@ -174,8 +174,8 @@ void ConnectionOrders::UndoWire(const message::HistoryEntry& step, const std::st
   }
 }
 
-void ConnectionOrders::PassOver(const message::StepSelection& which, const std::string& who,
-                                Done<message::HistoryEntry> done) {
+void ConnectionOrders::SkipNewestStep(const message::StepSelection& which, const std::string& who,
+                                      Done<message::HistoryEntry> done) {
   auto step = Newest(which);
   if (!step) return Answer(std::move(done), step);
   if (which.id == 0 && CheckUndo(*step)) {

@@ -53,8 +53,8 @@ class ConnectionOrders : private OrderSender {
   /// Marks the newest step as skipped, so that earlier steps can be undone. Refuses this if the
   /// process of the step is lost but may come back. If the step could be undone, `which` must give
   /// its number.
-  void PassOver(const message::StepSelection& which, const std::string& who,
-                Done<message::HistoryEntry> done);
+  void SkipNewestStep(const message::StepSelection& which, const std::string& who,
+                      Done<message::HistoryEntry> done);
 
   /// Restores a connection whose process was lost and has returned. This is not recorded in the
   /// history.

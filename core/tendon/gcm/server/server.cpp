@@ -237,7 +237,7 @@ Server::Serve Server::ServeOf(MessageType type) {
       {message::kSetLogLevel, &Server::SetLogLevel},
       {message::kLifecycleOrder, &Server::ExecuteLifecycleOrder},
       {message::kGetClasses, &Server::ListClasses},
-      {message::kPassOver, &Server::PassOver},
+      {message::kSkipStep, &Server::SkipNewestStep},
       {message::kPlanLock, &Server::TakePlanLock},
       {message::kBeginOrder, &Server::BeginOrder},
       {message::kHealth, &Server::ReportHealth},
@@ -395,11 +395,12 @@ void Server::Undo(const Request& request) {
   });
 }
 
-void Server::PassOver(const Request& request) {
+void Server::SkipNewestStep(const Request& request) {
   const auto which = DecodeBody<message::StepSelection>(request.body);
   if (!which) return request.responder->Refuse(which.error());
   Locked([&] {
-    connection_orders_->PassOver(*which, NameOf(*request.channel), AnswerOf(request.responder));
+    connection_orders_->SkipNewestStep(*which, NameOf(*request.channel),
+                                       AnswerOf(request.responder));
   });
 }
 

@@ -102,7 +102,7 @@ class Server final : public std::enable_shared_from_this<Server> {
   void ListClasses(const Request& request);
   void BeginOrder(const Request& request);
   void Undo(const Request& request);
-  void PassOver(const Request& request);
+  void SkipNewestStep(const Request& request);
   void TakePlanLock(const Request& request);
   void ReportHistory(const Request& request);
   void ReportHealth(const Request& request);

@@ -133,12 +133,12 @@ void LcmLauncher::ShortenLog(const std::string& process) {
       reason ? "could not be shortened (" + reason.message() + "), so it keeps growing" : "";
   if (!reason) shortened_.insert(process);
   const std::string both = not_kept.empty() || not_cut.empty() ? "" : "; ";
-  Complain(process, not_kept + both + not_cut);
+  Warn(process, not_kept + both + not_cut);
 }
 
 /// Logs a warning about the log of a process, unless the last warning about it was the same.
-void LcmLauncher::Complain(const std::string& process, const std::string& what) {
-  const bool is_new = what != std::exchange(complaints_[process], what);
+void LcmLauncher::Warn(const std::string& process, const std::string& what) {
+  const bool is_new = what != std::exchange(warnings_[process], what);
   if (what.empty() || !is_new) return;
   Log(LogLevel::kWarning, "gcm",
       "the log of process '" + process + "', " + FileOf(process, ".log").string() +

@@ -26,7 +26,7 @@ class LcmLauncher final : public Launcher {
   void ShortenLog(const std::string& process) override;
 
  private:
-  void Complain(const std::string& process, const std::string& what);
+  void Warn(const std::string& process, const std::string& what);
   [[nodiscard]] std::filesystem::path FileOf(const std::string& process,
                                              const std::string& ending) const;
 
@@ -34,7 +34,7 @@ class LcmLauncher final : public Launcher {
   const std::string gcm_;
   const std::filesystem::path folder_;
   std::set<std::string> shortened_;  // processes whose NAME.log.1 is from the present run
-  std::map<std::string, std::string> complaints_;  // last warning about each process; "": none
+  std::map<std::string, std::string> warnings_;  // last warning about each process; "": none
 };
 
 }  // namespace tendon::server

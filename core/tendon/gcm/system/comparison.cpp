@@ -145,14 +145,14 @@ std::string ChangesOf(const SystemFile::Component& first, const SystemFile::Comp
   if (!HasSameLeader(first, second)) {
     AddChange(changes, "runs_after", OrNone(first.runs_after), OrNone(second.runs_after));
   }
-  if (!IsSameDesire(first.state, second.state)) {
+  if (!SatisfiesSameRequest(first.state, second.state)) {
     AddChange(changes, "state", std::string(ToString(first.state)),
               std::string(ToString(second.state)));
   }
   return changes;
 }
 
-bool IsSameDesire(ComponentState one, ComponentState other) {
+bool SatisfiesSameRequest(ComponentState one, ComponentState other) {
   return one == other || (!IsRunning(one) && !IsRunning(other));
 }
 

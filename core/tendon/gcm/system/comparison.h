@@ -61,7 +61,7 @@ enum class StartComparison {
 
 /// Returns true if a component in one state satisfies a request for the other state. This is the
 /// case if the states are equal, or if the component runs in neither of them.
-[[nodiscard]] bool IsSameDesire(ComponentState one, ComponentState other);
+[[nodiscard]] bool SatisfiesSameRequest(ComponentState one, ComponentState other);
 
 /// Returns true if both texts are equal, or if both are equal as JSON.
 [[nodiscard]] bool IsSameJson(const std::string& one, const std::string& other);

@@ -285,7 +285,7 @@ class Planner {
   void PlanState(const ComponentPath& path, const SystemFile::Component& component,
                  ComponentState now) {
     const ComponentState wanted = component.state;
-    if (IsSameDesire(now, wanted)) return;
+    if (SatisfiesSameRequest(now, wanted)) return;
     if (!IsRunning(wanted)) return PlanStop(Kind::kStop, path, component);
     if (wanted == ComponentState::kActive) {
       starts_.emplace(path, StepOf(Kind::kStart, path, component));

@@ -10,14 +10,14 @@ namespace tendon {
 class MemberCalls::Target : public std::enable_shared_from_this<Target>,
                             private ExecutingCalls::Owner {
  public:
-  /// `line` executes the calls of this command. It may be null if no call runs component code in
-  /// the caller's thread.
+  /// `executor` executes the calls of this command. It may be null if no call runs component code
+  /// in the caller's thread.
   Target(const Offer& offer, ProvidedInterface& provided, const std::string& name,
-         std::shared_ptr<SerialExecutor> line)
+         std::shared_ptr<SerialExecutor> executor)
       : description_(offer.description()),
         interface_(name),
         enabled_(offer.enabled()),
-        line_(std::move(line)),
+        executor_(std::move(executor)),
         required_("call", nullptr) {
     if (!CanBeAwaited(description_.signature.kind)) {
       read_ = offer.Bind(nullptr);
@@ -38,8 +38,8 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>,
                           deadline = DeadlineAfter(call->timeout)] {
       self->Execute(call->argument, deadline, network, std::move(*responder));
     };
-    if (!line_) return execute();
-    if (line_->Post(execute, call->argument.size())) return;
+    if (!executor_) return execute();
+    if (executor_->Post(execute, call->argument.size())) return;
     responder->Refuse({ErrorCode::kFailed, "too many calls of '" + description_.name + "' of " +
                                                interface_ + " are waiting: try again later"});
   }
@@ -68,7 +68,7 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>,
   void Execute(std::span<const std::byte> argument, SteadyTime deadline, NetworkThread& network,
                Responder responder) {
     if (is_closed_.Get()) return Finish(Status::kNotConnected, {}, responder);
-    const bool is_late = line_ && SteadyClock().Now() >= deadline;
+    const bool is_late = executor_ && SteadyClock().Now() >= deadline;
     if (is_late) return Finish(Status::kTimeout, {}, responder);
     const std::scoped_lock lock(mutex_);
     static const Bytes nothing = EncodeBody(None{});
@@ -122,7 +122,7 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>,
   const MemberDescription description_;
   const std::string interface_;
   const Flag& enabled_;  // belongs to the component
-  const std::shared_ptr<SerialExecutor> line_;
+  const std::shared_ptr<SerialExecutor> executor_;
   Flag is_closed_;
   std::mutex mutex_;
   std::unique_ptr<CommandBase> read_;
@@ -186,7 +186,7 @@ Result<std::shared_ptr<MemberCalls::Target>> MemberCalls::Make(const message::Ca
                  ToString(name) + "." + call.member + " is refused: " + offer->refusal()};
   }
   auto target = std::make_shared<Target>(*offer, **provided, ToString(name),
-                                         LineFor(*offer, **provided, call));
+                                         ExecutorFor(*offer, **provided, call));
   const std::scoped_lock lock(mutex_);
   targets_[KeyOf(call)] = target;
   return target;
@@ -194,18 +194,18 @@ Result<std::shared_ptr<MemberCalls::Target>> MemberCalls::Make(const message::Ca
 
 /// Returns the executor for the commands of one interface, which keeps their order. Returns null if
 /// no executor is needed.
-std::shared_ptr<SerialExecutor> MemberCalls::LineFor(const Offer& offer,
-                                                     const ProvidedInterface& provided,
-                                                     const message::CallMember& call) {
+std::shared_ptr<SerialExecutor> MemberCalls::ExecutorFor(const Offer& offer,
+                                                         const ProvidedInterface& provided,
+                                                         const message::CallMember& call) {
   constexpr std::size_t kMostCalls = 64;
   constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
   if (!offer.RunsInCaller(provided.inbox() != nullptr)) return nullptr;
   if (!CanBeAwaited(offer.description().signature.kind)) {
-    return context_.calls->reads.MakeLine(kMostCalls, kMostBytes);
+    return context_.calls->reads.MakeExecutor(kMostCalls, kMostBytes);
   }
-  auto& line = commands_[{call.component, call.interface}];
-  if (!line) line = context_.calls->commands.MakeLine(kMostCalls, kMostBytes);
-  return line;
+  auto& executor = commands_[{call.component, call.interface}];
+  if (!executor) executor = context_.calls->commands.MakeExecutor(kMostCalls, kMostBytes);
+  return executor;
 }
 
 bool MemberCalls::Work(SteadyTime now, SteadyTime& next) {

@@ -41,8 +41,8 @@ class MemberCalls final : private NetworkJob {
 
   std::shared_ptr<Target> Find(const Key& key);
   Result<std::shared_ptr<Target>> Make(const message::CallMember& call);
-  std::shared_ptr<SerialExecutor> LineFor(const Offer& offer, const ProvidedInterface& provided,
-                                          const message::CallMember& call);
+  std::shared_ptr<SerialExecutor> ExecutorFor(const Offer& offer, const ProvidedInterface& provided,
+                                              const message::CallMember& call);
   bool Work(SteadyTime now, SteadyTime& next) override;
 
   ProcessContext& context_;

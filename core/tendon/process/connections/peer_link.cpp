@@ -26,7 +26,7 @@ OpenedInterface MakeProxy(const std::shared_ptr<NetworkThread>& network, const P
                                         .opened = *answer,
                                         .name = wanted.open.provided,
                                         .mirrored = {},
-                                        .line = wanted.line};
+                                        .executor = wanted.executor};
   for (std::size_t i = 0; i < copies.size(); ++i) remote.mirrored[wanted.mirrored[i]] = copies[i];
   try {
     return std::make_shared<ProvidedInterfaceProxy>(network, remote, wanted.open.description,

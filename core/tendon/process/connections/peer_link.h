@@ -97,8 +97,8 @@ class PeerLink final : public ChannelHandler, public std::enable_shared_from_thi
 struct InterfaceRequest {
   message::OpenInterface open;
   std::chrono::milliseconds read_deadline{0};
-  std::vector<std::string> mirrored{};     ///< functions that read local copies
-  std::shared_ptr<SerialExecutor> line{};  ///< executor for the events, if needed
+  std::vector<std::string> mirrored{};         ///< functions that read local copies
+  std::shared_ptr<SerialExecutor> executor{};  ///< for the events; null if not needed
 };
 
 using OpenedInterface = Result<std::shared_ptr<ProvidedInterfaceProxy>>;

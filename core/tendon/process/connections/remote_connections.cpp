@@ -146,9 +146,9 @@ void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>
                        .latest_only = (*required)->latest_only()},
               .read_deadline = (*required)->read_deadline(),
               .mirrored = (*required)->mirrored(),
-              .line = (*required)->handles_in_raiser()
-                          ? context_.calls->events.MakeLine(kMostEvents, kMostEventBytes)
-                          : nullptr};
+              .executor = (*required)->handles_in_raiser()
+                              ? context_.calls->events.MakeExecutor(kMostEvents, kMostEventBytes)
+                              : nullptr};
     wanted.open.handle = link->handles().Reserve(wanted.open.description.event_handlers.size());
     entry.link = link;
     entry.handle = attempt.handle = wanted.open.handle;

@@ -136,7 +136,7 @@ Result<ServedConnections::Entry> ServedConnections::Make(const std::shared_ptr<C
   try {
     auto proxy =
         std::make_shared<RequiredInterfaceProxy>(context_.network, client->channel, open, events);
-    proxy->MakeLines(provided, *context_.calls);
+    proxy->MakeExecutors(provided, *context_.calls);
     proxy->PrepareObservers(provided);
     const auto bytes = Connection::MailboxBytes(proxy->interface(), provided);
     if (const auto fits = CheckSize(open, use, bytes); !fits) return fits.error();

@@ -45,7 +45,7 @@ void ThreadPerTask::Stop() {
 }
 
 void ThreadPerTask::Run(const std::function<void()>& task, Threads::iterator self) {
-  os::NameThisThread("errand");
+  os::NameThisThread("order");
   try {
     task();
   } catch (const std::exception& failure) {

@@ -25,14 +25,14 @@ Result<std::uint64_t> RowSubscription::Begin(const message::SubscribeReply& subs
   is_of_topic_ = start == Start::kFirstBatch;
   waits_for_batch_ = is_of_topic_;
   if (!goes_on_) has_begun_ = false;
-  if (!waits_for_batch_) GoOn(subscribed.first_tick);
+  if (!waits_for_batch_) ContinueAt(subscribed.first_tick);
   rows_ = 0;
   interruption_ = {};
   if (sink_) sink_->OnSubscribed(schemas);
   return beginnings_;
 }
 
-void RowSubscription::GoOn(std::uint64_t first_tick) {
+void RowSubscription::ContinueAt(std::uint64_t first_tick) {
   if (goes_on_ && wanted_.rows == RowChoice{}) {
     lost_between_ += first_tick - std::min(next_tick_, first_tick);
   }
@@ -46,12 +46,12 @@ void RowSubscription::GoOn(std::uint64_t first_tick) {
   has_begun_ = true;
 }
 
-bool RowSubscription::GoOnWith(const RowBatchReader& batch) {
+bool RowSubscription::ContinueWith(const RowBatchReader& batch) {
   const message::RowsHeader& header = batch.header();
   if (goes_on_ && header.next_tick <= next_tick_) return false;
   // The loss that this batch reports is ignored, because it may have happened before the
   // subscription.
-  GoOn(header.rows == 0 ? header.next_tick : std::min(batch.tick(0), header.next_tick));
+  ContinueAt(header.rows == 0 ? header.next_tick : std::min(batch.tick(0), header.next_tick));
   rows_ = header.rows_before;
   waits_for_batch_ = false;
   return true;
@@ -64,8 +64,8 @@ void RowSubscription::Deliver(std::uint64_t beginning, std::span<const std::byte
   const message::RowsHeader& header = reader->header();
   const std::scoped_lock lock(mutex_);
   if (beginning != beginnings_) return;
-  if (waits_for_batch_ && !GoOnWith(*reader)) return;
-  if (!GoesForward(*reader)) return;
+  if (waits_for_batch_ && !ContinueWith(*reader)) return;
+  if (!IsNewer(*reader)) return;
   ReadStamps(*reader);
   RowBatch batch;
   batch.epoch = epoch_;
@@ -84,7 +84,7 @@ void RowSubscription::Deliver(std::uint64_t beginning, std::span<const std::byte
 }
 
 /// True if all rows of the batch are newer than the last row. Gaps between ticks are lost rows.
-bool RowSubscription::GoesForward(const RowBatchReader& batch) const {
+bool RowSubscription::IsNewer(const RowBatchReader& batch) const {
   const message::RowsHeader& header = batch.header();
   if (header.rows_before < rows_ || header.rows_before + header.rows < header.rows_before) {
     return false;

@@ -41,11 +41,11 @@ class RowSubscription {
 
  private:
   /// Continues at `first_tick`. Counts the rows between the last row and `first_tick` as lost.
-  void GoOn(std::uint64_t first_tick);
+  void ContinueAt(std::uint64_t first_tick);
   /// Continues with the first row of a batch. Returns false if the batch is older than the last
   /// row.
-  bool GoOnWith(const RowBatchReader& batch);
-  [[nodiscard]] bool GoesForward(const RowBatchReader& batch) const;
+  bool ContinueWith(const RowBatchReader& batch);
+  [[nodiscard]] bool IsNewer(const RowBatchReader& batch) const;
   [[nodiscard]] std::uint64_t LostInTable(const message::RowsHeader& header,
                                           std::uint64_t lost_here) const;
   void ReadStamps(const RowBatchReader& reader);

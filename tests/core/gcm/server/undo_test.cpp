@@ -12,8 +12,9 @@ using testing::HasSubstr;
 
 class UndoOrders : public test::DeskAndRobot {
  protected:
-  Result<message::HistoryEntry> PassOver() {
-    return Wait<message::HistoryEntry>(kLong, [&](auto handler) { client_->PassOver(handler); });
+  Result<message::HistoryEntry> SkipNewestStep() {
+    return Wait<message::HistoryEntry>(kLong,
+                                       [&](auto handler) { client_->SkipNewestStep(handler); });
   }
   Result<ConnectionDescription> Replace(const InterfaceName& required,
                                         const InterfaceName& provided) {
@@ -62,7 +63,7 @@ TEST_P(UndoOrders, SkipsAStepOfRemovedObjects) {
   WaitUntilGone("aide", "helper");
   EXPECT_THAT(WhyNot(), HasSubstr("step 2"));
 
-  const auto passed = PassOver();
+  const auto passed = SkipNewestStep();
 
   ASSERT_TRUE(passed) << passed.error().message;
   EXPECT_EQ(passed->id, 2U);
@@ -78,10 +79,10 @@ TEST_P(UndoOrders, SkipsAStepOfRemovedObjects) {
 }
 
 TEST_P(UndoOrders, RefusesToSkipAnUndoableStep) {
-  EXPECT_EQ(PassOver().error().message, "there is nothing to undo");
+  EXPECT_EQ(SkipNewestStep().error().message, "there is nothing to undo");
   ASSERT_TRUE(Connect(*client_));
 
-  const auto passed = PassOver();
+  const auto passed = SkipNewestStep();
 
   ASSERT_FALSE(passed);
   EXPECT_THAT(passed.error().message, HasSubstr(" can be undone, so it is not skipped"));
@@ -91,8 +92,8 @@ TEST_P(UndoOrders, RefusesToSkipAnUndoableStep) {
 TEST_P(UndoOrders, SkipsANamedStepEvenIfUndoable) {
   ASSERT_TRUE(Connect(*client_));
 
-  const auto passed =
-      Wait<message::HistoryEntry>(kLong, [&](auto handler) { client_->PassOver(handler, 1); });
+  const auto passed = Wait<message::HistoryEntry>(
+      kLong, [&](auto handler) { client_->SkipNewestStep(handler, 1); });
 
   ASSERT_TRUE(passed) << passed.error().message;
   EXPECT_EQ(WhyNot(), "there is nothing to undo");
@@ -105,7 +106,7 @@ TEST_P(UndoOrders, UndoesNothingInARestartedProcess) {
   desk_.reset();
   ASSERT_TRUE(EventuallyTrue([&] { return StateOf("desk") == ProcessState::kLost; }));
   EXPECT_THAT(WhyNot(), HasSubstr("): process 'desk' is lost"));
-  EXPECT_THAT(PassOver().error().message,
+  EXPECT_THAT(SkipNewestStep().error().message,
               HasSubstr("is not skipped, because process 'desk' is lost, and the step can still be "
                         "undone if the process comes back"));
 
@@ -113,8 +114,8 @@ TEST_P(UndoOrders, UndoesNothingInARestartedProcess) {
 
   EXPECT_THAT(WhyNot(), HasSubstr("): process 'desk' was restarted since; "));
   EXPECT_FALSE(Connection());
-  EXPECT_TRUE(PassOver());
-  EXPECT_TRUE(PassOver());
+  EXPECT_TRUE(SkipNewestStep());
+  EXPECT_TRUE(SkipNewestStep());
   EXPECT_EQ(WhyNot(), "there is nothing to undo");
 }
 
@@ -125,7 +126,7 @@ TEST_P(UndoOrders, ADisconnectFromARemovedObjectCanBeSkipped) {
   WaitUntilGone("robot", "arm");
 
   EXPECT_THAT(WhyNot(), HasSubstr("): no component 'robot/arm'"));
-  EXPECT_TRUE(PassOver());
+  EXPECT_TRUE(SkipNewestStep());
 }
 
 TEST_P(UndoOrders, FiftyRandomChangesAndFiftyUndosGiveTheFirstState) {

@@ -1,5 +1,5 @@
 #include <tendon/proxy/connection_messages.h>
-#include <tendon/proxy/read_proxy.h>
+#include <tendon/proxy/read_offer_proxy.h>
 
 #include <string>
 #include <utility>

@@ -1,4 +1,4 @@
-#include <tendon/proxy/queued_command_proxy.h>
+#include <tendon/proxy/queued_offer_proxy.h>
 
 #include <algorithm>
 #include <set>

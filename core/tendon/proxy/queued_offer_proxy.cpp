@@ -2,7 +2,7 @@
 #include <tendon/interface/command.h>
 #include <tendon/interface/execution/component_access.h>
 #include <tendon/interface/execution/latest_value.h>
-#include <tendon/proxy/queued_command_proxy.h>
+#include <tendon/proxy/queued_offer_proxy.h>
 
 #include <algorithm>
 #include <array>
@@ -237,12 +237,12 @@ class QueuedCommandProxy : public CommandBase, protected Mailbox::Entry {
         .handle = handle_, .argument = std::move(argument), .callers = callers_, .number = call};
   }
   void Hand(std::uint64_t call, std::span<const std::byte> argument) {
-    outbox_.Take(BlockingCallOf(call, Bytes(argument.begin(), argument.end())));
+    outbox_.SetBlockingCall(BlockingCallOf(call, Bytes(argument.begin(), argument.end())));
   }
 
   void ExecuteSlot(std::byte* /*argument*/, std::size_t slot) override {
     outbox_.waiting_bytes().Give(arguments_[slot].argument().size());
-    outbox_.Take(handle_, arguments_[slot], mailbox_);
+    outbox_.SendOrBatch(handle_, arguments_[slot], mailbox_);
     arguments_.FreeIfMany(slot);
   }
   void DropSlot(std::byte* /*argument*/, std::size_t slot) noexcept override {
@@ -279,7 +279,7 @@ class LatestCommandProxy final : public QueuedCommandProxy {
   }
 
   void ExecuteSlot(std::byte* /*argument*/, std::size_t /*slot*/) override {
-    if (CallBuffer* const call = newest_.Take()) outbox_.Take(handle_, *call, mailbox_);
+    if (CallBuffer* const call = newest_.Take()) outbox_.SendOrBatch(handle_, *call, mailbox_);
   }
   void DropSlot(std::byte* /*argument*/, std::size_t /*slot*/) noexcept override { newest_.Take(); }
 
@@ -354,9 +354,9 @@ class ObservedCallProxy final : public CommandBase, private Mailbox::Entry {
     const Slot& here = SlotIn(argument);
     outbox_.waiting_bytes().Give(here.size);
     if (here.size > kRoom) {
-      outbox_.Take(handle_, large_[slot], mailbox_);
+      outbox_.SendOrBatch(handle_, large_[slot], mailbox_);
     } else {
-      outbox_.Take(handle_, std::span(here.call).first(here.size));
+      outbox_.AddToBatch(handle_, std::span(here.call).first(here.size));
     }
     large_.FreeIfMany(slot);
   }
