@@ -118,7 +118,7 @@ TEST_P(ChannelContract, AThrowingHandlerRefusesAndTheChannelStaysOpen) {
   EXPECT_TRUE(channel_->Call<Question>(kAsk, 0, Question{"still there?", 0}, kLong));
 }
 
-TEST_P(ChannelContract, ACallTimesOutAndItsLateReplyIsCounted) {
+TEST_P(ChannelContract, ACallTimesOutAndItsLateReplyIsIgnored) {
   const auto server = std::make_shared<Oracle>();
   Connect(server, std::make_shared<Oracle>());
 
@@ -129,7 +129,7 @@ TEST_P(ChannelContract, ACallTimesOutAndItsLateReplyIsCounted) {
   EXPECT_EQ(answer.error().message, "no answer from robot within 30 ms; outcome unknown");
   ASSERT_TRUE(server->Wait([](const Oracle& oracle) { return oracle.kept_.size() == 1; }));
   server->kept_.front().Answer(Result<void>());
-  EXPECT_TRUE(EventuallyTrue([&] { return channel_->late_replies() == 1; }));
+  EXPECT_TRUE(channel_->Call<Question>(kAsk, 0, Question{"still there?", 0}, kLong));
 }
 
 TEST_P(ChannelContract, ExpireEndsOnlyTheRequestsThatAreDue) {
@@ -149,8 +149,7 @@ TEST_P(ChannelContract, ExpireEndsOnlyTheRequestsThatAreDue) {
   ASSERT_FALSE(expired);
   EXPECT_EQ(expired.error().code, ErrorCode::kTimeout);
   for (auto& responder : server->kept_) responder.Answer(Result<void>());
-  EXPECT_TRUE(second.get_future().get());
-  EXPECT_TRUE(EventuallyTrue([&] { return channel_->late_replies() == 1; }));
+  EXPECT_TRUE(second.get_future().get());  // it follows the late reply to the first request
 }
 
 TEST_P(ChannelContract, AReplyMayComeLaterFromAnotherThread) {

@@ -242,12 +242,13 @@ void Channel::OnMessage(const FrameHeader& header, std::span<const std::byte> bo
   if (!HasOurVersion(header)) return;
   switch (header.type) {
     case MessageType::kReply:
-      if (owner) return requests_.OnAnswer(header.request, Answer(body, std::move(owner)));
-      return requests_.OnAnswer(header.request, CopyOf(body));
+      requests_.Finish(header.request, owner ? Answer(body, std::move(owner)) : CopyOf(body));
+      return;
     case MessageType::kReplies:
       return OnReplies(body);
     case MessageType::kRefusal:
-      return requests_.OnAnswer(header.request, ReadRefusal(body, peer_.name));
+      requests_.Finish(header.request, ReadRefusal(body, peer_.name));
+      return;
     case MessageType::kHello:
     case MessageType::kChallenge:
     case MessageType::kProof:
@@ -273,7 +274,7 @@ void Channel::OnReplies(std::span<const std::byte> body) {
     return Fail({ErrorCode::kInvalid, peer_.name + " sent malformed answers"});
   }
   while (const auto one = TakeReply(body)) {
-    requests_.OnAnswer(one->request, CopyOf(one->answer));
+    requests_.Finish(one->request, CopyOf(one->answer));
   }
 }
 
@@ -330,7 +331,7 @@ void Channel::HandleLarge(PartAssembly::Frame frame) {
   }
   const FrameHeader& header = frame.header;
   if (header.type != MessageType::kReply) return OnMessage(header, frame.body);
-  if (HasOurVersion(header)) requests_.OnAnswer(header.request, Answer(std::move(frame.body)));
+  if (HasOurVersion(header)) requests_.Finish(header.request, Answer(std::move(frame.body)));
 }
 
 void Channel::OnPartsTaken(std::span<const std::byte> body) {
@@ -508,8 +509,6 @@ std::string Channel::peer_address() const {
   const std::scoped_lock lock(mutex_);
   return link_ ? link_->peer() : std::string();
 }
-
-std::uint64_t Channel::late_replies() const { return requests_.late_answers(); }
 
 std::string Channel::PeerName() const {
   const std::scoped_lock lock(mutex_);

@@ -128,8 +128,6 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   /// The last time when a part of a large message arrived, or when the peer acknowledged a part. If
   /// this was recent, the peer is alive, even if its other messages are late because of the parts.
   [[nodiscard]] SteadyTime last_part() const { return last_part_.Get(); }
-  /// Number of answers that arrived after their requests had ended.
-  [[nodiscard]] std::uint64_t late_replies() const;
 
   /// `link` is an accepted link, or null if this end opens the link.
   Channel(Key key, Hello mine, std::shared_ptr<ChannelHandler> handler, std::shared_ptr<Link> link,

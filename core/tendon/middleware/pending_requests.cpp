@@ -89,13 +89,6 @@ void PendingRequests::Withdraw(std::uint64_t request) {
 
 bool PendingRequests::Finish(std::uint64_t request, Result<Answer> outcome) {
   std::unique_lock lock(mutex_);
-  return FinishLocked(lock, request, std::move(outcome));
-}
-
-/// Ends a request. Releases the lock before it calls a handler or wakes a caller. If it returns
-/// false, the lock is still held.
-bool PendingRequests::FinishLocked(std::unique_lock<std::mutex>& lock, std::uint64_t request,
-                                   Result<Answer> outcome) {
   Slot* const slot = Remove(request);
   if (slot == nullptr) return false;
   if (!slot->is_awaited) {
@@ -116,17 +109,10 @@ bool PendingRequests::FinishLocked(std::unique_lock<std::mutex>& lock, std::uint
   return true;
 }
 
-void PendingRequests::OnAnswer(std::uint64_t request, Result<Answer> answer) {
-  std::unique_lock lock(mutex_);
-  if (!FinishLocked(lock, request, std::move(answer))) ++late_;
-}
-
 bool PendingRequests::IsAwaited(std::uint64_t request) {
   const std::scoped_lock lock(mutex_);
   const Slot* const slot = by_number_.empty() ? nullptr : EntryOf(request);
-  const bool is_awaited = slot != nullptr && slot->request == request;
-  if (!is_awaited) ++late_;
-  return is_awaited;
+  return slot != nullptr && slot->request == request;
 }
 
 void PendingRequests::Expire(SteadyTime now, const std::string& peer) {
@@ -154,11 +140,6 @@ void PendingRequests::FinishAll(const Error& reason) {
   }
   std::ranges::sort(all);
   for (const std::uint64_t request : all) Finish(request, reason);
-}
-
-std::uint64_t PendingRequests::late_answers() const {
-  const std::scoped_lock lock(mutex_);
-  return late_;
 }
 
 Error NoAnswer(const std::string& peer, std::chrono::milliseconds timeout) {

@@ -66,12 +66,8 @@ class PendingRequests {
   /// already ended.
   bool Finish(std::uint64_t request, Result<Answer> outcome);
 
-  /// Ends a request with an answer of the peer. If the request has already ended, counts the answer
-  /// as late.
-  void OnAnswer(std::uint64_t request, Result<Answer> answer);
-
-  /// Returns true if the request still waits for its answer. Otherwise counts the answer as late.
-  bool IsAwaited(std::uint64_t request);
+  /// Returns true if the request still waits for its answer.
+  [[nodiscard]] bool IsAwaited(std::uint64_t request);
 
   /// Ends the requests that have timed out, with an error that names `peer`. A BlockingRequest has
   /// its own deadline and is not ended here.
@@ -79,8 +75,6 @@ class PendingRequests {
 
   /// Ends all requests in order with `reason`, and refuses all later ones.
   void FinishAll(const Error& reason);
-
-  [[nodiscard]] std::uint64_t late_answers() const;
 
  private:
   friend class BlockingRequest;
@@ -104,15 +98,12 @@ class PendingRequests {
   [[nodiscard]] Slot* Remove(std::uint64_t request);
   void Free(Slot& slot);
 
-  bool FinishLocked(std::unique_lock<std::mutex>& lock, std::uint64_t request,
-                    Result<Answer> outcome);
   Slot* AddAwaited();
   std::optional<Result<Answer>> Leave(Slot& slot);
 
-  mutable std::mutex mutex_;
+  std::mutex mutex_;
   bool finished_ = false;
   std::uint64_t last_ = 0;
-  std::uint64_t late_ = 0;
   std::deque<Slot> slots_;
   std::vector<Slot*> free_;       // has capacity for all slots_
   std::vector<Slot*> by_number_;  // by the low bits of the number; the size is a power of two
@@ -150,7 +141,7 @@ class BlockingRequest {
   [[nodiscard]] std::uint64_t number() const { return number_; }
 
   /// Waits for the outcome and returns it. Returns no value if `deadline` has passed. Must be
-  /// called only once, because an answer that arrives afterwards counts as late.
+  /// called only once, because an answer that arrives afterwards is ignored.
   std::optional<Result<Answer>> WaitUntil(SteadyTime deadline) {
     if (slot_ == nullptr) return std::nullopt;
     slot_->wakeup.WaitUntil([this] { return slot_->has_ended.Get(); }, deadline);

@@ -37,18 +37,17 @@ TEST(PendingRequests, EachHasAUniqueNonZeroNumber) {
   EXPECT_NE(first, second);
 }
 
-TEST(PendingRequests, CountsFurtherAnswersAsLate) {
+TEST(PendingRequests, IgnoresFurtherReplies) {
   PendingRequests requests;
   Outcomes outcomes;
   const auto request = Add(requests, outcomes.Keep());
 
-  requests.OnAnswer(request, Answer(Bytes(1)));
-  requests.OnAnswer(request, Answer(Bytes(2)));
-  requests.OnAnswer(12345, Answer(Bytes(3)));
+  EXPECT_TRUE(requests.Finish(request, Answer(Bytes(1))));
+  EXPECT_FALSE(requests.Finish(request, Answer(Bytes(2))));
+  EXPECT_FALSE(requests.Finish(12345, Answer(Bytes(3))));
 
   ASSERT_EQ(outcomes.all.size(), 1U);
   EXPECT_EQ(*outcomes.all[0], Bytes(1));
-  EXPECT_EQ(requests.late_answers(), 2U);
 }
 
 TEST(PendingRequests, ExpireEndsDueRequests) {
@@ -89,8 +88,8 @@ TEST(PendingRequests, AHandlerMaySendAnotherRequest) {
   const auto first = Add(
       requests, [&](const Result<Bytes>& /*outcome*/) { second = Add(requests, outcomes.Keep()); });
 
-  requests.OnAnswer(first, Answer(Bytes()));
-  requests.OnAnswer(second, Answer(Bytes()));
+  requests.Finish(first, Answer(Bytes()));
+  requests.Finish(second, Answer(Bytes()));
 
   EXPECT_EQ(outcomes.all.size(), 1U);
 }
@@ -100,7 +99,7 @@ TEST(PendingRequests, ContainsExceptionsOfHandlers) {
   const auto request =
       Add(requests, [](const Result<Bytes>& /*outcome*/) { throw std::runtime_error("oh"); });
 
-  EXPECT_NO_THROW(requests.OnAnswer(request, Answer(Bytes())));
+  EXPECT_NO_THROW(requests.Finish(request, Answer(Bytes())));
 }
 
 TEST(PendingRequests, ForgetsAWithdrawnRequest) {
@@ -150,13 +149,12 @@ TEST(BlockingRequest, ReturnsTheAnswer) {
   PendingRequests requests;
   BlockingRequest answer(requests);
   const auto peer =
-      std::async(std::launch::async, [&] { requests.OnAnswer(answer.number(), Answer(Bytes(3))); });
+      std::async(std::launch::async, [&] { requests.Finish(answer.number(), Answer(Bytes(3))); });
 
   const auto outcome = answer.WaitUntil(SteadyClock().Now() + hours(1));
 
   ASSERT_TRUE(outcome.has_value());
   EXPECT_EQ((*outcome)->body().size(), 3U);
-  EXPECT_EQ(requests.late_answers(), 0U);
 }
 
 TEST(BlockingRequest, ReturnsALentAnswerWithoutACopy) {
@@ -167,7 +165,7 @@ TEST(BlockingRequest, ReturnsALentAnswerWithoutACopy) {
   const std::byte* const place = lent->data();
   const std::span<const std::byte> body = *lent;
 
-  requests.OnAnswer(answer.number(), Answer(body, std::move(lent)));
+  requests.Finish(answer.number(), Answer(body, std::move(lent)));
 
   auto outcome = answer.WaitUntil(SteadyClock().Now() + hours(1));
   ASSERT_TRUE(outcome.has_value());
@@ -185,22 +183,21 @@ TEST(PendingRequests, AHandlerGetsACopyOfALentAnswer) {
   auto lent = std::make_shared<Bytes>(100, std::byte{7});
   const std::span<const std::byte> body = *lent;
 
-  requests.OnAnswer(number, Answer(body, std::move(lent)));
+  requests.Finish(number, Answer(body, std::move(lent)));
 
   EXPECT_EQ(heard, Bytes(100, std::byte{7}));
 }
 
-TEST(BlockingRequest, CountsAnAnswerAfterTheDeadlineAsLate) {
+TEST(BlockingRequest, IgnoresAReplyAfterTheDeadline) {
   PendingRequests requests;
   BlockingRequest answer(requests);
 
   EXPECT_FALSE(answer.WaitUntil(SteadyClock().Now()).has_value());
-  requests.OnAnswer(answer.number(), Answer(Bytes(3)));
 
-  EXPECT_EQ(requests.late_answers(), 1U);
+  EXPECT_FALSE(requests.Finish(answer.number(), Answer(Bytes(3))));
 }
 
-TEST(BlockingRequest, CountsAnAnswerWithoutAWaitAsLate) {
+TEST(BlockingRequest, IgnoresAReplyWithoutAWait) {
   PendingRequests requests;
   std::uint64_t number = 0;
   {
@@ -208,9 +205,7 @@ TEST(BlockingRequest, CountsAnAnswerWithoutAWaitAsLate) {
     number = answer.number();
   }
 
-  requests.OnAnswer(number, Answer(Bytes(3)));
-
-  EXPECT_EQ(requests.late_answers(), 1U);
+  EXPECT_FALSE(requests.Finish(number, Answer(Bytes(3))));
 }
 
 TEST(BlockingRequest, IgnoresTheAnswerOfAnEarlierRequest) {
@@ -223,8 +218,8 @@ TEST(BlockingRequest, IgnoresTheAnswerOfAnEarlierRequest) {
   }
   BlockingRequest next(requests);
 
-  requests.OnAnswer(first, Answer(Bytes(1)));
-  requests.OnAnswer(next.number(), Answer(Bytes(2)));
+  requests.Finish(first, Answer(Bytes(1)));
+  requests.Finish(next.number(), Answer(Bytes(2)));
 
   const auto outcome = next.WaitUntil(SteadyClock().Now() + hours(1));
   ASSERT_TRUE(outcome.has_value());
