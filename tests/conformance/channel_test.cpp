@@ -128,7 +128,7 @@ TEST_P(ChannelContract, ACallTimesOutAndItsLateReplyIsIgnored) {
   EXPECT_EQ(answer.error().code, ErrorCode::kTimeout);
   EXPECT_EQ(answer.error().message, "no answer from robot within 30 ms; outcome unknown");
   ASSERT_TRUE(server->Wait([](const Oracle& oracle) { return oracle.kept_.size() == 1; }));
-  server->kept_.front().Answer(Result<void>());
+  server->kept_.front().ReplyWith(Result<void>());
   EXPECT_TRUE(channel_->Call<Question>(kAsk, 0, Question{"still there?", 0}, kLong));
 }
 
@@ -148,7 +148,7 @@ TEST_P(ChannelContract, ExpireEndsOnlyTheRequestsThatAreDue) {
   const auto expired = first.get_future().get();
   ASSERT_FALSE(expired);
   EXPECT_EQ(expired.error().code, ErrorCode::kTimeout);
-  for (auto& responder : server->kept_) responder.Answer(Result<void>());
+  for (auto& responder : server->kept_) responder.ReplyWith(Result<void>());
   EXPECT_TRUE(second.get_future().get());  // it follows the late reply to the first request
 }
 
@@ -159,7 +159,7 @@ TEST_P(ChannelContract, AReplyMayComeLaterFromAnotherThread) {
       std::async(std::launch::async, [&] { return channel_->Call<None>(kKeep, 0, None{}, kLong); });
   ASSERT_TRUE(server->Wait([](const Oracle& oracle) { return oracle.kept_.size() == 1; }));
 
-  server->kept_.front().Answer(Result<void>());
+  server->kept_.front().ReplyWith(Result<void>());
   server->kept_.front().Refuse(Error{});
 
   EXPECT_TRUE(answer.get());

@@ -90,7 +90,7 @@ class PortContract : public Contract {
 };
 
 /// A client, and a server that defers its answers; for middlewares with a direct path for answers.
-class LaterAnswerContract : public Contract {
+class LaterReplyContract : public Contract {
  protected:
   void SetUp() override {
     std::promise<std::shared_ptr<Keeper>> asked;

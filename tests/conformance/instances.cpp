@@ -29,8 +29,8 @@ INSTANTIATE_TEST_SUITE_P(Plain, ExposureContract, testing::Values(Kind{"tcp", Ma
 INSTANTIATE_TEST_SUITE_P(Plain, CookieContract, kKinds, NameOfKind);
 INSTANTIATE_TEST_SUITE_P(Plain, ChannelContract, kKinds, NameOfKind);
 INSTANTIATE_TEST_SUITE_P(Plain, LargeMessageContract, kKinds, NameOfKind);
-INSTANTIATE_TEST_SUITE_P(Plain, LaterAnswerContract,
-                         testing::Values(Kind{"loopback", MakeLoopback}), NameOfKind);
+INSTANTIATE_TEST_SUITE_P(Plain, LaterReplyContract, testing::Values(Kind{"loopback", MakeLoopback}),
+                         NameOfKind);
 
 }  // namespace
 }  // namespace tendon::conformance

@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(WithIce, LifetimeContract, kIce, NameOfKind);
 INSTANTIATE_TEST_SUITE_P(WithIce, PortContract, kIce, NameOfKind);
 INSTANTIATE_TEST_SUITE_P(WithIce, ChannelContract, kIce, NameOfKind);
 INSTANTIATE_TEST_SUITE_P(WithIce, LargeMessageContract, kIce, NameOfKind);
-INSTANTIATE_TEST_SUITE_P(WithIce, LaterAnswerContract, kIce, NameOfKind);
+INSTANTIATE_TEST_SUITE_P(WithIce, LaterReplyContract, kIce, NameOfKind);
 
 }  // namespace
 }  // namespace tendon::conformance

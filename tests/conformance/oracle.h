@@ -61,11 +61,11 @@ class Oracle final : public ChannelHandler {
     auto question = DecodeBody<Question>(body);
     if (!question) return responder.Refuse(question.error());
     if (question->text.empty()) {
-      return responder.Answer<Question>(Error{ErrorCode::kNotFound, "there is no question"});
+      return responder.ReplyWith<Question>(Error{ErrorCode::kNotFound, "there is no question"});
     }
     question->text += question->text;
     question->number = header.handle;
-    responder.Answer(question);
+    responder.ReplyWith(question);
   }
 
   void OnNotice(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& header,

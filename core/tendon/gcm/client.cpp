@@ -52,7 +52,7 @@ client::ProcessLinks::Options OpeningOf(const GcmClient::Options& options) {
   return opening;
 }
 
-/// Counts pending answers. Thread-safe.
+/// Counts pending replies. Thread-safe.
 class OutstandingRequests {
  public:
   void Add() {
@@ -188,16 +188,16 @@ class GcmClient::Implementation {
         return entry == nullptr ? std::uint64_t{0} : entry->process.instance;
       });
     }
-    const auto answered_within =
+    const auto replied_within =
         kLifecycleOrderTimeouts * std::max<std::chrono::nanoseconds>(order.patience, timeout_);
-    const auto orders = (answered_within + timeout_ - std::chrono::nanoseconds(1)) / timeout_;
+    const auto orders = (replied_within + timeout_ - std::chrono::nanoseconds(1)) / timeout_;
     link_->Request<None>(
         message::kLifecycleOrder, order,
-        [done = std::move(done)](const auto& answer) { done(Ignored(answer)); },
+        [done = std::move(done)](const auto& reply) { done(Ignored(reply)); },
         static_cast<int>(std::min<std::int64_t>(orders, 1'000'000)));
   }
 
-  /// One check of the catalogue answers all calls since the previous check, so there are at most
+  /// One check of the catalogue replies to all calls since the previous check, so there are at most
   /// two checks a second.
   void LearnConflictingTypes(DoneHandler handler) {
     const std::scoped_lock lock(mutex_);
@@ -339,7 +339,7 @@ void GcmClient::Connect(const InterfaceName& required, const InterfaceName& prov
 void GcmClient::Disconnect(const InterfaceName& required, DoneHandler handler) {
   implementation_->link().Request<None>(message::kDisconnect, message::Wire{required, {}},
                                         [done = implementation_->Guarded(std::move(handler))](
-                                            const auto& answer) { done(Ignored(answer)); });
+                                            const auto& reply) { done(Ignored(reply)); });
 }
 
 void GcmClient::ExecuteLifecycleOrder(const message::LifecycleOrder& order, DoneHandler handler) {
@@ -353,8 +353,8 @@ void GcmClient::ExecuteProcessOrder(message::ProcessOrder order, DoneHandler han
   }
   implementation_->link().Request<None>(
       message::kProcess, order,
-      [done = implementation_->Guarded(std::move(handler))](const auto& answer) {
-        done(Ignored(answer));
+      [done = implementation_->Guarded(std::move(handler))](const auto& reply) {
+        done(Ignored(reply));
       },
       kProcessOrderTimeouts);
 }
@@ -386,12 +386,12 @@ void GcmClient::SkipNewestStep(StepHandler handler, std::uint64_t step) {
 void GcmClient::TakePlanLock(DoneHandler handler) {
   implementation_->link().Request<None>(message::kPlanLock, message::PlanLock{.is_wanted = true},
                                         [done = implementation_->Guarded(std::move(handler))](
-                                            const auto& answer) { done(Ignored(answer)); });
+                                            const auto& reply) { done(Ignored(reply)); });
 }
 
 void GcmClient::ReleasePlanLock() {
   implementation_->link().Request<None>(message::kPlanLock, message::PlanLock{.is_wanted = false},
-                                        [](const auto& /*answer*/) {});
+                                        [](const auto& /*reply*/) {});
 }
 
 void GcmClient::GetHistory(std::function<void(Result<message::History>)> handler) {
@@ -459,7 +459,7 @@ void GcmClient::ReadLog(const std::string& process, const message::ReadLog& want
 void GcmClient::Forget(const std::string& process, DoneHandler handler) {
   implementation_->link().Request<None>(message::kForget, message::Forget{process},
                                         [done = implementation_->Guarded(std::move(handler))](
-                                            const auto& answer) { done(Ignored(answer)); });
+                                            const auto& reply) { done(Ignored(reply)); });
 }
 
 void GcmClient::WatchLog() { implementation_->link().WatchLog(); }
@@ -467,7 +467,7 @@ void GcmClient::WatchLog() { implementation_->link().WatchLog(); }
 void GcmClient::SetLogLevel(const std::string& process, LogLevel level, DoneHandler handler) {
   implementation_->link().Request<None>(message::kSetLogLevel, message::SetLogLevel{process, level},
                                         [done = implementation_->Guarded(std::move(handler))](
-                                            const auto& answer) { done(Ignored(answer)); });
+                                            const auto& reply) { done(Ignored(reply)); });
 }
 
 void GcmClient::Call(const std::string& path, const std::string& argument, TextHandler handler) {

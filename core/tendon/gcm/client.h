@@ -74,8 +74,8 @@ class GcmClient {
     /// The name of this program in the GCM's history and log: "gcm connect", "gcm-gui".
     std::string name = "viewer";
     std::string address;  ///< address of the GCM
-    /// The time to wait for an answer. It must be longer than the time that the GCM waits for a
-    /// process, so that the GCM can forward the answer of the process.
+    /// The time to wait for a reply. It must be longer than the time that the GCM waits for a
+    /// process, so that the GCM can forward the reply of the process.
     std::chrono::milliseconds timeout{2000};
     /// The role of this client. With Role::kViewer, the GCM and all processes refuse changes by
     /// this client.
@@ -177,7 +177,7 @@ class GcmClient {
   void SetLogLevel(const std::string& process, LogLevel level, DoneHandler handler);
 
   /// Calls a command of a process by its path: a read, qualified read, void or write command.
-  /// `argument` and the answer are JSON, or empty if the command has none.
+  /// `argument` and the reply are JSON, or empty if the command has none.
   void Call(const std::string& path, const std::string& argument, TextHandler handler);
 
   /// Reads the events that a process has kept and that are not older than `last`, oldest first. The
@@ -214,15 +214,15 @@ class GcmClient {
   const std::unique_ptr<Implementation> implementation_;
 };
 
-/// Calls one of the functions above and waits for its answer: `Wait<ConnectionDescription>(timeout,
-/// [&](auto handler) { client.Connect(a, b, handler); })`. Fails with kTimeout if no answer arrives
+/// Calls one of the functions above and waits for its reply: `Wait<ConnectionDescription>(timeout,
+/// [&](auto handler) { client.Connect(a, b, handler); })`. Fails with kTimeout if no reply arrives
 /// in time; even then, the request may still be executed. Must not be called from a handler.
 template <typename T, typename Start>
 Result<T> Wait(std::chrono::milliseconds timeout, Start&& start) {
-  const auto answer = std::make_shared<std::promise<Result<T>>>();
-  auto arrival = answer->get_future();
+  const auto reply = std::make_shared<std::promise<Result<T>>>();
+  auto arrival = reply->get_future();
   std::forward<Start>(start)(std::function<void(Result<T>)>(
-      [answer](Result<T> result) { answer->set_value(std::move(result)); }));
+      [reply](Result<T> result) { reply->set_value(std::move(result)); }));
   if (arrival.wait_for(timeout) == std::future_status::ready) return arrival.get();
   return Error{ErrorCode::kTimeout, "no answer within " + std::to_string(timeout.count()) +
                                         " ms; it is unknown whether the request was executed"};

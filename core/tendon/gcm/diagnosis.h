@@ -64,7 +64,7 @@ void AddHealth(Diagnosis& diagnosis, const std::vector<ConnectionFlaw>& flaws);
 [[nodiscard]] bool IsTrying(const Diagnosis& diagnosis);
 
 /// Adds the round-trip time from this host to the provider's process to the last step. If there was
-/// no answer, adds the reason instead: to the last step if the processes reach each other,
+/// no reply, adds the reason instead: to the last step if the processes reach each other,
 /// otherwise to the step "the processes reach each other". The reason kTimeout means that the
 /// process was reached, but did not answer.
 ///
@@ -77,7 +77,7 @@ void AddActivity(Diagnosis& diagnosis, const Catalogue& catalogue);
 
 /// Adds `remnants` for a refused or failed connection. They say whether each of the two processes
 /// has removed the connection. For the required side, the catalogue has this information. For the
-/// provider, `served` is the answer of GcmClient::GetProviderCounts(). Does nothing if the required
+/// provider, `served` is the reply of GcmClient::GetProviderCounts(). Does nothing if the required
 /// side still has the connection.
 void AddRemnants(Diagnosis& diagnosis, const Catalogue& catalogue,
                  const Result<ConnectionCounts>& served);
@@ -92,7 +92,7 @@ void AddRemnants(Diagnosis& diagnosis, const Catalogue& catalogue,
 [[nodiscard]] std::vector<std::string> LeftoverTexts(const Diagnosis& diagnosis);
 
 /// Returns the remedy if `host` could not reach process `name`. The remedy depends on `reason`: no
-/// route to the process, no answer, or no connection.
+/// route to the process, no reply, or no connection.
 [[nodiscard]] std::string FixOfUnreached(const std::string& name, const std::string& host,
                                          const Error& reason);
 

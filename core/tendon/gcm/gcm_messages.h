@@ -80,7 +80,7 @@ struct WatchLog {
   std::uint64_t after = 0;  ///< number of the first record that the viewer needs
 };
 
-/// The answer to WatchLog. The records follow as LogRecords.
+/// The reply to WatchLog. The records follow as LogRecords.
 struct WatchLogReply {
   std::uint64_t gcm_instance = 0;
   std::uint64_t begin = 0;  ///< number of the first record that follows
@@ -144,7 +144,7 @@ struct Child {
   RestartPolicy restart = RestartPolicy::kNever;
 };
 
-/// The answer to kGetChildren. The catalogue does not contain this information.
+/// The reply to kGetChildren. The catalogue does not contain this information.
 struct Children {
   std::vector<Child> processes;  ///< by name
 };

@@ -32,7 +32,7 @@ class GlobalManager {
     std::string address = "127.0.0.1:10705";
     std::filesystem::path state_folder;   ///< folder of the history; empty: os::StateFolder()
     const Clock* clock = &SteadyClock();  ///< for the leases; must outlive the manager
-    /// The time that the GCM waits for the answer of an LCM. It must be longer than the time that
+    /// The time that the GCM waits for the reply of an LCM. It must be longer than the time that
     /// an LCM needs to detect a hanging peer, and shorter than the time that clients wait for the
     /// GCM.
     std::chrono::milliseconds order_timeout{1500};

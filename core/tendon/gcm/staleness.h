@@ -36,7 +36,7 @@ enum class StaleReason { kNone, kNotStarted, kSuspended, kFinished, kFaulted, kN
 }
 
 /// Determines the reason from the states of a process and its component. If the process does not
-/// answer or is lost, the state of the component is ignored.
+/// reply or is lost, the state of the component is ignored.
 [[nodiscard]] constexpr StaleReason StaleReasonOf(ProcessState process,
                                                   ComponentState component) noexcept {
   if (process == ProcessState::kSuspect) return StaleReason::kNoAnswer;

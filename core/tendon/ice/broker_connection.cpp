@@ -23,7 +23,7 @@ Result<std::shared_ptr<IceStorm::TopicManagerPrx>> BrokerConnection::Open(
 
 Result<std::shared_ptr<Ice::ObjectPrx>> BrokerConnection::Reach(
     const std::shared_ptr<Ice::ObjectPrx>& object) const {
-  constexpr int kLongest = 3000;  // ms to wait for an answer
+  constexpr int kLongest = 3000;  // ms to wait for a reply
   const auto connection = object->ice_connectionId("broker")->ice_getConnection();
   if (auto good = CheckPeer(*connection); !good) return good.error();
   AdoptSocket(*connection);

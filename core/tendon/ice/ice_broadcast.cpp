@@ -25,13 +25,13 @@ class SubscriberServant final : public Ice::BlobjectArray {
       : handler_(std::move(handler)), is_certified_(is_certified) {}
 
   bool ice_invoke(std::pair<const Ice::Byte*, const Ice::Byte*> parameters,
-                  std::vector<Ice::Byte>& answer, const Ice::Current& current) override {
+                  std::vector<Ice::Byte>& reply, const Ice::Current& current) override {
     const std::scoped_lock lock(mutex_);
     if (is_certified_ && !IsOfBroker(current.con)) {
       throw Ice::ObjectNotExistException(__FILE__, __LINE__, current.id, current.facet,
                                          current.operation);
     }
-    if (current.requestId != 0) answer = {6, 0, 0, 0, 1, 1};
+    if (current.requestId != 0) reply = {6, 0, 0, 0, 1, 1};
     const auto message =
         ReadOnlyParameter(std::as_bytes(std::span(parameters.first, parameters.second)));
     if (current.operation != kTopicOperation || !message) {

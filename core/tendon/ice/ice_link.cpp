@@ -29,7 +29,7 @@ std::string FailureOfPeer(const Ice::Exception& why) {
   return dynamic_cast<const Ice::RequestFailedException*>(&why) != nullptr ? why.what() : "";
 }
 
-/// Returns a refusal frame, which is delivered instead of the answer to `request`.
+/// Returns a refusal frame, which is delivered instead of the reply to `request`.
 Bytes RefusalOf(const FrameHeader& request, const std::string& peer, const std::string& failure) {
   const Bytes body = EncodeBody(Error{
       ErrorCode::kFailed, peer + " failed while it answered: " + failure + "; outcome unknown"});
@@ -62,7 +62,7 @@ IceLink::IceLink(std::shared_ptr<Ice::Connection> connection, std::uint64_t list
       certificate_(CertificateOf(*connection_)) {}
 
 /// Sends a frame with Delivery::kDirect as a two-way call of Ice, which can return an immediate
-/// answer without a second message. The call is asynchronous, so no thread waits for the answer.
+/// reply without a second message. The call is asynchronous, so no thread waits for the reply.
 /// The acceptor queues all its frames, because its requests have no waiting callers.
 Status IceLink::Send(std::span<const std::byte> frame, Delivery delivery) {
   const auto header = ReadWholeFrame(frame, kMaxPieceSize);
@@ -167,7 +167,7 @@ void IceLink::SendMarker() {
   if (!Begin(oneway_, "ice_ping", {})) is_marker_on_way_.Set(false);
 }
 
-bool IceLink::DeliverDirect(std::span<const std::byte> frame, ReplySlot& answer) {
+bool IceLink::DeliverDirect(std::span<const std::byte> frame, ReplySlot& slot) {
   const std::scoped_lock delivery(delivery_);
   const std::size_t limit = limit_.Get();
   if (limit == 0) return true;
@@ -178,15 +178,15 @@ bool IceLink::DeliverDirect(std::span<const std::byte> frame, ReplySlot& answer)
     handler_->OnFrame(frame);
     return true;
   }
-  handler_->OnDirectFrame(frame, answer);
-  CountReturned(answer.size());
+  handler_->OnDirectFrame(frame, slot);
+  CountReturned(slot.size());
   return true;
 }
 
-void IceLink::OnAnswer(std::size_t& size, std::span<const std::byte> answer,
-                       std::shared_ptr<const void> owner) {
+void IceLink::OnReply(std::size_t& size, std::span<const std::byte> reply,
+                      std::shared_ptr<const void> owner) {
   OnNotSent(size);
-  const auto frame = ReadOnlyParameter(answer);
+  const auto frame = ReadOnlyParameter(reply);
   if (frame && (frame->empty() || Forward(*frame, kMaxFrameSize, std::move(owner)))) return;
   Fail(NoFrame(peer_));
 }

@@ -43,7 +43,7 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   /// Ice queues any number of these replies and does not report when they were sent. If 2 MiB of
   /// them may be unsent, a marker is sent after them, because Ice reports when the marker was sent.
   /// If 4 MiB may be unsent, further replies are sent with Send(), which limits the unsent bytes.
-  bool DeliverDirect(std::span<const std::byte> frame, ReplySlot& answer);
+  bool DeliverDirect(std::span<const std::byte> frame, ReplySlot& slot);
   /// Returns true if a reply may be sent as the response of its call: fewer than 4 MiB of these
   /// replies may be unsent.
   [[nodiscard]] bool MayReturn() const { return OnWay() < kMostReturned; }
@@ -51,7 +51,7 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   void CountReturned(std::size_t size) { returned_.Add(size); }
   /// The calls with deferred replies. They are released when the link ends.
   [[nodiscard]] PendingCalls& pending_calls() { return pending_calls_; }
-  /// Closes the link because of an error of the peer. The answer to the present call of the peer is
+  /// Closes the link because of an error of the peer. The reply to the present call of the peer is
   /// still sent.
   void Fail(const Error& reason);
   void CloseAtOnce();
@@ -64,15 +64,15 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   /// Called when the message was sent. Then all earlier replies were sent, too: the first
   /// `returned_before` bytes of CountReturned().
   void OnSent(std::size_t& size, std::uint64_t returned_before);
-  /// Called when the message could not be sent or has no answer. If the peer has thrown an
+  /// Called when the message could not be sent or has no reply. If the peer has thrown an
   /// exception, delivers a refusal of `request`.
   void OnFailed(std::size_t& size, const std::optional<FrameHeader>& request,
                 const Ice::Exception& why);
-  /// Called when the message was answered. `answer` is one parameter, which is a frame or empty.
+  /// Called when the message was answered. `reply` is one parameter, which is a frame or empty.
   /// Its bytes are valid as long as `owner` is held. If `owner` is null, they are valid only during
   /// the call.
-  void OnAnswer(std::size_t& size, std::span<const std::byte> answer,
-                std::shared_ptr<const void> owner);
+  void OnReply(std::size_t& size, std::span<const std::byte> reply,
+               std::shared_ptr<const void> owner);
 
  private:
   friend class Links;

@@ -250,7 +250,7 @@ class IceMiddleware final : public Middleware {
       connection->createProxy(EndpointIdentity())
           ->ice_invokeAsync(
               "ice_ping", Ice::OperationMode::Normal, std::vector<Ice::Byte>(),
-              [give](bool /*ok*/, const std::vector<Ice::Byte>& /*answer*/) { give(nullptr); },
+              [give](bool /*ok*/, const std::vector<Ice::Byte>& /*reply*/) { give(nullptr); },
               give);
     } catch (const Ice::Exception&) {
       give(std::current_exception());

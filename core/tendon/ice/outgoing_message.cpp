@@ -6,7 +6,7 @@
 namespace tendon::ice {
 namespace {
 
-/// An answer of at least this size is not copied: the requester gets the buffer that Ice allocated.
+/// A reply of at least this size is not copied: the requester gets the buffer that Ice allocated.
 constexpr std::size_t kLent = std::size_t{16} << 10U;
 
 }  // namespace
@@ -37,17 +37,17 @@ void OutgoingMessage::handleInvokeResponse(bool /*ok*/, OutgoingAsyncBase* self)
   Ice::Int size = 0;
   Ice::InputStream& in = *self->getIs();
   if (!in.b.empty()) in.readEncapsulation(begin, size);
-  const auto answer = std::as_bytes(std::span(begin, static_cast<std::size_t>(size)));
+  const auto reply = std::as_bytes(std::span(begin, static_cast<std::size_t>(size)));
   std::shared_ptr<IceInternal::Buffer> owner;
-  if (answer.size() >= kLent) {
+  if (reply.size() >= kLent) {
     try {
       owner = std::make_shared<IceInternal::Buffer>();
       owner->swapBuffer(in);           // does not move the bytes
-    } catch (const std::bad_alloc&) {  // the answer is copied instead
+    } catch (const std::bad_alloc&) {  // the reply is copied instead
       owner.reset();
     }
   }
-  link_->OnAnswer(counted_, answer, std::move(owner));
+  link_->OnReply(counted_, reply, std::move(owner));
 }
 
 }  // namespace tendon::ice

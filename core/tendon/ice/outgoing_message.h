@@ -23,7 +23,7 @@ class OutgoingMessage final : public IceInternal::OutgoingAsync {
     std::size_t size = 0;  ///< bytes that the link counts as unsent for this message
     std::uint64_t returned_before = 0;
   };
-  /// If an answer is expected, `peer` must be a two-way proxy, and `request` is the header of the
+  /// If a reply is expected, `peer` must be a two-way proxy, and `request` is the header of the
   /// frame.
   OutgoingMessage(const std::shared_ptr<Ice::ObjectPrx>& peer, std::shared_ptr<IceLink> link,
                   const SendAccounting& accounting, const std::optional<FrameHeader>& request)
@@ -50,7 +50,7 @@ class OutgoingMessage final : public IceInternal::OutgoingAsync {
   void handleInvokeResponse(bool ok, OutgoingAsyncBase* self) const override;
 
   /// A request of at least this size is no longer counted as unsent after it was sent, because its
-  /// answer may take long. A smaller request is counted until it is answered.
+  /// reply may take long. A smaller request is counted until it is answered.
   static constexpr std::size_t kLarge = std::size_t{16} << 10U;
 
   const std::shared_ptr<IceLink> link_;

@@ -39,9 +39,9 @@ void DeferredReply::Take(PendingCalls::Call call) noexcept {
 DeferredReply::~DeferredReply() {
   if (is_there()) return;
   if (has_begun()) {
-    AnswerWithFailure(*call_);
+    ReplyWithFailure(*call_);
   } else if (link_->pending_calls().Take(call_)) {
-    AnswerWithNothing(*call_);
+    ReplyWithNothing(*call_);
   }
 }
 

@@ -22,7 +22,7 @@ constexpr std::array kNo{std::byte{7}, std::byte{0}, std::byte{0}, std::byte{0},
 constexpr std::array kYes{std::byte{7}, std::byte{0}, std::byte{0}, std::byte{0},
                           std::byte{1}, std::byte{1}, std::byte{1}};
 
-/// Closes the link because the peer violates the protocol. If the peer waits for an answer, it
+/// Closes the link because the peer violates the protocol. If the peer waits for a reply, it
 /// receives the text `what`. (The exception of Ice requires a file and a line.)
 [[noreturn]] void CutOff(IceLink& link, const std::string& what) {
   link.Fail({ErrorCode::kInvalid, link.peer() + " was disconnected: " + what});
@@ -32,21 +32,21 @@ constexpr std::array kYes{std::byte{7}, std::byte{0}, std::byte{0}, std::byte{0}
 /// Delivers the frame of an `ask` and writes the result, which is a frame or empty. Returns false
 /// if the reply is deferred.
 bool Ask(IceLink& link, std::span<const std::byte> frame, IceInternal::Incoming& incoming) {
-  ImmediateReply answer(link, incoming);
-  if (!link.DeliverDirect(frame, answer)) CutOff(link, NoFrame(link.peer()).message);
-  if (answer.is_deferred()) return false;
-  if (!answer.has_begun()) {
+  ImmediateReply reply(link, incoming);
+  if (!link.DeliverDirect(frame, reply)) CutOff(link, NoFrame(link.peer()).message);
+  if (reply.is_deferred()) return false;
+  if (!reply.has_begun()) {
     incoming.startWriteParams()->writeSize(0);
-  } else if (!answer.is_there()) {
+  } else if (!reply.is_there()) {
     throw std::runtime_error("the answer could not be written");  // makes Ice discard the reply
   }
   incoming.endWriteParams();
   return true;
 }
 
-bool Write(std::span<const std::byte> answer, IceInternal::Incoming& incoming) {
-  incoming.writeParamEncaps(reinterpret_cast<const Ice::Byte*>(answer.data()),
-                            static_cast<Ice::Int>(answer.size()), true);
+bool Write(std::span<const std::byte> reply, IceInternal::Incoming& incoming) {
+  incoming.writeParamEncaps(reinterpret_cast<const Ice::Byte*>(reply.data()),
+                            static_cast<Ice::Int>(reply.size()), true);
   return true;
 }
 

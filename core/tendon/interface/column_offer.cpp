@@ -12,7 +12,7 @@ class ColumnReadCommand final : public CommandBase {
   ColumnReadCommand(const StateTable& table, std::size_t column)
       : CommandBase(layout::kNone, layout::kNone), table_(table), column_(column) {}
 
-  Status ExecuteEncoded(std::span<const std::byte> /*in*/, AnswerSink& out) override {
+  Status ExecuteEncoded(std::span<const std::byte> /*in*/, ReplySink& out) override {
     Scratch<std::vector<std::uint64_t>>::Use row(row_);
     row->resize(table_.row_words());
     std::uint64_t tick = 0;

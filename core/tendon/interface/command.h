@@ -1,8 +1,8 @@
 #pragma once
 
 #include <tendon/base/status.h>
-#include <tendon/interface/execution/answer_sink.h>
 #include <tendon/interface/execution/argument_writer.h>
+#include <tendon/interface/execution/reply_sink.h>
 #include <tendon/interface/execution/scratch.h>
 #include <tendon/lockfree/wakeup.h>
 #include <tendon/payload/codec.h>
@@ -33,10 +33,10 @@ class CommandBase {
 
   /// Executes the command with an encoded argument. Returns kInvalid if `in` cannot be decoded.
   /// Writes the reply to `out` only on success.
-  virtual Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& out) = 0;
+  virtual Status ExecuteEncoded(std::span<const std::byte> in, ReplySink& out) = 0;
   /// Like ExecuteEncoded(), for an argument that is not encoded yet. A command that stores the
   /// encoded argument overrides this function and encodes the argument directly into its storage.
-  virtual Status ExecuteFrom(const ArgumentWriter& in, AnswerSink& out) {
+  virtual Status ExecuteFrom(const ArgumentWriter& in, ReplySink& out) {
     return ExecuteEncoded(in.Encoded(), out);
   }
   /// Like ExecuteEncoded(), but waits at most `timeout` for the end of the execution. Replaces the
@@ -103,20 +103,19 @@ class Command : public CommandBase {
   }
   virtual Status End(std::size_t /*call*/, Out& /*out*/) { return Status::kUnsupported; }
 
-  Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& out) override {
-    return Convert(in, out,
-                   [this](const In& typed, Out& answer) { return Execute(typed, answer); });
+  Status ExecuteEncoded(std::span<const std::byte> in, ReplySink& out) override {
+    return Convert(in, out, [this](const In& typed, Out& reply) { return Execute(typed, reply); });
   }
   Status WaitEncoded(std::span<const std::byte> in, std::vector<std::byte>& out,
                      std::chrono::nanoseconds timeout) final {
-    return Convert(in, out, [this, timeout](const In& typed, Out& answer) {
-      return Wait(typed, answer, timeout);
+    return Convert(in, out, [this, timeout](const In& typed, Out& reply) {
+      return Wait(typed, reply, timeout);
     });
   }
   Status BeginEncoded(std::span<const std::byte> in, std::vector<std::byte>& out, Wakeup<>& ended,
                       std::size_t& call) final {
     return Convert(in, out,
-                   [&](const In& typed, Out& answer) { return Begin(typed, answer, ended, call); });
+                   [&](const In& typed, Out& reply) { return Begin(typed, reply, ended, call); });
   }
   Status EndEncoded(std::size_t call, std::vector<std::byte>& out) final {
     typename Scratch<Values>::Use values(values_);
@@ -126,8 +125,8 @@ class Command : public CommandBase {
   }
 
  protected:
-  static void Put(const Out& answer, AnswerSink& out) {
-    EncodeTo(answer, out.Room(EncodedSize(answer)));
+  static void Put(const Out& reply, ReplySink& out) {
+    EncodeTo(reply, out.Room(EncodedSize(reply)));
   }
 
  private:
@@ -136,7 +135,7 @@ class Command : public CommandBase {
     Out out{};
   };
 
-  static void Put(const Out& answer, std::vector<std::byte>& out) { Encode(answer, out); }
+  static void Put(const Out& reply, std::vector<std::byte>& out) { Encode(reply, out); }
 
   template <typename Sink, typename Call>
   Status Convert(std::span<const std::byte> in, Sink& out, Call call) {

@@ -16,7 +16,7 @@ namespace tendon {
 namespace {
 
 /// The number of nested calls from a middleware that this thread is executing. If this is not 0,
-/// the thread must not wait for an answer.
+/// the thread must not wait for a reply.
 thread_local int calls_from_middleware = 0;
 
 struct MiddlewareCallScope {
@@ -65,10 +65,10 @@ Hello For(const Link& link, Hello mine) {
   return mine;
 }
 
-/// Copies an answer. If there is not enough memory, only this answer is lost.
-Result<Answer> CopyOf(std::span<const std::byte> answer) {
+/// Copies a reply. If there is not enough memory, only this reply is lost.
+Result<Reply> CopyOf(std::span<const std::byte> reply) {
   try {
-    return Answer(Bytes(answer.begin(), answer.end()));
+    return Reply(Bytes(reply.begin(), reply.end()));
   } catch (const std::bad_alloc&) {
     return Error{ErrorCode::kFailed, "there is not enough memory for the answer"};
   }
@@ -190,8 +190,8 @@ void Channel::OnFirst(const FrameHeader& header, std::span<const std::byte> body
   CallGuarded(link_->peer(), [&] { OnGreeting(header, body); });
 }
 
-void Channel::OnDirectFrame(std::span<const std::byte> frame, ReplySlot& answer) {
-  const CurrentRequest current(*this, ReadWholeFrame(frame)->request, answer);
+void Channel::OnDirectFrame(std::span<const std::byte> frame, ReplySlot& slot) {
+  const CurrentRequest current(*this, ReadWholeFrame(frame)->request, slot);
   OnFrame(frame);
 }
 
@@ -202,7 +202,7 @@ void Channel::OnGreeting(const FrameHeader& header, std::span<const std::byte> b
     return Fail(step.error());
   }
   if (step->peer) link_->Admit();
-  if (step->has_answer && !Send(step->type, header.request, 0, step->body)) return;
+  if (step->has_reply && !Send(step->type, header.request, 0, step->body)) return;
   if (step->peer) Opened(*step->peer);
 }
 
@@ -242,7 +242,7 @@ void Channel::OnMessage(const FrameHeader& header, std::span<const std::byte> bo
   if (!HasOurVersion(header)) return;
   switch (header.type) {
     case MessageType::kReply:
-      requests_.Finish(header.request, owner ? Answer(body, std::move(owner)) : CopyOf(body));
+      requests_.Finish(header.request, owner ? Reply(body, std::move(owner)) : CopyOf(body));
       return;
     case MessageType::kReplies:
       return OnReplies(body);
@@ -274,7 +274,7 @@ void Channel::OnReplies(std::span<const std::byte> body) {
     return Fail({ErrorCode::kInvalid, peer_.name + " sent malformed answers"});
   }
   while (const auto one = TakeReply(body)) {
-    requests_.Finish(one->request, CopyOf(one->answer));
+    requests_.Finish(one->request, CopyOf(one->body));
   }
 }
 
@@ -331,7 +331,7 @@ void Channel::HandleLarge(PartAssembly::Frame frame) {
   }
   const FrameHeader& header = frame.header;
   if (header.type != MessageType::kReply) return OnMessage(header, frame.body);
-  if (HasOurVersion(header)) requests_.Finish(header.request, Answer(std::move(frame.body)));
+  if (HasOurVersion(header)) requests_.Finish(header.request, Reply(std::move(frame.body)));
 }
 
 void Channel::OnPartsTaken(std::span<const std::byte> body) {
@@ -451,20 +451,19 @@ Status Channel::TryRequest(MessageType type, std::uint32_t handle, std::span<con
 
 bool Channel::IsThreadOfMiddleware() noexcept { return calls_from_middleware > 0; }
 
-Result<Answer> Channel::Call(MessageType type, std::uint32_t handle,
-                             std::span<const std::byte> body, std::chrono::milliseconds timeout,
-                             Lane lane, Delivery delivery) {
+Result<Reply> Channel::Call(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
+                            std::chrono::milliseconds timeout, Lane lane, Delivery delivery) {
   if (IsThreadOfMiddleware()) {
     return Error{ErrorCode::kFailed, "a call to " + PeerName() + " would wait for its own thread"};
   }
   const SteadyTime deadline = SteadyClock().Now() + timeout;
-  BlockingRequest answer(requests_);
-  const Status sent = is_open() && answer.number() != 0
-                          ? Send(type, answer.number(), handle, body, lane, delivery)
+  BlockingRequest reply(requests_);
+  const Status sent = is_open() && reply.number() != 0
+                          ? Send(type, reply.number(), handle, body, lane, delivery)
                           : Status(Status::kNotConnected);
   if (!sent) return WhyNotSent(sent, PeerName(), body.size());
-  if (auto outcome = answer.WaitUntil(deadline)) return *std::move(outcome);
-  return NoAnswer(PeerName(), timeout);
+  if (auto outcome = reply.WaitUntil(deadline)) return *std::move(outcome);
+  return NoReply(PeerName(), timeout);
 }
 
 /// Returns true if a reply of this size may be sent as the response to a direct request. A response

@@ -42,7 +42,7 @@ namespace tendon {
 /// - PartSender sends a large message of this end in parts, as fast as the peer acknowledges them.
 ///   PartReceiver joins the parts that the peer sends.
 /// - ChannelHandler, written by the owner, receives the notices and requests of the peer. It
-///   answers a request with a Responder, now or later. A ReplyBatcher sends many replies in one
+///   replies to a request with a Responder, now or later. A ReplyBatcher sends many replies in one
 ///   message.
 class Channel final : public std::enable_shared_from_this<Channel>, private LinkHandler {
   struct Key {};
@@ -90,23 +90,23 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   Status TryRequest(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
                     std::chrono::milliseconds timeout, ReplyHandler handler,
                     Lane lane = kCommonLane, Delivery delivery = Delivery::kQueued);
-  template <Payload Reply, Message T>
+  template <Payload ReplyBody, Message T>
   void Request(MessageType type, std::uint32_t handle, const T& value,
-               std::chrono::milliseconds timeout, std::function<void(Result<Reply>)> handler,
+               std::chrono::milliseconds timeout, std::function<void(Result<ReplyBody>)> handler,
                Lane lane = kCommonLane);
 
   /// Returns true if a middleware is calling a handler in this thread. Such a thread must not wait
-  /// for an answer.
+  /// for a reply.
   [[nodiscard]] static bool IsThreadOfMiddleware() noexcept;
 
-  /// Sends a request and waits for the reply. Fails in a thread of the middleware. A large answer
+  /// Sends a request and waits for the reply. Fails in a thread of the middleware. A large reply
   /// is not copied.
-  Result<Answer> Call(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
-                      std::chrono::milliseconds timeout, Lane lane = kCommonLane,
-                      Delivery delivery = Delivery::kQueued);
-  template <Payload Reply, Message T>
-  Result<Reply> Call(MessageType type, std::uint32_t handle, const T& value,
-                     std::chrono::milliseconds timeout);
+  Result<Reply> Call(MessageType type, std::uint32_t handle, std::span<const std::byte> body,
+                     std::chrono::milliseconds timeout, Lane lane = kCommonLane,
+                     Delivery delivery = Delivery::kQueued);
+  template <Payload ReplyBody, Message T>
+  Result<ReplyBody> Call(MessageType type, std::uint32_t handle, const T& value,
+                         std::chrono::milliseconds timeout);
 
   /// Ends requests that have timed out. Closes the channel if the peer has stopped in the middle of
   /// a large message. The owner of the channel must call it regularly; MonitorPeer() and
@@ -140,7 +140,7 @@ class Channel final : public std::enable_shared_from_this<Channel>, private Link
   // Called by the link.
   void OnFrame(std::span<const std::byte> frame) override;
   void OnLentFrame(std::span<const std::byte> frame, std::shared_ptr<const void> owner) override;
-  void OnDirectFrame(std::span<const std::byte> frame, ReplySlot& answer) override;
+  void OnDirectFrame(std::span<const std::byte> frame, ReplySlot& slot) override;
   void OnClosed(const Error& reason) override;
   [[nodiscard]] std::shared_ptr<LinkHandler> AsLinkHandler();
 
@@ -213,24 +213,24 @@ Status Channel::Notify(MessageType type, std::uint32_t handle, const T& value, L
   return Notify(type, handle, std::span<const std::byte>(EncodeBody(value)), lane);
 }
 
-template <Payload Reply, Message T>
+template <Payload ReplyBody, Message T>
 void Channel::Request(MessageType type, std::uint32_t handle, const T& value,
-                      std::chrono::milliseconds timeout, std::function<void(Result<Reply>)> handler,
-                      Lane lane) {
+                      std::chrono::milliseconds timeout,
+                      std::function<void(Result<ReplyBody>)> handler, Lane lane) {
   Request(
       type, handle, std::span<const std::byte>(EncodeBody(value)), timeout,
       [handler = std::move(handler)](Result<Bytes> reply) {
-        handler(reply ? DecodeBody<Reply>(*reply) : Result<Reply>(reply.error()));
+        handler(reply ? DecodeBody<ReplyBody>(*reply) : Result<ReplyBody>(reply.error()));
       },
       lane);
 }
 
-template <Payload Reply, Message T>
-Result<Reply> Channel::Call(MessageType type, std::uint32_t handle, const T& value,
-                            std::chrono::milliseconds timeout) {
+template <Payload ReplyBody, Message T>
+Result<ReplyBody> Channel::Call(MessageType type, std::uint32_t handle, const T& value,
+                                std::chrono::milliseconds timeout) {
   const auto reply = Call(type, handle, std::span<const std::byte>(EncodeBody(value)), timeout);
   if (!reply) return reply.error();
-  return DecodeBody<Reply>(reply->body());
+  return DecodeBody<ReplyBody>(reply->body());
 }
 
 }  // namespace tendon

@@ -14,14 +14,14 @@ using Bytes = std::vector<std::byte>;
 enum class MessageType : std::uint16_t {
   kHello = 1,
   kWelcome = 2,
-  kReply = 3,    ///< answers a request; the body is the answer
+  kReply = 3,    ///< replies to a request; the body is the reply
   kRefusal = 4,  ///< refuses a request; the body is an Error
   kChallenge = 5,
   kProof = 6,
   kPart = 7,  ///< next bytes of a frame that is too large for one piece; `handle` is the number of
               ///< the frame
   kPartsTaken = 8,  ///< u64: total bytes of parts received since the link was opened
-  kReplies = 9,     ///< answers several requests; the body is a ReplyBatch
+  kReplies = 9,     ///< replies to several requests; the body is a ReplyBatch
   // The layers above define their types in the files *_messages.h of their folders. proxy uses
   // numbers from 0x100 on, process from 0x200 on, gcm from 0x300 on.
 };
@@ -31,7 +31,7 @@ struct FrameHeader {
   std::uint32_t magic = kMagic;
   std::uint16_t version = kProtocolVersion;
   MessageType type = MessageType::kHello;
-  std::uint64_t request = 0;  ///< 0: no answer is expected
+  std::uint64_t request = 0;  ///< 0: no reply is expected
   std::uint32_t size = 0;     ///< bytes of the body
   /// The addressee in the receiver's process. The receiver has issued this number and checks it.
   std::uint32_t handle = 0;

@@ -71,7 +71,7 @@ Error VersionsDiffer(const std::string& acceptor, unsigned its, unsigned openers
 }
 
 Handshake::Step StepWith(MessageType type, Bytes body) {
-  return {.type = type, .body = std::move(body), .has_answer = true, .peer = std::nullopt};
+  return {.type = type, .body = std::move(body), .has_reply = true, .peer = std::nullopt};
 }
 
 }  // namespace

@@ -24,13 +24,13 @@ struct Greeting {
 /// cookie.
 using Digest = std::array<std::uint8_t, 32>;
 
-/// The acceptor's answer to a greeting.
+/// The acceptor's reply to a greeting.
 struct Challenge {
   Greeting greeting;
   Digest proof{};
 };
 
-/// The opener's answer to a challenge.
+/// The opener's reply to a challenge.
 struct Proof {
   Digest proof{};
   std::uint64_t session = 0;
@@ -72,7 +72,7 @@ class Handshake {
   struct Step {
     MessageType type = MessageType::kHello;
     Bytes body;
-    bool has_answer = false;    ///< true if `type` and `body` must be sent to the peer
+    bool has_reply = false;     ///< true if `type` and `body` must be sent to the peer
     std::optional<Hello> peer;  ///< set by the last step, when the peer is authenticated
   };
   /// Handles the next frame of the peer. Returns an error if the peer is not accepted; the text of

@@ -321,9 +321,9 @@ class End final : public Link, public std::enable_shared_from_this<End> {
     if (!fits) return CloseFor(NoFrame(peer_name_));
     if (!handler_) return;
     if (kind != Kind::kDirect) return handler_->OnFrame(frame);
-    LoopbackReply answer(shared_from_this(), LoopbackReply::When::kAfterRequest);
-    handler_->OnDirectFrame(frame, answer);
-    if (answer.is_there()) answer.Deliver();
+    LoopbackReply reply(shared_from_this(), LoopbackReply::When::kAfterRequest);
+    handler_->OnDirectFrame(frame, reply);
+    if (reply.is_there()) reply.Deliver();
   }
 
   /// Closes this end. OnClosed() is called after all frames that were posted before are delivered.

@@ -63,7 +63,7 @@ void LinkHandler::OnLentFrame(std::span<const std::byte> frame,
   OnFrame(frame);
 }
 
-void LinkHandler::OnDirectFrame(std::span<const std::byte> frame, ReplySlot& /*answer*/) {
+void LinkHandler::OnDirectFrame(std::span<const std::byte> frame, ReplySlot& /*slot*/) {
   OnFrame(frame);
 }
 

@@ -32,8 +32,8 @@ inline constexpr std::chrono::seconds kAdmissionTime{3};
 /// How a link delivers a frame.
 enum class Delivery {
   kQueued,
-  /// For a request whose sender waits for the answer. If the link has a direct path back, the peer
-  /// can send its answer on this path, as the response to this frame. Otherwise, the link queues
+  /// For a request whose sender waits for the reply. If the link has a direct path back, the peer
+  /// can send its reply on this path, as the response to this frame. Otherwise, the link queues
   /// the frame. The order relative to queued frames is kept.
   kDirect,
 };
@@ -85,14 +85,14 @@ class LinkHandler {
   /// the call.
   virtual void OnFrame(std::span<const std::byte> frame) = 0;
 
-  /// Called instead of OnFrame() for a large answer. The bytes are valid as long as `owner` is
+  /// Called instead of OnFrame() for a large reply. The bytes are valid as long as `owner` is
   /// held. By default, calls OnFrame().
   virtual void OnLentFrame(std::span<const std::byte> frame, std::shared_ptr<const void> owner);
 
   /// Called instead of OnFrame() for a frame that was sent with Delivery::kDirect, if the link has
-  /// a direct path back. `answer` is an empty slot. A reply in this slot is sent on the direct
-  /// path, after all frames that were sent during this call. By default, calls OnFrame().
-  virtual void OnDirectFrame(std::span<const std::byte> frame, ReplySlot& answer);
+  /// a direct path back. `slot` is empty. A reply in this slot is sent on the direct path, after
+  /// all frames that were sent during this call. By default, calls OnFrame().
+  virtual void OnDirectFrame(std::span<const std::byte> frame, ReplySlot& slot);
 
   /// Called exactly once, after the last frame, when the link has ended for any reason.
   virtual void OnClosed(const Error& reason) = 0;

@@ -29,7 +29,7 @@ bool MayBeLarge(MessageType type) {
 
 /// Returns true for replies and refusals. The budget does not count them, because this end has
 /// requested them.
-bool IsAnswer(MessageType type) {
+bool IsReply(MessageType type) {
   return type == MessageType::kReply || type == MessageType::kRefusal;
 }
 
@@ -82,7 +82,7 @@ PartAssembly::Progress PartAssembly::Keep(UnfinishedFrame& unfinished,
                                           std::span<const std::byte> more, bool is_last) {
   if (is_last) {
     ReleaseBudget(unfinished);
-  } else if (!IsAnswer(unfinished.header.type)) {
+  } else if (!IsReply(unfinished.header.type)) {
     if (!budget_.Take(more.size())) {
       ReleaseBudget(unfinished);
       Bytes().swap(unfinished.body);

@@ -69,7 +69,7 @@ PendingRequests::Slot* PendingRequests::AddAwaited() {
 
 /// Called when a BlockingRequest stops waiting. Frees its slot and returns the outcome, if it is
 /// known.
-std::optional<Result<Answer>> PendingRequests::Leave(Slot& slot) {
+std::optional<Result<Reply>> PendingRequests::Leave(Slot& slot) {
   const std::scoped_lock lock(mutex_);
   (void)Remove(slot.request);
   auto outcome = std::exchange(slot.outcome, std::nullopt);
@@ -87,7 +87,7 @@ void PendingRequests::Withdraw(std::uint64_t request) {
   Free(*slot);
 }
 
-bool PendingRequests::Finish(std::uint64_t request, Result<Answer> outcome) {
+bool PendingRequests::Finish(std::uint64_t request, Result<Reply> outcome) {
   std::unique_lock lock(mutex_);
   Slot* const slot = Remove(request);
   if (slot == nullptr) return false;
@@ -126,7 +126,7 @@ void PendingRequests::Expire(SteadyTime now, const std::string& peer) {
     }
   }
   std::ranges::sort(due);
-  for (const auto& [request, timeout] : due) Finish(request, NoAnswer(peer, timeout));
+  for (const auto& [request, timeout] : due) Finish(request, NoReply(peer, timeout));
 }
 
 void PendingRequests::FinishAll(const Error& reason) {
@@ -142,7 +142,7 @@ void PendingRequests::FinishAll(const Error& reason) {
   for (const std::uint64_t request : all) Finish(request, reason);
 }
 
-Error NoAnswer(const std::string& peer, std::chrono::milliseconds timeout) {
+Error NoReply(const std::string& peer, std::chrono::milliseconds timeout) {
   return {ErrorCode::kTimeout, "no answer from " + peer + " within " +
                                    std::to_string(timeout.count()) + " ms; outcome unknown"};
 }

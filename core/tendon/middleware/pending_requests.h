@@ -22,13 +22,13 @@
 
 namespace tendon {
 
-/// The body of an answer. The body is stored here, or it refers to memory of another object, so
-/// that a large answer need not be copied.
-class Answer {
+/// The body of a reply. The body is stored here, or it refers to memory of another object, so
+/// that a large reply need not be copied.
+class Reply {
  public:
-  explicit Answer(Bytes own) : own_(std::move(own)) {}
+  explicit Reply(Bytes own) : own_(std::move(own)) {}
   /// `body` is valid as long as `owner` is held; `owner` is not null.
-  Answer(std::span<const std::byte> body, std::shared_ptr<const void> owner)
+  Reply(std::span<const std::byte> body, std::shared_ptr<const void> owner)
       : lent_(body), owner_(std::move(owner)) {
     assert(owner_);
   }
@@ -48,7 +48,7 @@ class Answer {
   std::shared_ptr<const void> owner_;
 };
 
-/// The requests of one channel that wait for an answer. Calls each handler exactly once, without
+/// The requests of one channel that wait for a reply. Calls each handler exactly once, without
 /// holding a lock, and logs its exceptions. Allocates memory only when more requests wait than ever
 /// before; handlers may allocate. Thread-safe.
 class PendingRequests {
@@ -64,9 +64,9 @@ class PendingRequests {
 
   /// Ends a request: calls its handler or wakes its caller. Returns false if the request has
   /// already ended.
-  bool Finish(std::uint64_t request, Result<Answer> outcome);
+  bool Finish(std::uint64_t request, Result<Reply> outcome);
 
-  /// Returns true if the request still waits for its answer.
+  /// Returns true if the request still waits for its reply.
   [[nodiscard]] bool IsAwaited(std::uint64_t request);
 
   /// Ends the requests that have timed out, with an error that names `peer`. A BlockingRequest has
@@ -87,7 +87,7 @@ class PendingRequests {
     std::chrono::milliseconds timeout{};
     Handler handler;
     bool is_awaited = false;  // a BlockingRequest waits for the outcome; there is no handler
-    std::optional<Result<Answer>> outcome;
+    std::optional<Result<Reply>> outcome;
     Flag has_ended;
     Wakeup<> wakeup;
   };
@@ -99,7 +99,7 @@ class PendingRequests {
   void Free(Slot& slot);
 
   Slot* AddAwaited();
-  std::optional<Result<Answer>> Leave(Slot& slot);
+  std::optional<Result<Reply>> Leave(Slot& slot);
 
   std::mutex mutex_;
   bool finished_ = false;
@@ -110,7 +110,7 @@ class PendingRequests {
 };
 
 /// The error "no answer from robot within 500 ms; outcome unknown".
-[[nodiscard]] Error NoAnswer(const std::string& peer, std::chrono::milliseconds timeout);
+[[nodiscard]] Error NoReply(const std::string& peer, std::chrono::milliseconds timeout);
 
 /// Logs the current exception. Must be called in a catch block.
 void LogFailure(const std::string& peer);
@@ -125,7 +125,7 @@ void CallGuarded(const std::string& peer, Function function) {
   }
 }
 
-/// A request whose caller waits for the answer. It needs no handler and therefore no memory
+/// A request whose caller waits for the reply. It needs no handler and therefore no memory
 /// allocation. Used by one thread. Must not outlive the PendingRequests.
 class BlockingRequest {
  public:
@@ -141,15 +141,15 @@ class BlockingRequest {
   [[nodiscard]] std::uint64_t number() const { return number_; }
 
   /// Waits for the outcome and returns it. Returns no value if `deadline` has passed. Must be
-  /// called only once, because an answer that arrives afterwards is ignored.
-  std::optional<Result<Answer>> WaitUntil(SteadyTime deadline) {
+  /// called only once, because a reply that arrives afterwards is ignored.
+  std::optional<Result<Reply>> WaitUntil(SteadyTime deadline) {
     if (slot_ == nullptr) return std::nullopt;
     slot_->wakeup.WaitUntil([this] { return slot_->has_ended.Get(); }, deadline);
     return Leave();
   }
 
  private:
-  std::optional<Result<Answer>> Leave() {
+  std::optional<Result<Reply>> Leave() {
     PendingRequests::Slot* const slot = std::exchange(slot_, nullptr);
     return slot == nullptr ? std::nullopt : requests_.Leave(*slot);
   }

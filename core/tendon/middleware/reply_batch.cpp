@@ -19,18 +19,18 @@ ReplyBatch& BatchOfThisThread() {
 
 }  // namespace
 
-bool ReplyBatch::Add(std::uint64_t request, std::span<const std::byte> answer) {
+bool ReplyBatch::Add(std::uint64_t request, std::span<const std::byte> reply) {
   const std::size_t start = body_.size();
-  if (replies_ == kMostReplies || answer.size() > kMostBytes ||
-      start + kOverhead + answer.size() > kMostBytes) {
+  if (replies_ == kMostReplies || reply.size() > kMostBytes ||
+      start + kOverhead + reply.size() > kMostBytes) {
     return false;
   }
-  const auto size = static_cast<std::uint32_t>(answer.size());
-  body_.resize(start + kOverhead + answer.size());
+  const auto size = static_cast<std::uint32_t>(reply.size());
+  body_.resize(start + kOverhead + reply.size());
   std::byte* const place = body_.data() + start;
   std::memcpy(place, &request, sizeof request);
   std::memcpy(place + sizeof request, &size, sizeof size);
-  if (size > 0) std::memcpy(place + kOverhead, answer.data(), size);
+  if (size > 0) std::memcpy(place + kOverhead, reply.data(), size);
   ++replies_;
   return true;
 }
@@ -48,7 +48,7 @@ std::optional<BatchedReply> TakeReply(std::span<const std::byte>& body) {
   std::memcpy(&reply.request, body.data(), sizeof reply.request);
   std::memcpy(&size, body.data() + sizeof reply.request, sizeof size);
   if (size > body.size() - ReplyBatch::kOverhead) return std::nullopt;
-  reply.answer = body.subspan(ReplyBatch::kOverhead, size);
+  reply.body = body.subspan(ReplyBatch::kOverhead, size);
   body = body.subspan(ReplyBatch::kOverhead + size);
   return reply;
 }
@@ -70,14 +70,13 @@ ReplyBatcher::~ReplyBatcher() {
   if (channel_) Send();
 }
 
-bool ReplyBatcher::Keep(Channel& channel, std::uint64_t request,
-                        std::span<const std::byte> answer) {
+bool ReplyBatcher::Keep(Channel& channel, std::uint64_t request, std::span<const std::byte> reply) {
   ReplyBatcher* const here = gathered_here;
   if (here == nullptr) return false;
   if (here->channel_ && here->channel_.get() != &channel) here->Send();
-  if (!here->batch_.Add(request, answer)) {
+  if (!here->batch_.Add(request, reply)) {
     if (here->channel_) here->Send();
-    if (!here->batch_.Add(request, answer)) return false;
+    if (!here->batch_.Add(request, reply)) return false;
   }
   if (!here->channel_) here->channel_ = channel.shared_from_this();
   return true;
@@ -96,7 +95,7 @@ void ReplyBatcher::Send() {
   }
   std::span<const std::byte> rest = is_sent ? std::span<const std::byte>() : batch_.body();
   while (const auto one = TakeReply(rest)) {
-    CallGuarded("answer", [&] { channel->SendReply(one->request, one->answer, kOwnLane); });
+    CallGuarded("answer", [&] { channel->SendReply(one->request, one->body, kOwnLane); });
   }
   batch_.Clear();
 }

@@ -10,21 +10,21 @@
 
 namespace tendon {
 
-/// The body of a frame that answers several requests (MessageType::kReplies), to save messages.
-/// Each answer consists of u64 request, u32 size and the bytes; little-endian, without padding. The
+/// The body of a frame that replies to several requests (MessageType::kReplies), to save messages.
+/// Each reply consists of u64 request, u32 size and the bytes; little-endian, without padding. The
 /// size of the body is limited, because it limits the work of the reader. Not thread-safe.
 class ReplyBatch {
  public:
   static constexpr std::size_t kMostReplies = 256;
   /// The largest size of the body. With its header, it always fits into one frame.
   static constexpr std::size_t kMostBytes = (std::size_t{16} << 10U) - FrameHeader::kSize;
-  /// The bytes that each answer needs in addition to its own bytes.
+  /// The bytes that each reply needs in addition to its own bytes.
   static constexpr std::size_t kOverhead = 12;
 
-  /// Appends an answer. Returns false and changes nothing if there is no room. An answer of more
+  /// Appends a reply. Returns false and changes nothing if there is no room. A reply of more
   /// than kMostBytes - kOverhead bytes never fits.
-  bool Add(std::uint64_t request, std::span<const std::byte> answer);
-  /// Removes all answers, but keeps the capacity.
+  bool Add(std::uint64_t request, std::span<const std::byte> reply);
+  /// Removes all replies, but keeps the capacity.
   void Clear();
 
   [[nodiscard]] std::size_t replies() const { return replies_; }
@@ -35,17 +35,17 @@ class ReplyBatch {
   Bytes body_;
 };
 
-/// One answer of a batch.
+/// One reply of a batch.
 struct BatchedReply {
   std::uint64_t request = 0;
-  std::span<const std::byte> answer;
+  std::span<const std::byte> body;
 };
 
-/// Removes the first answer from `body`, which is untrusted, and returns the answer. Returns no
-/// value if the answer is incomplete.
+/// Removes the first reply from `body`, which is untrusted, and returns the reply. Returns no
+/// value if the reply is incomplete.
 std::optional<BatchedReply> TakeReply(std::span<const std::byte>& body);
 
-/// Returns true if `body`, which is untrusted, is a valid batch: it has at least one answer, is
+/// Returns true if `body`, which is untrusted, is a valid batch: it has at least one reply, is
 /// within the limits, and has no further bytes at the end.
 [[nodiscard]] bool IsReplyBatch(std::span<const std::byte> body);
 
@@ -65,9 +65,9 @@ class ReplyBatcher {
   /// Sends the remaining replies.
   ~ReplyBatcher();
 
-  /// Keeps an answer if this thread has a ReplyBatcher. If not, returns false, and the caller must
-  /// send the answer itself.
-  static bool Keep(Channel& channel, std::uint64_t request, std::span<const std::byte> answer);
+  /// Keeps a reply if this thread has a ReplyBatcher. If not, returns false, and the caller must
+  /// send the reply itself.
+  static bool Keep(Channel& channel, std::uint64_t request, std::span<const std::byte> reply);
 
  private:
   void Send();

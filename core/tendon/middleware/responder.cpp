@@ -99,8 +99,8 @@ void Responder::EndReply() {
 
 bool Responder::Defer() {
   const auto channel = channel_.lock();
-  ReplySlot* const answer = channel ? EmptySlot(*channel) : nullptr;
-  if (answer != nullptr) later_ = answer->Defer();
+  ReplySlot* const slot = channel ? EmptySlot(*channel) : nullptr;
+  if (slot != nullptr) later_ = slot->Defer();
   return later_ != nullptr;
 }
 
@@ -110,7 +110,7 @@ void Responder::Refuse(const Error& error) {
   }
 }
 
-void Responder::Answer(const Result<void>& result) {
+void Responder::ReplyWith(const Result<void>& result) {
   if (result) {
     Reply(EncodeBody(None{}));
   } else {

@@ -13,8 +13,8 @@ namespace tendon {
 
 class Channel;
 
-/// Answers one request. The answer can be sent at once or later, from any thread. If this object is
-/// destroyed before it has answered, the request is refused. A second answer is ignored.
+/// Replies to one request. The reply can be sent at once or later, from any thread. If this object
+/// is destroyed before it has replied, the request is refused. A second reply is ignored.
 class Responder {
  public:
   Responder(std::weak_ptr<Channel> channel, std::uint64_t request);
@@ -24,12 +24,12 @@ class Responder {
   Responder& operator=(const Responder&) = delete;
   ~Responder();
 
-  /// Sends the answer. Throws std::bad_alloc if there is not enough memory; then the request is not
+  /// Sends the reply. Throws std::bad_alloc if there is not enough memory; then the request is not
   /// answered yet.
   void Reply(std::span<const std::byte> body, Lane lane = kCommonLane) {
     (void)TryReply(body, lane);
   }
-  /// Like Reply(), but returns false if the answer cannot be sent. Then the request is refused, if
+  /// Like Reply(), but returns false if the reply cannot be sent. Then the request is refused, if
   /// the peer is still connected.
   [[nodiscard]] bool TryReply(std::span<const std::byte> body, Lane lane = kCommonLane);
   /// Returns memory of the link for a reply of `size` bytes (at least one) on kOwnLane, so that the
@@ -48,14 +48,14 @@ class Responder {
 
   /// Calls Reply() or Refuse(), depending on the result.
   template <Message T>
-  void Answer(const Result<T>& result) {
+  void ReplyWith(const Result<T>& result) {
     if (result) {
       Reply(EncodeBody(*result));
     } else {
       Refuse(result.error());
     }
   }
-  void Answer(const Result<void>& result);
+  void ReplyWith(const Result<void>& result);
 
  private:
   [[nodiscard]] ReplySlot* EmptySlot(const Channel& channel) const;

@@ -14,15 +14,15 @@ namespace tendon {
 /// Calls Channel::Request() with a timeout. The error is explained for this request, see
 /// ExplainFailure(). `timer` calls Channel::Expire(), which ends the request. If `timer` ends, the
 /// request no longer times out.
-template <Payload Answer, Message T>
+template <Payload ReplyBody, Message T>
 void Ask(Worker& timer, const std::shared_ptr<Channel>& channel, MessageType type, const T& value,
-         std::chrono::milliseconds timeout, std::function<void(Result<Answer>)> handler,
+         std::chrono::milliseconds timeout, std::function<void(Result<ReplyBody>)> handler,
          Lane lane = kCommonLane) {
-  channel->Request<Answer>(
+  channel->Request<ReplyBody>(
       type, 0, value, timeout,
-      [handler = std::move(handler), type, peer = channel->peer().name](Result<Answer> answer) {
-        if (answer) return handler(std::move(answer));
-        handler(ExplainFailure(answer.error(), type, peer));
+      [handler = std::move(handler), type, peer = channel->peer().name](Result<ReplyBody> reply) {
+        if (reply) return handler(std::move(reply));
+        handler(ExplainFailure(reply.error(), type, peer));
       },
       lane);
   timer.PostAfter(timeout + std::chrono::milliseconds(1), [peer = std::weak_ptr(channel)] {

@@ -17,7 +17,7 @@ inline constexpr auto kJoinTopic =
 inline constexpr auto kGetBroker =
     static_cast<MessageType>(0x31c);  // request: None -> BrokerAddress
 
-/// The answer to kJoinTopic.
+/// The reply to kJoinTopic.
 struct JoinTopicReply {
   SubscribeReply subscribed;  ///< without `first_tick`: the first row begins
   std::string topic;

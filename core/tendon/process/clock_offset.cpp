@@ -27,7 +27,7 @@ void ClockOffset::Add(SteadyTime sent, SteadyTime there, SteadyTime arrived) {
     if (apart > before.uncertainty + bound) count_ = 0;
   }
   const bool is_first = since_ == SteadyTime();
-  answers_[count_ % answers_.size()] = {.offset = offset, .bound = bound, .arrived = arrived};
+  replies_[count_ % replies_.size()] = {.offset = offset, .bound = bound, .arrived = arrived};
   ++count_;
 
   offset_ = SlewedAt(there);
@@ -47,10 +47,10 @@ ClockOffset::Estimate ClockOffset::At(SteadyTime now) const {
 
 ClockOffset::Estimate ClockOffset::Best(SteadyTime now) const {
   Estimate best;
-  for (std::size_t i = 0; i < std::min(count_, answers_.size()); ++i) {
-    const Answer& answer = answers_[i];
-    const nanoseconds aged = answer.bound + std::max(now - answer.arrived, nanoseconds(0)) / kDrift;
-    if (aged < best.uncertainty) best = {.offset = answer.offset, .uncertainty = aged};
+  for (std::size_t i = 0; i < std::min(count_, replies_.size()); ++i) {
+    const Reply& reply = replies_[i];
+    const nanoseconds aged = reply.bound + std::max(now - reply.arrived, nanoseconds(0)) / kDrift;
+    if (aged < best.uncertainty) best = {.offset = reply.offset, .uncertainty = aged};
   }
   return best;
 }

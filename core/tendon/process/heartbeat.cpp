@@ -25,12 +25,12 @@ void MonitorPeer(const std::shared_ptr<Worker>& worker, const std::shared_ptr<Ch
   Ask<message::Pong>(
       *worker, channel, message::kPing, None{}, kLongestPeerSilence,
       [weak = std::weak_ptr(channel), on_peer_time,
-       sent = SteadyClock().Now()](const Result<message::Pong>& answer) {
-        if (answer && on_peer_time) {
-          on_peer_time(sent, SteadyTime(std::chrono::nanoseconds(answer->time)),
+       sent = SteadyClock().Now()](const Result<message::Pong>& reply) {
+        if (reply && on_peer_time) {
+          on_peer_time(sent, SteadyTime(std::chrono::nanoseconds(reply->time)),
                        SteadyClock().Now());
         }
-        if (answer || answer.error().code != ErrorCode::kTimeout) return;
+        if (reply || reply.error().code != ErrorCode::kTimeout) return;
         const auto silent = weak.lock();
         if (silent && !MayBeHeldUp(*silent, SteadyClock().Now(), kLongestPeerSilence)) {
           silent->CutOff("has not answered for " + Milliseconds(kLongestPeerSilence));

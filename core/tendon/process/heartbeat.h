@@ -20,12 +20,12 @@ inline constexpr std::chrono::milliseconds kLongestPeerSilence(1500);
                                std::chrono::milliseconds silence);
 
 /// Called in a thread of the middleware. `sent` and `arrived` are the times of a request and its
-/// answer on the clock of this process. `there` is the time of the peer's steady clock in between.
+/// reply on the clock of this process. `there` is the time of the peer's steady clock in between.
 using OnPeerTime = std::function<void(SteadyTime sent, SteadyTime there, SteadyTime arrived)>;
 
 /// Pings the process at the other end twice a second while the channel is open. Closes the channel
-/// after 1.5 s without an answer, because a process that hangs or is cut off does not close it.
-/// Waits longer while large messages are sent or handled, because they may delay the answer.
+/// after 1.5 s without a reply, because a process that hangs or is cut off does not close it.
+/// Waits longer while large messages are sent or handled, because they may delay the reply.
 /// `worker` provides the timer.
 void MonitorPeer(const std::shared_ptr<Worker>& worker, const std::shared_ptr<Channel>& channel,
                  const OnPeerTime& on_peer_time = nullptr);

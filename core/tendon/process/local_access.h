@@ -17,7 +17,7 @@ class LoopbackNetwork;
 
 /// Gives a component, such as a recorder, access to all components of its own process. The
 /// component uses the same services as a viewer, but without a socket. This object stays valid when
-/// the process has ended; then requests get no answer. Made by Process::OpenLocalAccess().
+/// the process has ended; then requests get no reply. Made by Process::OpenLocalAccess().
 ///
 /// Thread safety: any thread may call all functions. They do not wait.
 class LocalAccess {

@@ -35,7 +35,7 @@ struct Join {
   std::vector<ConnectionDescription> connections;
 };
 
-/// The GCM's answer. A membership lasts while its channel is open and kRenew arrives every 250 ms.
+/// The GCM's reply. A membership lasts while its channel is open and kRenew arrives every 250 ms.
 /// If a renewal is refused with kDenied, the membership has ended, and the process must join again.
 struct JoinReply {
   std::uint64_t gcm_instance = 0;
@@ -55,13 +55,13 @@ struct Health {
   std::int64_t cpu_time = 0;  ///< ns of all threads since the start of the process
   std::uint64_t memory = 0;   ///< resident bytes
   std::int64_t time = 0;      ///< time of the measurement, ns on the steady clock of the process
-  /// The clock of the process minus the GCM's clock, estimated from earlier answers.
+  /// The clock of the process minus the GCM's clock, estimated from earlier replies.
   std::chrono::nanoseconds clock_offset{0};
   /// The largest possible error of clock_offset; negative before the first estimate.
   std::chrono::nanoseconds clock_uncertainty{-1};
 };
 
-/// The GCM's steady clock at the time of its answer.
+/// The GCM's steady clock at the time of its reply.
 struct GcmClock {
   std::int64_t time = 0;  ///< ns
 };

@@ -11,7 +11,7 @@
 namespace tendon {
 
 /// The read commands of this process that other processes mirror: these processes keep a copy of
-/// the newest answer. Reports to them which commands are disabled, because the copy of a disabled
+/// the newest reply. Reports to them which commands are disabled, because the copy of a disabled
 /// command must not be read. Not thread-safe.
 class MirroredCommands {
  public:

@@ -16,7 +16,7 @@ SchemaCache& Learned() {
 
 }  // namespace
 
-void AnswerSchemas(std::span<const std::byte> body, Responder& responder) {
+void ReplyWithSchemas(std::span<const std::byte> body, Responder& responder) {
   constexpr std::size_t kMost = 1024;
   const auto wanted = DecodeBody<message::GetSchemas>(body);
   if (!wanted) return responder.Refuse(wanted.error());
@@ -35,12 +35,12 @@ void AnswerSchemas(std::span<const std::byte> body, Responder& responder) {
 }
 
 std::map<Fingerprint, Schema> ReadSchemas(const message::GetSchemas& asked,
-                                          const message::Schemas& answer) {
+                                          const message::Schemas& reply) {
   std::map<Fingerprint, Schema> schemas;
-  const std::size_t count = std::min(asked.fingerprints.size(), answer.texts.size());
+  const std::size_t count = std::min(asked.fingerprints.size(), reply.texts.size());
   for (std::size_t i = 0; i < count; ++i) {
     const Fingerprint& fingerprint = asked.fingerprints[i];
-    auto schema = Schema::Parse(answer.texts[i]);
+    auto schema = Schema::Parse(reply.texts[i]);
     if (schema && schema->fingerprint() == fingerprint) {
       schemas.emplace(fingerprint, *std::move(schema));
     }
@@ -71,9 +71,9 @@ void LearnSchemas(Worker& timer, const std::shared_ptr<Channel>& channel,
                   const message::GetSchemas& wanted, std::chrono::milliseconds timeout,
                   std::function<void()> done) {
   Ask<message::Schemas>(timer, channel, message::kGetSchemas, wanted, timeout,
-                        [wanted, done = std::move(done)](const Result<message::Schemas>& answer) {
-                          if (answer) {
-                            for (const auto& [fingerprint, schema] : ReadSchemas(wanted, *answer)) {
+                        [wanted, done = std::move(done)](const Result<message::Schemas>& reply) {
+                          if (reply) {
+                            for (const auto& [fingerprint, schema] : ReadSchemas(wanted, *reply)) {
                               (void)Learned().Learn(schema);
                             }
                           }

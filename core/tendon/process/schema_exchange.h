@@ -15,14 +15,14 @@
 
 namespace tendon {
 
-/// Answers kGetSchemas with the schemas that this process knows. Refuses requests for more than
+/// Replies to kGetSchemas with the schemas that this process knows. Refuses requests for more than
 /// 1024.
-void AnswerSchemas(std::span<const std::byte> body, Responder& responder);
+void ReplyWithSchemas(std::span<const std::byte> body, Responder& responder);
 
-/// Reads the schemas in an untrusted answer. Returns only the schemas that were requested and whose
+/// Reads the schemas in an untrusted reply. Returns only the schemas that were requested and whose
 /// text matches the fingerprint.
 [[nodiscard]] std::map<Fingerprint, Schema> ReadSchemas(const message::GetSchemas& asked,
-                                                        const message::Schemas& answer);
+                                                        const message::Schemas& reply);
 
 /// Stores the types that peers describe, so that FindSchema() finds them until the process ends.
 /// Its size is limited, so peers cannot use up the memory. Thread-safe.

@@ -14,7 +14,7 @@ namespace tendon::message {
 inline constexpr auto kGetProgram =
     static_cast<MessageType>(0x20d);  // request: None -> ProgramVersion
 
-/// The answer to kGetProgram.
+/// The reply to kGetProgram.
 struct ProgramVersion {
   std::string release;         ///< the release of Tendon: "0.4.0"
   std::uint16_t protocol = 0;  ///< the version of the protocol that the program uses

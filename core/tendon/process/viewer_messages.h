@@ -96,7 +96,7 @@ struct Subscribe {
   RowChoice rows;
 };
 
-/// The answer to Subscribe.
+/// The reply to Subscribe.
 struct SubscribeReply {
   std::uint32_t handle = 0;  ///< the handle in the frames of this subscription
   std::uint64_t epoch = 0;   ///< StateTable::epoch(); in another epoch, ticks start again at 0
@@ -119,7 +119,7 @@ struct ReadRows {
   std::uint64_t rows_before = 0;  ///< rows that the viewer has received in earlier replies
 };
 
-/// The answer to ReadRows: as many rows as fit into 128 KiB. If any row is left, the answer has at
+/// The reply to ReadRows: as many rows as fit into 128 KiB. If any row is left, the reply has at
 /// least one.
 struct ReadRowsReply {
   SubscribeReply subscribed;    ///< without a handle; `first_tick` is the first tick of these rows

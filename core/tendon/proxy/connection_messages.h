@@ -43,7 +43,7 @@ inline constexpr auto kTimedEvents = static_cast<MessageType>(0x113);
 // Sent by both ends.
 inline constexpr auto kEventsLost = static_cast<MessageType>(0x120);  // notice: EventsLost
 
-/// The answer to kPing.
+/// The reply to kPing.
 struct Pong {
   /// Time at which the reply was made; ns, on the steady clock of its sender.
   std::int64_t time = 0;
@@ -115,7 +115,7 @@ struct MirroredColumn {
   std::vector<std::byte> value;  ///< value in that row; empty if the row has no value
 };
 
-/// The answer to kMirror, in the order of the request.
+/// The reply to kMirror, in the order of the request.
 struct MirrorReply {
   std::vector<MirroredColumn> columns;
 };

@@ -8,7 +8,7 @@
 
 namespace tendon {
 
-void ExecutingCalls::Answer(SteadyTime now, SteadyTime& next) {
+void ExecutingCalls::SendReplies(SteadyTime now, SteadyTime& next) {
   const ReplyBatcher together;
   auto kept = executing_.begin();
   for (ExecutingCall& executing : executing_) {

@@ -16,7 +16,7 @@
 namespace tendon {
 
 /// Calls from other processes that a component of this process executes, and whose callers wait for
-/// the answer. No thread of this process waits for these calls. The network thread checks them when
+/// the reply. No thread of this process waits for these calls. The network thread checks them when
 /// it is notified that a call has ended. Not thread-safe.
 class ExecutingCalls {
  public:
@@ -29,7 +29,7 @@ class ExecutingCalls {
     std::size_t function = 0;  ///< index of the function, for the owner
     Responder responder;
   };
-  /// The owner sends the answers.
+  /// The owner sends the replies.
   class Owner {
    public:
     virtual ~Owner() = default;
@@ -52,11 +52,11 @@ class ExecutingCalls {
   [[nodiscard]] static SteadyTime FirstLook(const ExecutingCall& executing) {
     return std::min(executing.deadline, executing.since + 2 * kNextLook);
   }
-  /// Answers the calls that have ended or timed out, in the order in which they were begun. Sends
-  /// many answers in one message. If the next check is due before `next`, sets `next` to the time
-  /// of the check.
-  void Answer(SteadyTime now, SteadyTime& next);
-  /// Answers all calls, because their connection is closed.
+  /// Replies to the calls that have ended or timed out, in the order in which they were begun.
+  /// Sends many replies in one message. If the next check is due before `next`, sets `next` to the
+  /// time of the check.
+  void SendReplies(SteadyTime now, SteadyTime& next);
+  /// Replies to all calls, because their connection is closed.
   void GiveUp();
 
  private:

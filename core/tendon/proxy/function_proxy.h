@@ -28,9 +28,9 @@ class FunctionProxy final : public MemberCaller {
     BytesSink sink(out);
     return Replacing(out, (*this)(in, sink));
   }
-  /// Like the operator above, but with an AnswerSink. Writes nothing to `out` if the call was not
+  /// Like the operator above, but with a ReplySink. Writes nothing to `out` if the call was not
   /// made.
-  Status operator()(std::span<const std::byte> in, AnswerSink& out) {
+  Status operator()(std::span<const std::byte> in, ReplySink& out) {
     return CallMember(binding_, index_,
                       [&](CommandBase& command) { return command.ExecuteEncoded(in, out); });
   }

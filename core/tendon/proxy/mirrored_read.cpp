@@ -23,7 +23,7 @@ class MirroredReadCommand final : public CommandBase {
   explicit MirroredReadCommand(std::shared_ptr<const MirroredValue> value)
       : CommandBase(layout::kNone, layout::kNone), value_(std::move(value)) {}
 
-  Status ExecuteEncoded(std::span<const std::byte> /*in*/, AnswerSink& out) override {
+  Status ExecuteEncoded(std::span<const std::byte> /*in*/, ReplySink& out) override {
     Scratch<std::vector<std::byte>>::Use value(read_);
     SteadyTime written;
     const Status status = value_->Read(*value, written);

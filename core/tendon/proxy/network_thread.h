@@ -27,7 +27,7 @@ class NetworkJob {
 
 /// The thread between the components of a process and its middleware. It sends the calls that
 /// proxies have queued, and collects rows for viewers. The thread of a component calls the
-/// middleware itself only when it waits for an answer. Sleeps when idle. Thread-safe.
+/// middleware itself only when it waits for a reply. Sleeps when idle. Thread-safe.
 class NetworkThread {
  public:
   explicit NetworkThread(std::string name = "network");

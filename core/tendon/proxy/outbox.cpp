@@ -174,8 +174,8 @@ Status Outbox::Request(BlockingCall& call, Delivery delivery) {
   AppendTimeout(left - std::min<std::chrono::nanoseconds>(left / 4, kWayBack), body);
   const Status asked = channel_->TryRequest(
       message::kWait, call.handle, body, std::chrono::ceil<std::chrono::milliseconds>(left),
-      [callers = call.callers, number = call.number](Result<Bytes> answer) {
-        callers->End(number, std::move(answer));
+      [callers = call.callers, number = call.number](Result<Bytes> reply) {
+        callers->End(number, std::move(reply));
       },
       lane_, delivery);
   body.resize(size);

@@ -93,7 +93,7 @@ class Outbox {
     return !turn || has_taken();
   }
 
-  /// A call whose caller waits for the answer.
+  /// A call whose caller waits for the reply.
   struct BlockingCall {
     std::uint32_t handle = 0;
     Bytes argument;
@@ -109,7 +109,7 @@ class Outbox {
   /// sent calls, including this one. Returns 0 if the link is full; then the network thread will
   /// send the call.
   std::uint64_t SendNow(const Turn& turn, BlockingCall call);
-  /// Called in the caller's thread when the answer to its call has arrived. `calls` is the number
+  /// Called in the caller's thread when the reply to its call has arrived. `calls` is the number
   /// of this call among the sent calls. All earlier calls were executed too, because one mailbox
   /// keeps their order. Notifies the network thread if calls wait in the mailbox `callers`.
   void OnExecuted(std::uint64_t calls, const Mailbox& callers);

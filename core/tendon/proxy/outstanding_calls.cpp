@@ -5,10 +5,10 @@
 
 namespace tendon {
 
-Status TakeOutcome(Result<Bytes> answer, Bytes& result) {
+Status TakeOutcome(Result<Bytes> reply, Bytes& result) {
   // A call that was sent may have been executed, unless the peer has refused it.
-  if (!answer) return StatusOfRefusal(answer.error()).value_or(Status::kOutcomeUnknown);
-  result = *std::move(answer);
+  if (!reply) return StatusOfRefusal(reply.error()).value_or(Status::kOutcomeUnknown);
+  result = *std::move(reply);
   return TakeStatus(result);
 }
 

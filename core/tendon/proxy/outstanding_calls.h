@@ -16,8 +16,8 @@
 
 namespace tendon {
 
-/// Reads the answer to a kWait request: sets `result` and returns the status.
-[[nodiscard]] Status TakeOutcome(Result<Bytes> answer, Bytes& result);
+/// Reads the reply to a kWait request: sets `result` and returns the status.
+[[nodiscard]] Status TakeOutcome(Result<Bytes> reply, Bytes& result);
 
 /// The calls of one remote command whose callers wait in this process. Each call has a number, with
 /// which its reply finds the completion record of the caller. The number becomes invalid when the
@@ -28,7 +28,7 @@ class OutstandingCalls {
  public:
   /// `completions` must exist as long as a caller waits.
   explicit OutstandingCalls(Pool& completions)
-      : completions_(completions), of_record_(completions.size()), answers_(completions.size()) {}
+      : completions_(completions), of_record_(completions.size()), replies_(completions.size()) {}
 
   // Functions for the caller.
 
@@ -62,8 +62,8 @@ class OutstandingCalls {
     }
     return outstanding.is_sent;
   }
-  /// The answer to the call with this record. Valid when the call is done.
-  [[nodiscard]] const Bytes& answer(std::size_t record) const { return answers_[record]; }
+  /// The reply to the call with this record. Valid when the call is done.
+  [[nodiscard]] const Bytes& reply(std::size_t record) const { return replies_[record]; }
 
   // Functions for the network thread.
 
@@ -108,12 +108,12 @@ class OutstandingCalls {
 
   /// Ends a call with the reply to its kWait request, or with the reason why there is no reply. Any
   /// thread.
-  void End(std::uint64_t call, Result<Bytes> answer) {
+  void End(std::uint64_t call, Result<Bytes> reply) {
     const std::scoped_lock lock(mutex_);
     const auto found = calls_.find(call);
     if (found == calls_.end()) return;
     OutstandingCall& outstanding = found->second;
-    Finish(outstanding, TakeOutcome(std::move(answer), answers_[outstanding.record]));
+    Finish(outstanding, TakeOutcome(std::move(reply), replies_[outstanding.record]));
   }
 
  private:
@@ -136,7 +136,7 @@ class OutstandingCalls {
   // A map node that is reused for the next call.
   typename std::map<std::uint64_t, OutstandingCall>::node_type spare_;
   std::vector<std::uint64_t> of_record_;
-  std::vector<Bytes> answers_;  // indexed by record
+  std::vector<Bytes> replies_;  // indexed by record
 };
 
 }  // namespace tendon

@@ -75,10 +75,10 @@ class QueuedCommandProxy : public CommandBase, protected Mailbox::Entry {
         callers_(std::make_shared<OutstandingCalls<>>(mailbox.completions())),
         arguments_(mailbox.storage(), std::uint64_t{64} << 20U) {}
 
-  Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& out) override {
+  Status ExecuteEncoded(std::span<const std::byte> in, ReplySink& out) override {
     return ExecuteFrom(EncodedArgument(in), out);
   }
-  Status ExecuteFrom(const ArgumentWriter& in, AnswerSink& /*out*/) override {
+  Status ExecuteFrom(const ArgumentWriter& in, ReplySink& /*out*/) override {
     if (must_wait_) return Status::kUnsupported;
     const Status posted = Post(in);
     if (!posted) refused_.Add();
@@ -147,7 +147,7 @@ class QueuedCommandProxy : public CommandBase, protected Mailbox::Entry {
     QueuedCommandProxy& command_;
   };
 
-  /// Sends the call in the caller's thread and waits for the answer, so that no other thread must
+  /// Sends the call in the caller's thread and waits for the reply, so that no other thread must
   /// be woken. Returns nothing, and changes nothing, if other calls must be sent first.
   std::optional<Status> WaitAtOnce(std::span<const std::byte> in, std::vector<std::byte>& out,
                                    SteadyTime deadline) {
@@ -222,7 +222,7 @@ class QueuedCommandProxy : public CommandBase, protected Mailbox::Entry {
     const bool is_sent = callers_->Leave(call, ending);
     if (ending == Ending::kDone) {
       const Status status = ComponentAccess::CatchExceptions(nullptr, [&] {
-        if (completions[record].status()) out = callers_->answer(record);
+        if (completions[record].status()) out = callers_->reply(record);
         return completions[record].status();
       });
       completions[record].Free();
@@ -263,7 +263,7 @@ class LatestCommandProxy final : public QueuedCommandProxy {
                      SharedCounter<>& refused, Mailbox& mailbox)
       : QueuedCommandProxy(outbox, command, handle, refused, mailbox), newest_(mailbox) {}
 
-  Status ExecuteFrom(const ArgumentWriter& in, AnswerSink& /*out*/) override {
+  Status ExecuteFrom(const ArgumentWriter& in, ReplySink& /*out*/) override {
     const Status posted = Post(in);
     if (!posted) refused_.Add();
     return posted;
@@ -303,10 +303,10 @@ class ObservedCallProxy final : public CommandBase, private Mailbox::Entry {
 
   static constexpr Mailbox::SlotShape Shape() { return {sizeof(Slot), alignof(Slot)}; }
 
-  Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& out) override {
+  Status ExecuteEncoded(std::span<const std::byte> in, ReplySink& out) override {
     return ExecuteFrom(EncodedArgument(in), out);
   }
-  Status ExecuteFrom(const ArgumentWriter& in, AnswerSink& /*out*/) override {
+  Status ExecuteFrom(const ArgumentWriter& in, ReplySink& /*out*/) override {
     const Status posted =
         ComponentAccess::CatchExceptions(nullptr, [&] { return Post(in); });  // the codec may throw
     if (!posted) lost_.Add();

@@ -28,15 +28,15 @@ class ReadCommandProxy final : public CommandBase {
         name_(std::move(name)),
         remote_(std::move(remote)) {}
 
-  Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& out) override {
+  Status ExecuteEncoded(std::span<const std::byte> in, ReplySink& out) override {
     if (in.size() > kMaxPayload) {
       remote_.refused_payloads->Log(name_, in.size());
       return Status::kInvalid;
     }
-    const auto answer = remote_.channel->Call(message::kRead, remote_.handle, in, remote_.deadline,
-                                              kOwnLane, Delivery::kDirect);
-    if (!answer) return StatusOf(answer.error());
-    std::span<const std::byte> value = answer->body();
+    const auto reply = remote_.channel->Call(message::kRead, remote_.handle, in, remote_.deadline,
+                                             kOwnLane, Delivery::kDirect);
+    if (!reply) return StatusOf(reply.error());
+    std::span<const std::byte> value = reply->body();
     const Status status = TakeStatus(value);
     if (status) out.Take(value);
     return status;
@@ -66,24 +66,24 @@ std::optional<Status> StatusOfRefusal(const Error& error) {
   }
 }
 
-void AppendStatus(Status status, Bytes& answer) {
-  answer.reserve(answer.size() + 1);  // otherwise push_back() would double the capacity
-  answer.push_back(CodeOf(status));
+void AppendStatus(Status status, Bytes& reply) {
+  reply.reserve(reply.size() + 1);  // otherwise push_back() would double the capacity
+  reply.push_back(CodeOf(status));
 }
 
-Status TakeStatus(std::span<const std::byte>& answer) {
-  if (answer.empty() || answer.back() > static_cast<std::byte>(Status::kFailed)) {
+Status TakeStatus(std::span<const std::byte>& reply) {
+  if (reply.empty() || reply.back() > static_cast<std::byte>(Status::kFailed)) {
     return Status::kInvalid;
   }
-  const auto code = static_cast<Status::Code>(answer.back());
-  answer = answer.first(answer.size() - 1);
+  const auto code = static_cast<Status::Code>(reply.back());
+  reply = reply.first(reply.size() - 1);
   return code == Status::kQueued ? Status::kInvalid : code;
 }
 
-Status TakeStatus(Bytes& answer) {
-  std::span<const std::byte> rest = answer;
+Status TakeStatus(Bytes& reply) {
+  std::span<const std::byte> rest = reply;
   const Status status = TakeStatus(rest);
-  answer.resize(rest.size());
+  reply.resize(rest.size());
   return status;
 }
 

@@ -14,7 +14,7 @@
 namespace tendon {
 
 /// Represents a read command of another process. The caller's thread sends the request and waits
-/// for the answer, for at most `deadline`. Fails with kTimeout, or with kNotConnected if the
+/// for the reply, for at most `deadline`. Fails with kTimeout, or with kNotConnected if the
 /// connection has ended.
 class ReadOfferProxy final : public Offer {
  public:
@@ -42,10 +42,10 @@ class ReadOfferProxy final : public Offer {
 [[nodiscard]] inline std::byte CodeOf(Status status) {
   return static_cast<std::byte>(status.code());
 }
-void AppendStatus(Status status, Bytes& answer);
-/// Removes the status from the end of `answer` and returns it. Returns kInvalid if the status is
+void AppendStatus(Status status, Bytes& reply);
+/// Removes the status from the end of `reply` and returns it. Returns kInvalid if the status is
 /// missing, invalid or kQueued.
-Status TakeStatus(std::span<const std::byte>& answer);
-Status TakeStatus(Bytes& answer);
+Status TakeStatus(std::span<const std::byte>& reply);
+Status TakeStatus(Bytes& reply);
 
 }  // namespace tendon

@@ -27,7 +27,7 @@ constexpr std::size_t kMostHeardBytes = std::size_t{8} << 20U;
 
 /// Writes the result of a read and the status as the reply. If the link has memory for the reply,
 /// writes directly into this memory.
-class ReadReply final : public AnswerSink {
+class ReadReply final : public ReplySink {
  public:
   /// `may_be` returns true if a value of this size may be sent. If the link has no memory for the
   /// reply, `spare` is the buffer of the reply.
@@ -70,9 +70,9 @@ class ReadReply final : public AnswerSink {
 };
 
 void ReplyWith(Status refusal, Responder& responder) {
-  Bytes answer;
-  AppendStatus(refusal, answer);
-  responder.Reply(answer, kOwnLane);
+  Bytes reply;
+  AppendStatus(refusal, reply);
+  responder.Reply(reply, kOwnLane);
 }
 
 }  // namespace
@@ -227,7 +227,7 @@ void RequiredInterfaceProxy::OnCommand(std::size_t function, std::span<const std
   if (function >= functions_.size() || !IsQueued(functions_[function]->kind())) return;
   // A command that is refused here is counted as executed.
   if (!MustUseExecutor(function)) {
-    const Status status = (*functions_[function])(argument, answer_);
+    const Status status = (*functions_[function])(argument, reply_);
     if (status == Status(Status::kInvalid) || status == Status(Status::kFailed)) {
       LogDropped(function, "the argument of the call cannot be decoded");
     }
@@ -268,8 +268,8 @@ void RequiredInterfaceProxy::OnRead(std::size_t function, std::span<const std::b
     return responder.Refuse({ErrorCode::kInvalid, "no such read in " + interface_.name()});
   }
   if (!runs_component_[function]) {
-    const LargeMessageInProgress mark;  // the answer may be large
-    return Read(function, argument, std::move(responder), answer_);
+    const LargeMessageInProgress mark;  // the reply may be large
+    return Read(function, argument, std::move(responder), reply_);
   }
   responder.Defer();
   const auto shared = std::make_shared<Responder>(std::move(responder));
@@ -316,9 +316,9 @@ void RequiredInterfaceProxy::OnWait(std::size_t function, std::span<const std::b
   const CreditReporting reporting =
       executing.responder.Defer() ? CreditReporting::kRelaxed : CreditReporting::kPrompt;
   if (!MustUseExecutor(function)) {
-    const Status status = Begin(executing, argument, answer_);
+    const Status status = Begin(executing, argument, reply_);
     CountReceived(reporting);
-    return OnStarted(std::move(executing), status, answer_);
+    return OnStarted(std::move(executing), status, reply_);
   }
   const auto shared = std::make_shared<ExecutingCalls::ExecutingCall>(std::move(executing));
   auto place = std::make_shared<QueuedCommandCount>(*this);
@@ -406,11 +406,11 @@ bool RequiredInterfaceProxy::IsUrgent(const message::Credit& credit) const {
 /// calls, because a peer ignores a reply whose caller has timed out.
 void RequiredInterfaceProxy::SendCredit(SteadyTime now, SteadyTime& next) {
   constexpr std::chrono::milliseconds kLatest(4);
-  constexpr std::chrono::milliseconds kLatestBehindAnswers(100);
+  constexpr std::chrono::milliseconds kLatestBehindReplies(100);
   constexpr std::chrono::milliseconds kUntilNextLook(1);
   const std::scoped_lock lock(mutex_);
   if (connection_ == nullptr) return;
-  executing_.Answer(now, next);
+  executing_.SendReplies(now, next);
   if (!channel_->is_open()) return;
   // This order of reads matters. If a call is posted during the reads, `executed` becomes too
   // small, never too large.
@@ -421,7 +421,7 @@ void RequiredInterfaceProxy::SendCredit(SteadyTime now, SteadyTime& next) {
                                .accepting = IsAccepting(),
                                .fault = Fault()};
   const bool is_close = reporting_ != CreditReporting::kRelaxed;
-  const auto latest = is_close ? kLatest : kLatestBehindAnswers;
+  const auto latest = is_close ? kLatest : kLatestBehindReplies;
   if (credit == reported_) {
     owed_since_ = now;
   } else if (IsUrgent(credit) || now - owed_since_ >= latest) {
@@ -433,8 +433,8 @@ void RequiredInterfaceProxy::SendCredit(SteadyTime now, SteadyTime& next) {
   }
   if (reporting_ == CreditReporting::kIdle) reporting_ = CreditReporting::kPrompt;
   const bool is_later =
-      reporting_ == CreditReporting::kRelaxed && now - owed_since_ < kLatestBehindAnswers;
-  next = std::min(next, is_later ? owed_since_ + kLatestBehindAnswers : now + kUntilNextLook);
+      reporting_ == CreditReporting::kRelaxed && now - owed_since_ < kLatestBehindReplies;
+  next = std::min(next, is_later ? owed_since_ + kLatestBehindReplies : now + kUntilNextLook);
 }
 
 }  // namespace tendon

@@ -152,7 +152,7 @@ class RequiredInterfaceProxy final : public NetworkJob,
   std::shared_ptr<SerialExecutor> reads_;  // for reads that run code of the component; may be null
   Flag are_reads_dropped_;
   Flag are_commands_dropped_;
-  Bytes answer_;  // used only in the middleware's thread
+  Bytes reply_;  // used only in the middleware's thread
 
   mutable std::mutex mutex_;  // guards the members below
   const Connection* connection_ = nullptr;

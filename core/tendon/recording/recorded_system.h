@@ -39,7 +39,7 @@ class RecordedSystem {
   virtual void ReadPastEvents(const EventSubscription& events, std::chrono::nanoseconds last,
                               std::shared_ptr<EventSink> sink,
                               std::function<void(const PastEvents&)> done) = 0;
-  // The following three functions wait for the answer of the process.
+  // The following three functions wait for the reply of the process.
   virtual Result<message::ReadLogReply> ReadLog(const std::string& process,
                                                 const message::ReadLog& wanted) = 0;
   virtual Result<message::ProcessHistoryState> GetProcessHistory(const std::string& process) = 0;
@@ -55,7 +55,7 @@ class GcmSystem final : public RecordedSystem {
  public:
   /// `timeout` is the timeout of the client. The client ends its requests by itself, and its errors
   /// name the process. Therefore, this object waits longer: until the client has opened a link and
-  /// has waited for the answer.
+  /// has waited for the reply.
   GcmSystem(GcmClient& client, std::chrono::milliseconds timeout)
       : client_(client), patience_(2 * timeout + std::chrono::seconds(1)) {}
 

@@ -17,7 +17,7 @@ class RefusedCommand final : public CommandBase {
         sentence_(std::move(sentence)),
         warning_(warning) {}
 
-  Status ExecuteEncoded(std::span<const std::byte> /*in*/, AnswerSink& /*out*/) override {
+  Status ExecuteEncoded(std::span<const std::byte> /*in*/, ReplySink& /*out*/) override {
     return Refuse();
   }
   Status WaitEncoded(std::span<const std::byte> /*in*/, std::vector<std::byte>& /*out*/,

@@ -166,7 +166,7 @@ class PastWriter {
   Result<Past> Read(const std::string& process, Begin begin) {
     const Counts before = writer_.counts();
     if (!WhyNotRead(process)) {
-      // Opening a link, measuring the clock, and the answer.
+      // Opening a link, measuring the clock, and the reply.
       const std::chrono::milliseconds longest = 3 * options_.timeout + 1s;
       const auto promise = std::make_shared<std::promise<Past>>();
       std::future<Past> arrival = promise->get_future();

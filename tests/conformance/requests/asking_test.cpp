@@ -10,8 +10,8 @@ namespace {
 
 constexpr auto kHowMany = static_cast<MessageType>(0x111);
 constexpr auto kOfSize = static_cast<MessageType>(0x112);
-constexpr auto kTellThenAnswer = static_cast<MessageType>(0x113);
-constexpr auto kAnswerTwice = static_cast<MessageType>(0x114);
+constexpr auto kTellThenReply = static_cast<MessageType>(0x113);
+constexpr auto kReplyTwice = static_cast<MessageType>(0x114);
 
 /// Answers requests of some types at once, in the lane kOwnLane, as reads are answered. Keeps all
 /// other requests.
@@ -29,11 +29,11 @@ class PromptClerk final : public ChannelHandler {
     if (header.type == kHowMany) return responder.Reply(EncodeBody(notices_.load()), kOwnLane);
     if (header.type == kOfSize) return responder.Reply(Bytes(header.handle, body[0]), kOwnLane);
     if (header.type == kThrow) throw std::runtime_error("the clerk is tired");
-    if (header.type == kTellThenAnswer) {
+    if (header.type == kTellThenReply) {
       (void)channel->Notify(kTell, 0, None{});
       return responder.Reply(body, kOwnLane);
     }
-    if (header.type == kAnswerTwice) {
+    if (header.type == kReplyTwice) {
       responder.Reply(EncodeBody(std::uint32_t{1}), kOwnLane);
       has_replied_twice_ = responder.TryReply(EncodeBody(std::uint32_t{2}), kOwnLane);
       return;
@@ -111,7 +111,7 @@ TEST_P(ChannelContract, DirectRepliesFollowEarlierMessages) {
   for (std::uint32_t i = 1; i <= 50; ++i) {
     std::promise<std::uint32_t> told;
     ASSERT_TRUE(channel_->TryRequest(
-        kTellThenAnswer, 0, {}, kLong,
+        kTellThenReply, 0, {}, kLong,
         [&](Result<Bytes> answer) { told.set_value(answer ? client->notices_.load() : 0); },
         kOwnLane, Delivery::kDirect));
     EXPECT_EQ(told.get_future().get(), i);
@@ -136,7 +136,7 @@ TEST_P(ChannelContract, ADirectRequestLargerThanAPieceIsAnswered) {
   const auto server = std::make_shared<PromptClerk>();
   Connect(server, std::make_shared<PromptClerk>());
 
-  const auto answer = channel_->Call(kTellThenAnswer, 0, Bytes(3 * kMaxPieceSize), kLong, kOwnLane,
+  const auto answer = channel_->Call(kTellThenReply, 0, Bytes(3 * kMaxPieceSize), kLong, kOwnLane,
                                      Delivery::kDirect);
 
   ASSERT_TRUE(answer) << answer.error().message;
@@ -147,7 +147,7 @@ TEST_P(ChannelContract, OnlyTheFirstDirectReplyIsSent) {
   const auto server = std::make_shared<PromptClerk>();
   Connect(server, std::make_shared<PromptClerk>());
 
-  EXPECT_EQ(*AskClerk(*channel_, kAnswerTwice), EncodeBody(std::uint32_t{1}));
+  EXPECT_EQ(*AskClerk(*channel_, kReplyTwice), EncodeBody(std::uint32_t{1}));
 
   EXPECT_TRUE(AskClerk(*channel_, kHowMany));
   EXPECT_FALSE(server->has_replied_twice_);

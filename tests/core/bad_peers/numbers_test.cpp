@@ -135,7 +135,7 @@ TEST(BadInput63, RefusesCatalogueChangesOutOfSequence) {
   EXPECT_TRUE(catalogue.Apply(change(3)));
 }
 
-TEST(BadInput63, IgnoresAnswersWithAnUnexpectedNumber) {
+TEST(BadInput63, IgnoresRepliesWithAnUnexpectedNumber) {
   PendingRequests requests;
   std::uint64_t before = 0;
   {

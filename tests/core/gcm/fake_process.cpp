@@ -32,11 +32,11 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
     } else if (header.type == message::kBreakConnection) {
       Break(channel, *DecodeBody<message::Wire>(body), std::move(responder));
     } else if (header.type == message::kGetSchemas) {
-      responder.Answer(Result(SchemasOf(*DecodeBody<message::GetSchemas>(body))));
+      responder.ReplyWith(Result(SchemasOf(*DecodeBody<message::GetSchemas>(body))));
     } else if (header.type == message::kCallMember) {
-      responder.Answer(Result(Call(*DecodeBody<message::CallMember>(body))));
+      responder.ReplyWith(Result(Call(*DecodeBody<message::CallMember>(body))));
     } else if (header.type == message::kPing) {
-      responder.Answer(Result(Clock()));
+      responder.ReplyWith(Result(Clock()));
     } else if (header.type == message::kReadEvents) {
       const std::scoped_lock lock(mutex);
       readers.push_back(std::move(responder));
@@ -44,7 +44,7 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
       const std::scoped_lock lock(mutex);
       listener = channel;
       listener_handle = DecodeBody<message::OpenInterface>(body)->handle;
-      responder.Answer(Result(message::OpenInterfaceReply{.handle = 1, .accepting = true}));
+      responder.ReplyWith(Result(message::OpenInterfaceReply{.handle = 1, .accepting = true}));
     }
   }
 
@@ -90,7 +90,7 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
         channel->Notify(message::kReport, 0,
                         message::Report{{{.kind = Kind::kConnection, .connections = {made}}}}));
     if (manners == Manners::kObeyAndDie) return channel->Close();
-    kept->Answer(Result(made));
+    kept->ReplyWith(Result(made));
     kept.reset();
   }
 
@@ -111,7 +111,7 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
         channel->Notify(message::kReport, 0,
                         message::Report{{{.kind = Kind::kConnectionRemoved, .connection = id}}}));
     if (manners == Manners::kObeyAndDie) return channel->Close();
-    kept->Answer(Result<void>());
+    kept->ReplyWith(Result<void>());
     kept.reset();
   }
 

@@ -41,10 +41,10 @@ class KeptCalls final : public tendon::CommandBase {
   explicit KeptCalls(Calls& calls)
       : CommandBase(tendon::layout::kNone, tendon::layout::kNone), calls_(calls) {}
 
-  Status ExecuteEncoded(std::span<const std::byte> in, tendon::AnswerSink& out) override {
+  Status ExecuteEncoded(std::span<const std::byte> in, tendon::ReplySink& out) override {
     return ExecuteFrom(tendon::EncodedArgument(in), out);
   }
-  Status ExecuteFrom(const tendon::ArgumentWriter& in, tendon::AnswerSink& /*out*/) override {
+  Status ExecuteFrom(const tendon::ArgumentWriter& in, tendon::ReplySink& /*out*/) override {
     const std::scoped_lock lock(calls_.mutex);
     if (calls_.is_memory_short) throw std::bad_alloc();
     if (calls_.is_full || calls_.count == calls_.values.size()) return Status::kQueueFull;

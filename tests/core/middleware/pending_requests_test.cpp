@@ -42,9 +42,9 @@ TEST(PendingRequests, IgnoresFurtherReplies) {
   Outcomes outcomes;
   const auto request = Add(requests, outcomes.Keep());
 
-  EXPECT_TRUE(requests.Finish(request, Answer(Bytes(1))));
-  EXPECT_FALSE(requests.Finish(request, Answer(Bytes(2))));
-  EXPECT_FALSE(requests.Finish(12345, Answer(Bytes(3))));
+  EXPECT_TRUE(requests.Finish(request, Reply(Bytes(1))));
+  EXPECT_FALSE(requests.Finish(request, Reply(Bytes(2))));
+  EXPECT_FALSE(requests.Finish(12345, Reply(Bytes(3))));
 
   ASSERT_EQ(outcomes.all.size(), 1U);
   EXPECT_EQ(*outcomes.all[0], Bytes(1));
@@ -88,8 +88,8 @@ TEST(PendingRequests, AHandlerMaySendAnotherRequest) {
   const auto first = Add(
       requests, [&](const Result<Bytes>& /*outcome*/) { second = Add(requests, outcomes.Keep()); });
 
-  requests.Finish(first, Answer(Bytes()));
-  requests.Finish(second, Answer(Bytes()));
+  requests.Finish(first, Reply(Bytes()));
+  requests.Finish(second, Reply(Bytes()));
 
   EXPECT_EQ(outcomes.all.size(), 1U);
 }
@@ -99,7 +99,7 @@ TEST(PendingRequests, ContainsExceptionsOfHandlers) {
   const auto request =
       Add(requests, [](const Result<Bytes>& /*outcome*/) { throw std::runtime_error("oh"); });
 
-  EXPECT_NO_THROW(requests.Finish(request, Answer(Bytes())));
+  EXPECT_NO_THROW(requests.Finish(request, Reply(Bytes())));
 }
 
 TEST(PendingRequests, ForgetsAWithdrawnRequest) {
@@ -110,7 +110,7 @@ TEST(PendingRequests, ForgetsAWithdrawnRequest) {
 
   requests.Withdraw(request);
 
-  EXPECT_FALSE(requests.Finish(request, Answer(Bytes())));
+  EXPECT_FALSE(requests.Finish(request, Reply(Bytes())));
   requests.FinishAll({ErrorCode::kUnreachable, "closed"});
   EXPECT_EQ(called, 0);
 }
@@ -124,9 +124,9 @@ TEST(PendingRequests, ALongPendingRequestKeepsItsNumber) {
   for (int i = 0; i < 1000; ++i) {
     const auto request = Add(requests, [](const Result<Bytes>& /*outcome*/) {});
     EXPECT_TRUE(numbers.insert(request).second) << "twice the number " << request;
-    EXPECT_TRUE(requests.Finish(request, Answer(Bytes())));
+    EXPECT_TRUE(requests.Finish(request, Reply(Bytes())));
   }
-  EXPECT_TRUE(requests.Finish(patient, Answer(Bytes(5))));
+  EXPECT_TRUE(requests.Finish(patient, Reply(Bytes(5))));
 
   ASSERT_EQ(outcomes.all.size(), 1U);
   EXPECT_EQ(*outcomes.all[0], Bytes(5));
@@ -145,11 +145,11 @@ TEST(PendingRequests, FinishAllKeepsTheOrderOfMany) {
   EXPECT_TRUE(std::is_sorted(ended.begin(), ended.end()));
 }
 
-TEST(BlockingRequest, ReturnsTheAnswer) {
+TEST(BlockingRequest, ReturnsTheReply) {
   PendingRequests requests;
   BlockingRequest answer(requests);
   const auto peer =
-      std::async(std::launch::async, [&] { requests.Finish(answer.number(), Answer(Bytes(3))); });
+      std::async(std::launch::async, [&] { requests.Finish(answer.number(), Reply(Bytes(3))); });
 
   const auto outcome = answer.WaitUntil(SteadyClock().Now() + hours(1));
 
@@ -157,7 +157,7 @@ TEST(BlockingRequest, ReturnsTheAnswer) {
   EXPECT_EQ((*outcome)->body().size(), 3U);
 }
 
-TEST(BlockingRequest, ReturnsALentAnswerWithoutACopy) {
+TEST(BlockingRequest, ReturnsALentReplyWithoutACopy) {
   PendingRequests requests;
   BlockingRequest answer(requests);
   auto lent = std::make_shared<Bytes>(100'000, std::byte{7});
@@ -165,7 +165,7 @@ TEST(BlockingRequest, ReturnsALentAnswerWithoutACopy) {
   const std::byte* const place = lent->data();
   const std::span<const std::byte> body = *lent;
 
-  requests.Finish(answer.number(), Answer(body, std::move(lent)));
+  requests.Finish(answer.number(), Reply(body, std::move(lent)));
 
   auto outcome = answer.WaitUntil(SteadyClock().Now() + hours(1));
   ASSERT_TRUE(outcome.has_value());
@@ -175,7 +175,7 @@ TEST(BlockingRequest, ReturnsALentAnswerWithoutACopy) {
   EXPECT_TRUE(still.expired());
 }
 
-TEST(PendingRequests, AHandlerGetsACopyOfALentAnswer) {
+TEST(PendingRequests, AHandlerGetsACopyOfALentReply) {
   PendingRequests requests;
   Bytes heard;
   PendingRequests::Handler handler = [&heard](Result<Bytes> answer) { heard = *std::move(answer); };
@@ -183,7 +183,7 @@ TEST(PendingRequests, AHandlerGetsACopyOfALentAnswer) {
   auto lent = std::make_shared<Bytes>(100, std::byte{7});
   const std::span<const std::byte> body = *lent;
 
-  requests.Finish(number, Answer(body, std::move(lent)));
+  requests.Finish(number, Reply(body, std::move(lent)));
 
   EXPECT_EQ(heard, Bytes(100, std::byte{7}));
 }
@@ -194,7 +194,7 @@ TEST(BlockingRequest, IgnoresAReplyAfterTheDeadline) {
 
   EXPECT_FALSE(answer.WaitUntil(SteadyClock().Now()).has_value());
 
-  EXPECT_FALSE(requests.Finish(answer.number(), Answer(Bytes(3))));
+  EXPECT_FALSE(requests.Finish(answer.number(), Reply(Bytes(3))));
 }
 
 TEST(BlockingRequest, IgnoresAReplyWithoutAWait) {
@@ -205,10 +205,10 @@ TEST(BlockingRequest, IgnoresAReplyWithoutAWait) {
     number = answer.number();
   }
 
-  EXPECT_FALSE(requests.Finish(number, Answer(Bytes(3))));
+  EXPECT_FALSE(requests.Finish(number, Reply(Bytes(3))));
 }
 
-TEST(BlockingRequest, IgnoresTheAnswerOfAnEarlierRequest) {
+TEST(BlockingRequest, IgnoresTheReplyToAnEarlierRequest) {
   PendingRequests requests;
   std::uint64_t first = 0;
   {
@@ -218,8 +218,8 @@ TEST(BlockingRequest, IgnoresTheAnswerOfAnEarlierRequest) {
   }
   BlockingRequest next(requests);
 
-  requests.Finish(first, Answer(Bytes(1)));
-  requests.Finish(next.number(), Answer(Bytes(2)));
+  requests.Finish(first, Reply(Bytes(1)));
+  requests.Finish(next.number(), Reply(Bytes(2)));
 
   const auto outcome = next.WaitUntil(SteadyClock().Now() + hours(1));
   ASSERT_TRUE(outcome.has_value());

@@ -14,12 +14,12 @@
 namespace tendon {
 namespace {
 
-using Reply = std::pair<std::uint64_t, Bytes>;
+using NumberedReply = std::pair<std::uint64_t, Bytes>;
 
-std::vector<Reply> RepliesIn(std::span<const std::byte> body) {
-  std::vector<Reply> all;
+std::vector<NumberedReply> RepliesIn(std::span<const std::byte> body) {
+  std::vector<NumberedReply> all;
   while (const auto one = TakeReply(body)) {
-    all.emplace_back(one->request, Bytes(one->answer.begin(), one->answer.end()));
+    all.emplace_back(one->request, Bytes(one->body.begin(), one->body.end()));
   }
   return all;
 }
@@ -33,8 +33,8 @@ Bytes TwoReplies() {
 }
 
 TEST(ReplyBatch, KeepsTheOrder) {
-  const std::vector<Reply> expected{{7, Bytes(2, std::byte{5})},
-                                    {std::numeric_limits<std::uint64_t>::max(), {}}};
+  const std::vector<NumberedReply> expected{{7, Bytes(2, std::byte{5})},
+                                            {std::numeric_limits<std::uint64_t>::max(), {}}};
 
   EXPECT_EQ(RepliesIn(TwoReplies()), expected);
   EXPECT_TRUE(IsReplyBatch(TwoReplies()));

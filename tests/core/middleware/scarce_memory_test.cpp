@@ -165,7 +165,7 @@ class Answerer final : public ChannelHandler {
   const Bytes answer_ = Bytes(8000, std::byte{7});
 };
 
-TEST(ChannelLowMemory, LosesOnlyTheAnswerThatDoesNotFit) {
+TEST(ChannelLowMemory, LosesOnlyTheReplyThatDoesNotFit) {
   constexpr auto kAsk = static_cast<MessageType>(0x101);
   const Hello hello{.instance = 1, .name = "robot", .cookie = 7};
   const auto middleware = MakeTcpMiddleware(Exposure::kLoopbackOnly);

@@ -12,15 +12,15 @@ namespace {
 using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
 
 TEST(ExplainFailure, ARequestThatOnlyReadsHasNoUnknownOutcome) {
-  const Error failure = ExplainFailure(NoAnswer("robot", 500ms), message::kReadLog, "robot");
+  const Error failure = ExplainFailure(NoReply("robot", 500ms), message::kReadLog, "robot");
 
   EXPECT_EQ(failure, (Error{ErrorCode::kTimeout, "no answer from robot within 500 ms"}));
 }
 
 TEST(ExplainFailure, ACallWithoutAnAnswerHasAnUnknownOutcome) {
-  const Error failure = ExplainFailure(NoAnswer("robot", 500ms), message::kCallMember, "robot");
+  const Error failure = ExplainFailure(NoReply("robot", 500ms), message::kCallMember, "robot");
 
-  EXPECT_EQ(failure, NoAnswer("robot", 500ms));
+  EXPECT_EQ(failure, NoReply("robot", 500ms));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace {
 class Refusing final : public CommandBase {
  public:
   Refusing() : CommandBase(layout::kNone, layout::kNone) {}
-  Status ExecuteEncoded(std::span<const std::byte> /*in*/, AnswerSink& /*out*/) override {
+  Status ExecuteEncoded(std::span<const std::byte> /*in*/, ReplySink& /*out*/) override {
     return Status::kQueueFull;
   }
 };

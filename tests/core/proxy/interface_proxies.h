@@ -103,7 +103,7 @@ class TornRead final : public Offer {
   class Command final : public CommandBase {
    public:
     Command() : CommandBase(layout::kNone, layout::kNone) {}
-    Status ExecuteEncoded(std::span<const std::byte> /*in*/, AnswerSink& out) override {
+    Status ExecuteEncoded(std::span<const std::byte> /*in*/, ReplySink& out) override {
       (void)out.Room(sizeof(int));
       return Status::kFailed;
     }

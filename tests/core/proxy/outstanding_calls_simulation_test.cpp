@@ -76,7 +76,7 @@ class Link {
     const bool is_sent = callers_.Leave(call, ending);
     if (ending != Ending::kDone) return ending == Ending::kStarted && is_sent;
     const Status status = records_.record.status();
-    if (status) Check(callers_.answer(0) == Answer(slot), "another call's answer");
+    if (status) Check(callers_.reply(0) == Answer(slot), "another call's answer");
     Check(is_hasty || status, "another call's end");
     records_.record.Free();
     return status != Status(Status::kNotConnected);

@@ -137,7 +137,7 @@ void EventFeed::Ask(const SharedListener& listener, const std::shared_ptr<Channe
   if (!events) return Fail(listener, attempt, events.error());
   {
     const std::scoped_lock lock(mutex_);
-    active_[{channel.get(), attempt}] = listener;  // events may follow the answer at once
+    active_[{channel.get(), attempt}] = listener;  // events may follow the reply at once
   }
   tendon::Ask<message::OpenInterfaceReply>(
       *timer_, channel, message::kListen,
@@ -150,19 +150,19 @@ void EventFeed::Ask(const SharedListener& listener, const std::shared_ptr<Channe
           .capacity = wanted.capacity},
       timeout_,
       [weak = weak_from_this(), listener, channel, clock, attempt,
-       events = *events](const auto& answer) {
+       events = *events](const auto& reply) {
         const auto self = weak.lock();
         if (!self) return;
-        if (!answer) {
+        if (!reply) {
           self->Take({channel.get(), attempt});
-          self->Fail(listener, attempt, answer.error());
+          self->Fail(listener, attempt, reply.error());
           // The process may still accept the subscription later. Closing the channel ends it then.
-          if (answer.error().code == ErrorCode::kTimeout) channel->Close();
+          if (reply.error().code == ErrorCode::kTimeout) channel->Close();
           return;
         }
-        if (listener->OnSubscribed(attempt, {channel, answer->handle, clock}, events)) return;
+        if (listener->OnSubscribed(attempt, {channel, reply->handle, clock}, events)) return;
         self->Take({channel.get(), attempt});
-        (void)channel->Notify(message::kCloseInterface, answer->handle, Bytes());
+        (void)channel->Notify(message::kCloseInterface, reply->handle, Bytes());
       });
 }
 

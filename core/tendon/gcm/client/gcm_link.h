@@ -55,9 +55,9 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
     return read(catalogue_);
   }
 
-  /// Sends a request whose answer may take `timeouts` times the timeout of the client.
-  template <Payload Answer, Message T>
-  void Request(MessageType type, const T& value, std::function<void(Result<Answer>)> handler,
+  /// Sends a request whose reply may take `timeouts` times the timeout of the client.
+  template <Payload ReplyBody, Message T>
+  void Request(MessageType type, const T& value, std::function<void(Result<ReplyBody>)> handler,
                int timeouts = 1);
 
  private:
@@ -106,14 +106,14 @@ class GcmLink final : public std::enable_shared_from_this<GcmLink> {
   Worker opener_{"client-gcm"};
 };
 
-template <Payload Answer, Message T>
-void GcmLink::Request(MessageType type, const T& value, std::function<void(Result<Answer>)> handler,
-                      int timeouts) {
+template <Payload ReplyBody, Message T>
+void GcmLink::Request(MessageType type, const T& value,
+                      std::function<void(Result<ReplyBody>)> handler, int timeouts) {
   std::unique_lock lock(mutex_);
   if (const SharedChannel channel = channel_) {
     lock.unlock();
     const auto timeout = timeouts * options_.timeout;
-    return Ask<Answer>(*timer_, channel, type, value, timeout, std::move(handler));
+    return Ask<ReplyBody>(*timer_, channel, type, value, timeout, std::move(handler));
   }
   timer_->Post([handler = std::move(handler), error = NoGcm()] { handler(error); });
 }

@@ -14,7 +14,7 @@ class LogFeed {
  public:
   /// The request to send on a new channel.
   [[nodiscard]] message::WatchLog Wanted() const;
-  /// Handles the answer to the request; returns an empty batch.
+  /// Handles the reply to the request; returns an empty batch.
   LogBatch Begin(const message::WatchLogReply& watched);
   /// Returns the received records that were not delivered before.
   LogBatch Take(message::LogRecords batch);

@@ -11,7 +11,9 @@
 namespace tendon::client {
 namespace {
 
-bool Answers(CommandKind kind) { return kind != CommandKind::kVoid && kind != CommandKind::kWrite; }
+bool HasResult(CommandKind kind) {
+  return kind != CommandKind::kVoid && kind != CommandKind::kWrite;
+}
 
 Error CallError(const std::string& command, Status status) {
   const std::string words = command + ": " + std::string(ToString(status));
@@ -69,7 +71,7 @@ void ProcessRequests::Call(const Path& path, const MemberDescription& command,
       Order{path, name, command.signature, argument, std::move(handler)});
   std::vector<Fingerprint> needed;
   if (TakesArgument(order->signature)) needed.push_back(order->signature.in);
-  if (Answers(order->signature.kind)) needed.push_back(order->signature.out);
+  if (HasResult(order->signature.kind)) needed.push_back(order->signature.out);
   FetchSchemas(path.process, needed,
                [self = shared_from_this(), order](const Result<void>& fetched) {
                  if (fetched) return self->Send(order);
@@ -80,7 +82,7 @@ void ProcessRequests::Call(const Path& path, const MemberDescription& command,
                });
 }
 
-/// Calls the command without an argument, because the answer says why the process cannot execute
+/// Calls the command without an argument, because the reply says why the process cannot execute
 /// the command. A process that does not know the types of its own commands, such as a replay,
 /// cannot execute them.
 void ProcessRequests::AskForRefusal(const std::shared_ptr<const Order>& order, const Error& why) {
@@ -136,13 +138,13 @@ void ProcessRequests::ReadLog(const std::string& process, const message::ReadLog
   AskProcess(process, message::kReadLog, wanted, std::move(handler));
 }
 
-template <Payload Answer, Message T>
+template <Payload ReplyBody, Message T>
 void ProcessRequests::AskProcess(const std::string& process, MessageType type, const T& question,
-                                 Handler<Answer> handler) {
+                                 Handler<ReplyBody> handler) {
   links_->WithChannel(process, [self = shared_from_this(), type, question,
                                 handler = std::move(handler)](const auto& channel) {
     if (!channel) return handler(channel.error());
-    Ask<Answer>(*self->timer_, *channel, type, question, self->timeout_, handler);
+    Ask<ReplyBody>(*self->timer_, *channel, type, question, self->timeout_, handler);
   });
 }
 
@@ -236,7 +238,7 @@ Result<std::string> ProcessRequests::Read(const Order& order,
   const Status status(called.status <= kLast ? static_cast<Status::Code>(called.status)
                                              : Status::kFailed);
   if (!status) return CallError(order.command, status);
-  if (!Answers(order.signature.kind)) return std::string();
+  if (!HasResult(order.signature.kind)) return std::string();
   auto json = ToJson(*Find(order.signature.out), called.answer);
   if (!json) return Error{ErrorCode::kInvalid, order.command + ": " + json.error().message};
   return JsonField(*json, order.path.field);

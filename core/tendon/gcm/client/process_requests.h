@@ -21,7 +21,7 @@
 
 namespace tendon::client {
 
-/// Sends requests to processes. Calls commands with arguments and answers in JSON, which it
+/// Sends requests to processes. Calls commands with arguments and replies in JSON, which it
 /// converts with the schemas of the processes. Calls each handler once, unless the client closes.
 /// Thread-safe.
 class ProcessRequests final : public std::enable_shared_from_this<ProcessRequests> {
@@ -51,9 +51,9 @@ class ProcessRequests final : public std::enable_shared_from_this<ProcessRequest
  private:
   struct Order;
 
-  template <Payload Answer, Message T>
+  template <Payload ReplyBody, Message T>
   void AskProcess(const std::string& process, MessageType type, const T& question,
-                  Handler<Answer> handler);
+                  Handler<ReplyBody> handler);
   void FetchSchemas(const std::string& process, std::vector<Fingerprint> fingerprints,
                     Handler<void> handler);
   Result<void> Keep(const std::string& process, const std::vector<Fingerprint>& fingerprints,

@@ -23,23 +23,23 @@ void SourceClock::WhenKnown(Known known) {
   known(shared_from_this());
 }
 
-/// Sends a measurement. The pending request keeps this object alive until the answer arrives. After
+/// Sends a measurement. The pending request keeps this object alive until the reply arrives. After
 /// that, only the users of this clock keep it alive.
 void SourceClock::Ask() {
   tendon::Ask<message::Pong>(
       *timer_, channel_, message::kPing, None{}, timeout_,
-      [self = shared_from_this(), sent = SteadyClock().Now()](const Result<message::Pong>& answer) {
+      [self = shared_from_this(), sent = SteadyClock().Now()](const Result<message::Pong>& reply) {
         std::vector<Known> waiting;
         {
           const std::scoped_lock lock(self->mutex_);
-          if (answer) {
+          if (reply) {
             self->is_known_ = true;
-            self->offset_.Add(sent, SteadyTime(std::chrono::nanoseconds(answer->time)),
+            self->offset_.Add(sent, SteadyTime(std::chrono::nanoseconds(reply->time)),
                               SteadyClock().Now());
           }
           waiting.swap(self->waiting_);
         }
-        for (const Known& known : waiting) answer ? known(self) : known(answer.error());
+        for (const Known& known : waiting) reply ? known(self) : known(reply.error());
         self->AskLater();
       },
       kOwnLane);

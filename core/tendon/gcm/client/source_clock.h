@@ -20,7 +20,7 @@ class SourceClock final : public std::enable_shared_from_this<SourceClock> {
  public:
   using Known = std::function<void(const Result<std::shared_ptr<SourceClock>>&)>;
 
-  /// The thread of `timer` must never block. A measurement fails if there is no answer within
+  /// The thread of `timer` must never block. A measurement fails if there is no reply within
   /// `timeout`.
   SourceClock(std::shared_ptr<Worker> timer, std::shared_ptr<Channel> channel,
               std::chrono::milliseconds timeout);

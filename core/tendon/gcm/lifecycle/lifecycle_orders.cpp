@@ -66,12 +66,12 @@ void LifecycleOrders::ExecuteOrder(const LifecycleOrder& order, const std::strin
   const bool is_stop = order.verb == LifecycleVerb::kStop;
   if (is_stop) CancelStarts(path);
   if (auto checked = CheckTarget(catalogue, order); !checked) {
-    return Answer(std::move(done), Result<None>(checked.error()));
+    return Reply(std::move(done), Result<None>(checked.error()));
   }
   const auto claimed = is_stop ? std::move(done) : Claim(path, std::move(done));
   if (!claimed) return;
   if (auto checked = CheckConfiguration(order); !checked) {
-    return Answer(claimed, Result<None>(checked.error()));
+    return Reply(claimed, Result<None>(checked.error()));
   }
   message::HistoryEntry entry{.verb = StepVerbOf(order),
                               .lifecycle = StepOf(catalogue, order),
@@ -108,26 +108,26 @@ Result<void> LifecycleOrders::CheckConfiguration(const LifecycleOrder& order) co
   return CheckBase(order, now->configuration, by);
 }
 
-/// Records the step if it was executed, or if this is unknown. Then answers.
+/// Records the step if it was executed, or if this is unknown. Then replies.
 void LifecycleOrders::Record(message::HistoryEntry entry, const Result<LifecycleOutcome>& outcome,
                              const Done<None>& done) {
-  Result<None> answer = outcome ? Result<None>(None{}) : outcome.error();
+  Result<None> reply = outcome ? Result<None>(None{}) : outcome.error();
   if (outcome && !outcome->warning.empty()) {
-    answer = Error{ErrorCode::kFailed, "done, but: " + outcome->warning};
+    reply = Error{ErrorCode::kFailed, "done, but: " + outcome->warning};
   }
   entry.is_unknown = !outcome && IsSilence(outcome.error());
   if (outcome) AddOutcome(*outcome, entry);
   const bool is_step = !entry.lifecycle.process.empty() && (outcome || entry.is_unknown);
-  if (!is_step || LeavesAsItWas(entry)) return Answer(done, answer);
+  if (!is_step || LeavesAsItWas(entry)) return Reply(done, reply);
   entry.when = WallTime();
-  parts_.history.Record(std::move(entry), [done, answer] { done(answer); });
+  parts_.history.Record(std::move(entry), [done, reply] { done(reply); });
 }
 
 void LifecycleOrders::Undo(const message::HistoryEntry& step, std::chrono::nanoseconds patience,
                            Connect connect, Done<None> done) {
   const message::LifecycleStep& lifecycle = step.lifecycle;
   const auto checked = CheckUndo(parts_.registry.catalogue(), step);
-  if (!checked) return Answer(std::move(done), Result<None>(checked.error()));
+  if (!checked) return Reply(std::move(done), Result<None>(checked.error()));
   auto claimed = Claim({lifecycle.process, lifecycle.component}, std::move(done));
   for (const std::string& follower : StoppedWith(step)) {
     if (claimed) claimed = Claim({lifecycle.process, follower}, claimed);
@@ -159,25 +159,25 @@ Result<void> LifecycleOrders::Begin(std::uint64_t order, const std::string& by) 
 void LifecycleOrders::ListClasses(const std::string& process, Done<message::Classes> done) {
   using message::Classes;
   const auto entry = LookUpProcess(parts_.registry.catalogue(), process);
-  if (!entry) return Answer(std::move(done), Result<Classes>(entry.error()));
+  if (!entry) return Reply(std::move(done), Result<Classes>(entry.error()));
   if (auto present = RequirePresent((*entry)->process); !present) {
-    return Answer(std::move(done), Result<Classes>(present.error()));
+    return Reply(std::move(done), Result<Classes>(present.error()));
   }
   Send<Classes>(message::kGetClasses, process, message::GetClasses{process}, timeout_,
                 std::move(done));
 }
 
 /// Marks the component as busy. Returns a wrapped `done` that also releases the component. If
-/// another order for the component is in progress, answers with an error and returns null.
+/// another order for the component is in progress, replies with an error and returns null.
 LifecycleOrders::Done<None> LifecycleOrders::Claim(const Path& path, Done<None> done) {
   // Orders that do not concern a component are executed by a process one at a time.
   if (path.second.empty()) return done;
   if (!busy_.emplace(path, false).second) {
-    Answer(std::move(done),
-           Result<None>(Error{
-               ErrorCode::kFailed,
-               path.first + "/" + path.second +
-                   " is being changed by another request; try again when that request is done"}));
+    Reply(std::move(done),
+          Result<None>(Error{
+              ErrorCode::kFailed,
+              path.first + "/" + path.second +
+                  " is being changed by another request; try again when that request is done"}));
     return nullptr;
   }
   return [locked = locked_, path, done = std::move(done)](Result<None> result) {
@@ -199,7 +199,7 @@ void LifecycleOrders::CancelStarts(const Path& path) {
 
 void LifecycleOrders::SendOrder(LifecycleOrder order, LifecycleDone done) {
   if (auto checked = CheckTarget(parts_.registry.catalogue(), order); !checked) {
-    return Answer(std::move(done), Result<LifecycleOutcome>(checked.error()));
+    return Reply(std::move(done), Result<LifecycleOutcome>(checked.error()));
   }
   order.patience = PatienceOf(order.patience);
   order.id = ++last_id_;
@@ -223,7 +223,7 @@ nanoseconds LifecycleOrders::PatienceOf(nanoseconds asked) const {
   return std::min<nanoseconds>(asked, std::chrono::hours(1));
 }
 
-/// Returns how long to wait for the answer to an order. The client waits longer: twice the
+/// Returns how long to wait for the reply to an order. The client waits longer: twice the
 /// patience.
 milliseconds LifecycleOrders::Longest(nanoseconds patience) const {
   const auto most = std::chrono::ceil<milliseconds>(patience);
@@ -234,18 +234,18 @@ milliseconds LifecycleOrders::Longest(nanoseconds patience) const {
 /// `until`.
 void LifecycleOrders::SendAll(std::vector<LifecycleOrder> orders, SteadyTime until,
                               Done<None> done) {
-  if (orders.empty()) return Answer(std::move(done), Result<None>(None{}));
+  if (orders.empty()) return Reply(std::move(done), Result<None>(None{}));
   LifecycleOrder first = orders.front();
   const auto claim = busy_.find({first.process, first.component});
   if (first.verb == LifecycleVerb::kStart && claim != busy_.end() && claim->second) {
-    return Answer(
+    return Reply(
         std::move(done),
         Result<None>(Error{ErrorCode::kFailed, PathOf(first) + " has been ordered to stop, so "
                                                                "it is not started"}));
   }
   const auto patience = PatienceWithin(PatienceOf(first.patience), until - SteadyClock().Now());
   if (!patience) {
-    return Answer(
+    return Reply(
         std::move(done),
         Result<None>(Error{ErrorCode::kTimeout,
                            "the time limit of the request was reached before the GCM could " +

@@ -41,7 +41,7 @@ class LifecycleOrders : private OrderSender {
     DeferredActions& deferred;
     Worker& worker;  ///< provides timeouts
   };
-  /// `timeout` is the time that the answer to an order may need in addition to the patience of the
+  /// `timeout` is the time that the reply to an order may need in addition to the patience of the
   /// order.
   LifecycleOrders(Parts parts, Locked locked, std::chrono::milliseconds timeout);
 

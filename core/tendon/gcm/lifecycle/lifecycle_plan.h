@@ -53,8 +53,8 @@ struct UndoPlan {
   std::vector<message::LifecycleOrder> then;
 };
 
-/// Returns the time limit for an order: at most `patience`, but short enough that the answer
-/// arrives within `left`. The answer to an order may take one and a half times its time limit.
+/// Returns the time limit for an order: at most `patience`, but short enough that the reply
+/// arrives within `left`. The reply to an order may take one and a half times its time limit.
 /// Returns nothing if too little time is left.
 [[nodiscard]] std::optional<std::chrono::nanoseconds> PatienceWithin(
     std::chrono::nanoseconds patience, std::chrono::nanoseconds left);

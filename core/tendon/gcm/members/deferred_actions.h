@@ -6,7 +6,7 @@
 
 namespace tendon::server {
 
-/// Actions that are added while a lock is held, and run after the lock is released: answering,
+/// Actions that are added while a lock is held, and run after the lock is released: replying,
 /// sending, logging. They run one at a time, in the order of Add(), in a thread that calls Flush().
 /// Thread-safe.
 class DeferredActions {

@@ -12,8 +12,8 @@
 
 namespace tendon::server {
 
-/// Sends orders to processes, and sends the answers to the clients that requested the orders. All
-/// functions must be called while the owner's lock is held. Orders and answers are sent after the
+/// Sends orders to processes, and sends the replies to the clients that requested the orders. All
+/// functions must be called while the owner's lock is held. Orders and replies are sent after the
 /// lock is released; then `done` is called once.
 class OrderSender {
  public:
@@ -25,20 +25,19 @@ class OrderSender {
       : registry_(registry), deferred_(deferred), worker_(worker) {}
 
   template <typename T>
-  void Answer(Done<T> done, Result<T> result) {
+  void Reply(Done<T> done, Result<T> result) {
     deferred_.Add([done = std::move(done), result = std::move(result)] { done(result); });
   }
 
-  /// Sends an order. `done` gets the answer. Errors: kFailed if the process is not available;
-  /// kTimeout if no answer arrives within `longest`.
+  /// Sends an order. `done` gets the reply. Errors: kFailed if the process is not available;
+  /// kTimeout if no reply arrives within `longest`.
   template <typename T, Message Body>
   void Send(MessageType type, const std::string& process, const Body& body,
             std::chrono::milliseconds longest, Done<T> done) {
     const auto channel = registry_.ChannelOf(process);
     if (!channel) {
-      return Answer(
-          std::move(done),
-          Result<T>(Error{ErrorCode::kFailed, "process '" + process + "' is not available"}));
+      return Reply(std::move(done), Result<T>(Error{ErrorCode::kFailed,
+                                                    "process '" + process + "' is not available"}));
     }
     deferred_.Add([&worker = worker_, channel, type, body, longest, done = std::move(done)] {
       Ask<T>(worker, channel, type, body, longest, done);

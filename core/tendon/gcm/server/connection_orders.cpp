@@ -77,7 +77,7 @@ class ConnectionOrders::ReplaceOrder final : public std::enable_shared_from_this
   void Restore(ConnectionOrders& orders, const Error& why);
   void OnRestored(ConnectionOrders& orders, const Result<ConnectionDescription>& restored);
   void Fail(ConnectionOrders& orders, const Error& why) {
-    orders.Answer(done_, Result<Replacement>(why));
+    orders.Reply(done_, Result<Replacement>(why));
   }
 
   const message::Wire wire_;
@@ -138,9 +138,9 @@ Result<message::HistoryEntry> ConnectionOrders::Newest(const message::StepSelect
 void ConnectionOrders::Undo(const message::StepSelection& which, const std::string& who,
                             Done<message::HistoryEntry> done) {
   const auto step = Newest(which);
-  if (!step) return Answer(std::move(done), step);
+  if (!step) return Reply(std::move(done), step);
   if (const auto checked = CheckUndo(*step); !checked) {
-    return Answer(std::move(done), Result<message::HistoryEntry>(checked.error()));
+    return Reply(std::move(done), Result<message::HistoryEntry>(checked.error()));
   }
   const auto finish = [locked = locked_, step = *step, who, done](const auto& outcome) {
     locked(
@@ -162,7 +162,7 @@ void ConnectionOrders::UndoWire(const message::HistoryEntry& step, const std::st
     Break(required, done);
   } else if (step.verb == "disconnect" && now != nullptr) {
     // A slow process has already restored the connection.
-    Answer(done, Result(*now));
+    Reply(done, Result(*now));
   } else if (WasPending(catalogue, parts_.history.steps(), step)) {
     MakePending(former, done);
   } else if (is_replacement) {
@@ -177,19 +177,19 @@ void ConnectionOrders::UndoWire(const message::HistoryEntry& step, const std::st
 void ConnectionOrders::SkipNewestStep(const message::StepSelection& which, const std::string& who,
                                       Done<message::HistoryEntry> done) {
   auto step = Newest(which);
-  if (!step) return Answer(std::move(done), step);
+  if (!step) return Reply(std::move(done), step);
   if (which.id == 0 && CheckUndo(*step)) {
     const Error error{ErrorCode::kFailed, WholeText(*step) +
                                               " can be undone, so it is not skipped; to skip it "
                                               "anyway: gcm undo --skip --step " +
                                               std::to_string(step->id)};
-    return Answer(std::move(done), Result<message::HistoryEntry>(error));
+    return Reply(std::move(done), Result<message::HistoryEntry>(error));
   }
   const auto* owner = parts_.registry.catalogue().FindProcess(ProcessOf(*step));
   if (owner != nullptr && owner->process.state == ProcessState::kLost &&
       owner->process.instance == step->instance) {
     const Error error = MayComeBack(*step);
-    return Answer(std::move(done), Result<message::HistoryEntry>(error));
+    return Reply(std::move(done), Result<message::HistoryEntry>(error));
   }
   parts_.deferred.Add(
       [text = who + " skips " + WholeText(*step)] { Log(LogLevel::kInfo, "gcm", text); });
@@ -209,15 +209,15 @@ void ConnectionOrders::RestoreConnection(const message::Wire& wire) {
 }
 
 /// Marks the interface as busy. Returns a wrapped `done` that also releases the interface. If
-/// another change of the interface is in progress, answers with an error and returns null.
+/// another change of the interface is in progress, replies with an error and returns null.
 template <typename T>
 ConnectionOrders::Done<T> ConnectionOrders::Claim(const InterfaceName& required, Done<T> done) {
   if (!busy_.insert(required).second) {
-    Answer(std::move(done),
-           Result<T>(Error{
-               ErrorCode::kFailed,
-               ToString(required) +
-                   " is being changed by another request; try again when that request is done"}));
+    Reply(std::move(done),
+          Result<T>(Error{
+              ErrorCode::kFailed,
+              ToString(required) +
+                  " is being changed by another request; try again when that request is done"}));
     return nullptr;
   }
   return [locked = locked_, required, done = std::move(done)](Result<T> result) {
@@ -226,14 +226,14 @@ ConnectionOrders::Done<T> ConnectionOrders::Claim(const InterfaceName& required,
   };
 }
 
-/// Records the step. Answers when the step is on the disk.
+/// Records the step. Replies when the step is on the disk.
 template <typename T>
-void ConnectionOrders::Record(message::HistoryEntry step, std::type_identity_t<Result<T>> answer,
+void ConnectionOrders::Record(message::HistoryEntry step, std::type_identity_t<Result<T>> reply,
                               Done<T> done) {
   step.instance = InstanceOf(parts_.registry.catalogue(), step.wire.required.process);
   step.when = WallTime();
   parts_.history.Record(std::move(step),
-                        [answer = std::move(answer), done = std::move(done)] { done(answer); });
+                        [reply = std::move(reply), done = std::move(done)] { done(reply); });
 }
 
 /// Makes the plan and calls `planned` with it while the lock is held. If the interfaces do not fit,
@@ -245,8 +245,8 @@ void ConnectionOrders::Plan(const message::Wire& wire, WhenConnected when_connec
   const Catalogue& catalogue = parts_.registry.catalogue();
   const auto plan = PlanConnect(catalogue, wire, when_connected);
   if (plan || plan.error().code != ErrorCode::kIncompatible) return planned(*this, plan);
-  const auto missing = std::make_shared<int>(0);  // pending answers; guarded by the lock
-  const auto answered = [=, locked = locked_] {
+  const auto missing = std::make_shared<int>(0);  // pending replies; guarded by the lock
+  const auto on_reply = [=, locked = locked_] {
     locked([&](ConnectionOrders& orders) {
       if (--*missing > 0) return;
       planned(orders, PlanConnect(orders.parts_.registry.catalogue(), wire, when_connected));
@@ -256,18 +256,17 @@ void ConnectionOrders::Plan(const message::Wire& wire, WhenConnected when_connec
     const auto channel = parts_.registry.ChannelOf(process);
     if (channel == nullptr) continue;
     ++*missing;
-    parts_.deferred.Add([&worker = parts_.worker, channel, wanted = wanted, answered] {
-      LearnSchemas(worker, channel, wanted, kLongest, answered);
+    parts_.deferred.Add([&worker = parts_.worker, channel, wanted = wanted, on_reply] {
+      LearnSchemas(worker, channel, wanted, kLongest, on_reply);
     });
   }
   if (*missing == 0) planned(*this, plan);
 }
 
-template <typename Order, typename Reply>
-ConnectionOrders::Done<Reply> ConnectionOrders::Step(std::shared_ptr<Order> order,
-                                                     void (Order::*step)(ConnectionOrders&,
-                                                                         const Result<Reply>&)) {
-  return [locked = locked_, order = std::move(order), step](const Result<Reply>& reply) {
+template <typename Order, typename Outcome>
+ConnectionOrders::Done<Outcome> ConnectionOrders::Step(
+    std::shared_ptr<Order> order, void (Order::*step)(ConnectionOrders&, const Result<Outcome>&)) {
+  return [locked = locked_, order = std::move(order), step](const Result<Outcome>& reply) {
     locked([&](ConnectionOrders& orders) { ((*order).*step)(orders, reply); });
   };
 }
@@ -294,7 +293,7 @@ void ConnectionOrders::MakePending(const message::Wire& wire, const ConnectDone&
 
 void ConnectionOrders::Break(const InterfaceName& required, ConnectDone done) {
   const auto connection = PlanDisconnect(parts_.registry.catalogue(), required);
-  if (!connection) return Answer(std::move(done), connection);
+  if (!connection) return Reply(std::move(done), connection);
   const auto claimed = Claim(required, std::move(done));
   if (!claimed) return;
   SendBreak(required, [connection = *connection, claimed](const Result<None>& broken) {
@@ -308,7 +307,7 @@ void ConnectionOrders::Exchange(const message::Wire& wire, const std::string& wh
   std::make_shared<ReplaceOrder>(wire, who, std::move(done))->Start(*this);
 }
 
-/// Sends the order to make a connection. If no answer arrives, but the process has reported the
+/// Sends the order to make a connection. If no reply arrives, but the process has reported the
 /// connection, `done` gets its state from the catalogue.
 void ConnectionOrders::SendMake(const message::ConnectionPlan& plan, ConnectDone done) {
   const auto heard = [locked = locked_, wire = plan.wire,
@@ -350,30 +349,30 @@ void ConnectionOrders::UndoLifecycle(const message::HistoryEntry& step,
 /// Restores the connections of a component that was created again. If a connection cannot be
 /// restored, `done` gets an error, and the component is not started.
 void ConnectionOrders::MakeAgain(const message::HistoryEntry& step, const Done<None>& done) {
-  struct Answers {
+  struct Replies {
     std::size_t missing;
     Result<None> outcome;
   };
-  const auto answers = std::make_shared<Answers>(
-      Answers{1 + step.lifecycle.connections.size(), None{}});  // guarded by the lock
-  const auto answered = [locked = locked_, done, answers](const message::Wire& wire,
+  const auto replies = std::make_shared<Replies>(
+      Replies{1 + step.lifecycle.connections.size(), None{}});  // guarded by the lock
+  const auto on_reply = [locked = locked_, done, replies](const message::Wire& wire,
                                                           const auto& made) {
     locked([&](ConnectionOrders& orders) {
       const auto* now = orders.parts_.registry.catalogue().FindConnection(wire.required);
       if (!made && (now == nullptr || now->provided != wire.provided)) {
-        answers->outcome = Error{ErrorCode::kFailed,
+        replies->outcome = Error{ErrorCode::kFailed,
                                  "the component was created again, but not started, because its "
                                  "connections could not be restored: " +
                                      made.error().message};
       }
-      if (--answers->missing == 0) orders.Answer(done, answers->outcome);
+      if (--replies->missing == 0) orders.Reply(done, replies->outcome);
     });
   };
   for (const message::Wire& wire : step.lifecycle.connections) {
-    Make(wire, [answered, wire](const auto& made) { answered(wire, made); });
+    Make(wire, [on_reply, wire](const auto& made) { on_reply(wire, made); });
   }
-  Answer<ConnectionDescription>([answered](const auto& none) { answered({}, none); },
-                                ConnectionDescription());
+  Reply<ConnectionDescription>([on_reply](const auto& none) { on_reply({}, none); },
+                               ConnectionDescription());
 }
 
 /// Checks that the step can be undone. For the start of a process, also asks the supervisor,
@@ -388,8 +387,7 @@ Result<void> ConnectionOrders::CheckUndo(const message::HistoryEntry& step) cons
 void ConnectionOrders::FinishUndo(message::HistoryEntry step, const std::string& who,
                                   const Result<void>& outcome, Done<message::HistoryEntry> done) {
   if (!outcome) {
-    return Answer(std::move(done),
-                  Result<message::HistoryEntry>(CannotUndo(step, outcome.error())));
+    return Reply(std::move(done), Result<message::HistoryEntry>(CannotUndo(step, outcome.error())));
   }
   step.undone = true;
   parts_.history.MarkUndone(step.id, [step, done = std::move(done)] { done(step); },
@@ -405,7 +403,7 @@ void ConnectionOrders::ConnectOrder::Start(ConnectionOrders& orders) {
 
 void ConnectionOrders::ConnectOrder::OnPlanned(ConnectionOrders& orders,
                                                const Result<message::ConnectionPlan>& plan) {
-  if (!plan) return orders.Answer(done_, Result<ConnectionDescription>(plan.error()));
+  if (!plan) return orders.Reply(done_, Result<ConnectionDescription>(plan.error()));
   if (auto claimed = orders.Claim(wire_.required, done_)) orders.SendMake(*plan, claimed);
 }
 
@@ -445,7 +443,7 @@ void ConnectionOrders::ReplaceOrder::OnMade(ConnectionOrders& orders,
   if (!made) return Restore(orders, made.error());
   constexpr ConnectionState kActive = ConnectionState::kActive;
   if (made->state == kActive || former_.state != kActive) {
-    return orders.Answer(done_, Result(Replacement{*made, former_.provided}));
+    return orders.Reply(done_, Result(Replacement{*made, former_.provided}));
   }
   Restore(orders, {ErrorCode::kUnreachable,
                    ToString(made->provided) + " was not reached: " + made->reason});

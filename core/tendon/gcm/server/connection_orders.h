@@ -64,7 +64,7 @@ class ConnectionOrders : private OrderSender {
   template <typename T>
   Done<T> Claim(const InterfaceName& required, Done<T> done);
   template <typename T>
-  void Record(message::HistoryEntry step, std::type_identity_t<Result<T>> answer, Done<T> done);
+  void Record(message::HistoryEntry step, std::type_identity_t<Result<T>> reply, Done<T> done);
 
   // These functions change the connection of one required interface. Only one change of an
   // interface is in progress at a time. They do not record the change in the history, except
@@ -84,9 +84,9 @@ class ConnectionOrders : private OrderSender {
   void Break(const InterfaceName& required, ConnectDone done);
   void Exchange(const message::Wire& wire, const std::string& who, Done<Replacement> done);
   /// Returns a handler that calls the function `step` of `order` while the owner's lock is held.
-  template <typename Order, typename Reply>
-  Done<Reply> Step(std::shared_ptr<Order> order,
-                   void (Order::*step)(ConnectionOrders&, const Result<Reply>&));
+  template <typename Order, typename Outcome>
+  Done<Outcome> Step(std::shared_ptr<Order> order,
+                     void (Order::*step)(ConnectionOrders&, const Result<Outcome>&));
 
   // These functions send a single order to the LCM of the required side. The LCM executes its
   // orders in the order of sending.

@@ -23,9 +23,9 @@ namespace {
 
 constexpr std::chrono::milliseconds kTick(100);
 
-/// Returns a function that sends a result of any type as the answer.
-auto AnswerOf(const std::shared_ptr<Responder>& responder) {
-  return [responder](const auto& result) { responder->Answer(result); };
+/// Returns a function that sends a result of any type as the reply.
+auto ReplyThrough(const std::shared_ptr<Responder>& responder) {
+  return [responder](const auto& result) { responder->ReplyWith(result); };
 }
 
 /// Returns true if the process is this program. A window that hosts a GCM is also a process. Log
@@ -266,7 +266,7 @@ void Server::Join(const Request& request) {
   Locked([&] {
     SessionToken& session = request.peer.session;
     if (session != 0) {
-      return Answer<message::JoinReply>(
+      return Reply<message::JoinReply>(
           request, Error{ErrorCode::kInvalid, "this channel has already joined"});
     }
     auto admission =
@@ -274,38 +274,38 @@ void Server::Join(const Request& request) {
     if (!admission) {
       audit_.Write(peer, LogLevel::kWarning,
                    who + ": join: refused: " + Printable(admission.error().message, 256));
-      return Answer<message::JoinReply>(request, admission.error());
+      return Reply<message::JoinReply>(request, admission.error());
     }
     audit_.Write(peer, LogLevel::kInfo, who + ": join: allowed");
     session = admission->session;
     if (admission->replaced) deferred_.Add([old = admission->replaced] { old->Close(); });
-    Answer(request, Result(message::JoinReply{.gcm_instance = options_.instance,
-                                              .session = session,
-                                              .processes = registry_.peers().processes}));
+    Reply(request, Result(message::JoinReply{.gcm_instance = options_.instance,
+                                             .session = session,
+                                             .processes = registry_.peers().processes}));
   });
 }
 
-/// Renews the lease of a member. For a viewer, the request is only a ping. The answer has its own
-/// lane, so that it does not wait behind a large answer.
+/// Renews the lease of a member. For a viewer, the request is only a ping. The reply has its own
+/// lane, so that it does not wait behind a large reply.
 void Server::Renew(const Request& request) {
   Locked([&] {
     const SessionToken session = request.peer.session;
     const auto renewed = session == 0 ? Result<void>() : registry_.Renew(session);
-    if (!renewed) return Answer(request, renewed);
+    if (!renewed) return Reply(request, renewed);
     deferred_.Add(
         [responder = request.responder] { responder->Reply(EncodeBody(None{}), kOwnLane); });
   });
 }
 
-/// Stores the health of a member and answers with the GCM's time. The answer must not wait behind
-/// other answers, because it contains the time.
+/// Stores the health of a member and replies with the GCM's time. The reply must not wait behind
+/// other replies, because it contains the time.
 void Server::OnHealth(const Request& request) {
   const message::GcmClock now{SteadyClock().Now().time_since_epoch().count()};
   const auto health = DecodeBody<message::Health>(request.body);
   if (!health) return request.responder->Refuse(health.error());
   Locked([&] {
     const auto taken = registry_.UpdateHealth(request.peer.session, *health);
-    if (!taken) return Answer(request, taken);
+    if (!taken) return Reply(request, taken);
     deferred_.Add(
         [responder = request.responder, now] { responder->Reply(EncodeBody(now), kOwnLane); });
   });
@@ -314,7 +314,7 @@ void Server::OnHealth(const Request& request) {
 void Server::Leave(const Request& request) {
   Locked([&] {
     registry_.End(std::exchange(request.peer.session, 0), ProcessState::kLeft, "deregistered");
-    Answer(request, Result<void>());
+    Reply(request, Result<void>());
   });
 }
 
@@ -324,7 +324,7 @@ void Server::Watch(const Request& request) {
     message::CatalogueSnapshot snapshot{.gcm_instance = options_.instance,
                                         .changes = catalogue.AsChanges()};
     snapshot.base = catalogue.revision() - snapshot.changes.size();
-    Answer(request, Result(std::move(snapshot)));
+    Reply(request, Result(std::move(snapshot)));
     deferred_.Add([this, channel = request.channel, revision = catalogue.revision()] {
       if (channel->is_open()) watchers_.Add(channel, revision);
     });
@@ -340,7 +340,7 @@ void Server::ConnectInterface(const Request& request, WhenConnected when_connect
   if (!wire) return request.responder->Refuse(wire.error());
   Locked([&] {
     connection_orders_->Connect(*wire, when_connected, NameOf(*request.channel),
-                                AnswerOf(request.responder));
+                                ReplyThrough(request.responder));
   });
 }
 
@@ -349,7 +349,7 @@ void Server::Disconnect(const Request& request) {
   if (!wire) return request.responder->Refuse(wire.error());
   Locked([&] {
     connection_orders_->Disconnect(wire->required, NameOf(*request.channel),
-                                   AnswerOf(request.responder));
+                                   ReplyThrough(request.responder));
   });
 }
 
@@ -358,7 +358,8 @@ void Server::ExecuteLifecycleOrder(const Request& request) {
   if (!order) return request.responder->Refuse(order.error());
   Locked([&] {
     supervisor_->NoteChange(order->process);
-    lifecycle_orders_->ExecuteOrder(*order, NameOf(*request.channel), AnswerOf(request.responder));
+    lifecycle_orders_->ExecuteOrder(*order, NameOf(*request.channel),
+                                    ReplyThrough(request.responder));
   });
 }
 
@@ -366,14 +367,14 @@ void Server::ExecuteProcessOrder(const Request& request) {
   const auto order = DecodeBody<message::ProcessOrder>(request.body);
   if (!order) return request.responder->Refuse(order.error());
   Locked([&] {
-    supervisor_->ExecuteOrder(*order, NameOf(*request.channel), AnswerOf(request.responder));
+    supervisor_->ExecuteOrder(*order, NameOf(*request.channel), ReplyThrough(request.responder));
   });
 }
 
 void Server::ListClasses(const Request& request) {
   const auto wanted = DecodeBody<message::GetClasses>(request.body);
   if (!wanted) return request.responder->Refuse(wanted.error());
-  Locked([&] { lifecycle_orders_->ListClasses(wanted->process, AnswerOf(request.responder)); });
+  Locked([&] { lifecycle_orders_->ListClasses(wanted->process, ReplyThrough(request.responder)); });
 }
 
 void Server::BeginOrder(const Request& request) {
@@ -383,7 +384,7 @@ void Server::BeginOrder(const Request& request) {
     const ProcessDescription* const member = registry_.FindMember(request.peer.session);
     const std::string name = member == nullptr ? "" : member->name;
     supervisor_->NoteChange(name);
-    Answer(request, lifecycle_orders_->Begin(order->id, name));
+    Reply(request, lifecycle_orders_->Begin(order->id, name));
   });
 }
 
@@ -391,7 +392,7 @@ void Server::Undo(const Request& request) {
   const auto which = DecodeBody<message::StepSelection>(request.body);
   if (!which) return request.responder->Refuse(which.error());
   Locked([&] {
-    connection_orders_->Undo(*which, NameOf(*request.channel), AnswerOf(request.responder));
+    connection_orders_->Undo(*which, NameOf(*request.channel), ReplyThrough(request.responder));
   });
 }
 
@@ -400,7 +401,7 @@ void Server::SkipNewestStep(const Request& request) {
   if (!which) return request.responder->Refuse(which.error());
   Locked([&] {
     connection_orders_->SkipNewestStep(*which, NameOf(*request.channel),
-                                       AnswerOf(request.responder));
+                                       ReplyThrough(request.responder));
   });
 }
 
@@ -414,39 +415,39 @@ void Server::TakePlanLock(const Request& request) {
       plan_lock_ = {&request.peer, NameOf(*request.channel), WallTime()};
     }
     const bool is_granted = is_free || !wanted->is_wanted;
-    Answer(request, is_granted
-                        ? Result<void>()
-                        : Error{ErrorCode::kFailed,
-                                "nothing was done, because a plan of " + plan_lock_.who +
-                                    " has been running since " + WallTimeText(plan_lock_.since) +
-                                    "; try again when that plan is done"});
+    Reply(request, is_granted
+                       ? Result<void>()
+                       : Error{ErrorCode::kFailed, "nothing was done, because a plan of " +
+                                                       plan_lock_.who + " has been running since " +
+                                                       WallTimeText(plan_lock_.since) +
+                                                       "; try again when that plan is done"});
   });
 }
 
 void Server::ReportHistory(const Request& request) {
-  request.responder->Answer(Result(history_.steps()));
+  request.responder->ReplyWith(Result(history_.steps()));
 }
 
 void Server::ReportBroker(const Request& request) {
-  request.responder->Answer(Result(message::BrokerAddress{options_.broker}));
+  request.responder->ReplyWith(Result(message::BrokerAddress{options_.broker}));
 }
 
 void Server::ReportVersion(const Request& request) {
-  request.responder->Answer(Result(OwnVersion()));
+  request.responder->ReplyWith(Result(OwnVersion()));
 }
 
 void Server::ReportChildren(const Request& request) {
-  Locked([&] { Answer(request, Result(supervisor_->children())); });
+  Locked([&] { Reply(request, Result(supervisor_->children())); });
 }
 
 void Server::ReportHealth(const Request& request) {
-  Locked([&] { Answer(request, Result(registry_.health())); });
+  Locked([&] { Reply(request, Result(registry_.health())); });
 }
 
 void Server::Forget(const Request& request) {
   const auto forget = DecodeBody<message::Forget>(request.body);
   if (!forget) return request.responder->Refuse(forget.error());
-  Locked([&] { Answer(request, registry_.Forget(forget->process)); });
+  Locked([&] { Reply(request, registry_.Forget(forget->process)); });
 }
 
 void Server::OnReport(const Peer& peer, std::span<const std::byte> body) {
@@ -491,7 +492,7 @@ void Server::WatchLog(const Request& request) {
       if (!channel->is_open()) return;
       message::WatchLogReply watched = log_buffer_.Watch(channel, after);
       watched.gcm_instance = options_.instance;
-      responder->Answer(Result(watched));
+      responder->ReplyWith(Result(watched));
       log_buffer_.Pump();
     });
   });
@@ -502,9 +503,9 @@ void Server::SetLogLevel(const Request& request) {
   if (!order) return request.responder->Refuse(order.error());
   Locked([&] {
     const auto entry = LookUpProcess(registry_.catalogue(), order->process);
-    if (!entry) return Answer<None>(request, entry.error());
+    if (!entry) return Reply<None>(request, entry.error());
     const auto present = RequirePresent((*entry)->process);
-    if (!present) return Answer(request, present);
+    if (!present) return Reply(request, present);
     deferred_.Add([this, channel = registry_.ChannelOf(order->process), order = *order,
                    who = NameOf(*request.channel), responder = request.responder] {
       Ask<None>(worker_, channel, message::kSetLogLevel, order, options_.order_timeout,
@@ -514,7 +515,7 @@ void Server::SetLogLevel(const Request& request) {
                         who + " has set the log level of process '" + order.process + "' to " +
                             std::string(ToString(order.level)));
                   }
-                  responder->Answer(done);
+                  responder->ReplyWith(done);
                 });
     });
   });

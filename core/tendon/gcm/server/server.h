@@ -28,7 +28,7 @@
 namespace tendon::server {
 
 /// The GCM's server for the channels of LCMs and viewers. One mutex protects the state. Code that
-/// holds the mutex only makes decisions; deferred actions later send, answer and log. The history
+/// holds the mutex only makes decisions; deferred actions later send, reply and log. The history
 /// writes its file in its own thread. Thread-safe.
 class Server final : public std::enable_shared_from_this<Server> {
  public:
@@ -118,9 +118,9 @@ class Server final : public std::enable_shared_from_this<Server> {
   void OnLogRecords(const SessionToken& session, std::span<const std::byte> body);
   void OnClosed(Peer& peer, const SharedChannel& channel, const Error& reason);
 
-  /// Adds a deferred action that sends the answer. Called while the lock is held.
+  /// Adds a deferred action that sends the reply. Called while the lock is held.
   template <typename T>
-  void Answer(const Request& request, Result<T> result);
+  void Reply(const Request& request, Result<T> result);
 
   const Options options_;
   StepHistory history_;
@@ -156,9 +156,10 @@ void Server::Locked(Action&& action) {
 }
 
 template <typename T>
-void Server::Answer(const Request& request, Result<T> result) {
-  deferred_.Add(
-      [responder = request.responder, result = std::move(result)] { responder->Answer(result); });
+void Server::Reply(const Request& request, Result<T> result) {
+  deferred_.Add([responder = request.responder, result = std::move(result)] {
+    responder->ReplyWith(result);
+  });
 }
 
 }  // namespace tendon::server

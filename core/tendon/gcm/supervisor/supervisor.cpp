@@ -53,7 +53,7 @@ Supervisor::Supervisor(Parts parts, Locked locked)
 void Supervisor::ExecuteOrder(const message::ProcessOrder& order, const std::string& who,
                               Done done) {
   if (auto valid = CheckName("process", order.process); !valid) {
-    return Answer(std::move(done), valid.error());
+    return Reply(std::move(done), valid.error());
   }
   if (order.verb == ProcessVerb::kStart) return Start(order, who, std::move(done));
   Kill(order.process, PatienceOf(order.patience), std::move(done));
@@ -104,7 +104,7 @@ void Supervisor::Undo(const message::HistoryEntry& step, std::chrono::nanosecond
 }
 
 void Supervisor::Start(const message::ProcessOrder& order, const std::string& who, Done done) {
-  if (auto free = CheckStart(order.process); !free) return Answer(std::move(done), free.error());
+  if (auto free = CheckStart(order.process); !free) return Reply(std::move(done), free.error());
   Child& child = children_[order.process];
   child = {.restart = order.restart,
            .patience = PatienceOf(order.patience),
@@ -155,13 +155,13 @@ Result<void> Supervisor::CheckKill(const std::string& process) const {
 }
 
 void Supervisor::Kill(const std::string& process, milliseconds patience, Done done) {
-  if (auto ours = CheckKill(process); !ours) return Answer(std::move(done), ours.error());
+  if (auto ours = CheckKill(process); !ours) return Reply(std::move(done), ours.error());
   Child& child = children_.at(process);
   if (child.phase == Phase::kPausing) {
     Drop(process, "was ended on request, and is not restarted");
-    return Answer(std::move(done), None{});
+    return Reply(std::move(done), None{});
   }
-  if (child.done) Answer(child.done, Refused(process, "was ended on request before it joined"));
+  if (child.done) Reply(child.done, Refused(process, "was ended on request before it joined"));
   child.done = std::move(done);
   child.is_unwanted = true;
   child.phase = Phase::kEnding;
@@ -192,7 +192,7 @@ void Supervisor::Begin(const std::string& process,
   }
   if (!program && child.is_known) return Drop(process, program.error().message);
   if (!program) {
-    Answer(child.done, program.error());
+    Reply(child.done, program.error());
     children_.erase(process);
     return;
   }
@@ -264,7 +264,7 @@ void Supervisor::Examine(const std::string& process, Child& child) {
   });
 }
 
-/// Decides what to do after the end of a process: answer the request, restart the process, or
+/// Decides what to do after the end of a process: reply to the request, restart the process, or
 /// report the end.
 void Supervisor::OnExamined(const std::string& process, const ProcessLog& log) {
   Child& child = children_.at(process);
@@ -274,8 +274,8 @@ void Supervisor::OnExamined(const std::string& process, const ProcessLog& log) {
     const std::string why = is_faulty ? child.fault + ", so the GCM has ended it"
                                       : child.end.how + " before it had joined";
     const std::string words = log.last_lines.empty() ? "" : "; its last output: " + log.last_lines;
-    Answer(child.done,
-           child.is_unwanted ? Result<None>(None{}) : Refused(process, why + words + place));
+    Reply(child.done,
+          child.is_unwanted ? Result<None>(None{}) : Refused(process, why + words + place));
     children_.erase(process);
     return;
   }
@@ -332,7 +332,7 @@ std::optional<SystemFile> Supervisor::SystemWith(const std::string& process) con
   return std::nullopt;
 }
 
-void Supervisor::Answer(Done done, Result<None> result) {
+void Supervisor::Reply(Done done, Result<None> result) {
   parts_.deferred.Add([done = std::move(done), result = std::move(result)] { done(result); });
 }
 

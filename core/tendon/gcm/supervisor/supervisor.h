@@ -113,7 +113,7 @@ class Supervisor {
   void Report(const std::string& process, const std::string& what);
   [[nodiscard]] bool IsMember(const std::string& process, const Child& child) const;
   [[nodiscard]] std::optional<SystemFile> SystemWith(const std::string& process) const;
-  void Answer(Done done, Result<None> result);
+  void Reply(Done done, Result<None> result);
 
   Parts parts_;
   const Locked locked_;

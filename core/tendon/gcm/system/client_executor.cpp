@@ -46,9 +46,9 @@ bool IsSo(const Catalogue& catalogue, LifecycleVerb verb, const PlanStep& step) 
 /// Returns the result of `read(catalogue)` for the current catalogue.
 template <typename Read>
 auto Seen(const GcmClient& client, const Read& read) {
-  decltype(read(Catalogue())) answer{};
-  client.WithCatalogue([&](const Catalogue& catalogue) { answer = read(catalogue); });
-  return answer;
+  decltype(read(Catalogue())) result{};
+  client.WithCatalogue([&](const Catalogue& catalogue) { result = read(catalogue); });
+  return result;
 }
 
 }  // namespace

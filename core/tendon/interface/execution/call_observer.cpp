@@ -6,13 +6,13 @@
 namespace tendon {
 namespace {
 
-/// Takes the empty answer of a handler.
-class NoAnswer final : public AnswerSink {
+/// Takes the empty reply of a handler.
+class EmptyReplySink final : public ReplySink {
  public:
   std::span<std::byte> Room(std::size_t size) override {
     return std::span<std::byte>(none_).first(std::min(size, none_.size()));
   }
-  void Take(std::span<const std::byte> /*answer*/) override {}
+  void Take(std::span<const std::byte> /*reply*/) override {}
 
  private:
   std::array<std::byte, kEncodedSize<None>> none_{};
@@ -24,7 +24,7 @@ void CallEvent::Raise(const ArgumentWriter& call) noexcept {
   CallHandlers([&call](CommandBase& handler) {
     // The codec may throw, which is no fault of the component.
     return ComponentAccess::CatchExceptions(nullptr, [&]() -> Status {
-      NoAnswer nothing;
+      EmptyReplySink nothing;
       return handler.ExecuteFrom(call, nothing);
     });
   });

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <tendon/interface/command.h>
-#include <tendon/interface/execution/answer_sink.h>
+#include <tendon/interface/execution/reply_sink.h>
 
 #include <chrono>
 #include <cstddef>
@@ -20,16 +20,16 @@ class ConvertingCommand final : public Command<In, Out> {
   Status Execute(const In& in, Out& out) override {
     typename Scratch<Bodies>::Use bodies(bodies_);
     const Encoder argument(in, bodies->in);
-    Decoder answer(bodies->out, out);
-    const Status status = target_.ExecuteFrom(argument, answer);
-    return status && !answer.Finish() ? Status(Status::kInvalid) : status;
+    Decoder reply(bodies->out, out);
+    const Status status = target_.ExecuteFrom(argument, reply);
+    return status && !reply.Finish() ? Status(Status::kInvalid) : status;
   }
   Status Wait(const In& in, Out& out, std::chrono::nanoseconds timeout) override {
     typename Scratch<Bodies>::Use bodies(bodies_);
     Encode(in, bodies->in);
-    Decoder answer(bodies->out, out);
+    Decoder reply(bodies->out, out);
     const Status status = target_.WaitEncoded(bodies->in, bodies->out, timeout);
-    return status && !answer.Decode(bodies->out) ? Status(Status::kInvalid) : status;
+    return status && !reply.Decode(bodies->out) ? Status(Status::kInvalid) : status;
   }
   [[nodiscard]] std::chrono::nanoseconds age() const override { return target_.age(); }
 
@@ -60,7 +60,7 @@ class ConvertingCommand final : public Command<In, Out> {
   };
 
   /// Decodes a reply in place.
-  class Decoder final : public AnswerSink {
+  class Decoder final : public ReplySink {
    public:
     /// `room` is the buffer for a target that calls Room().
     Decoder(std::vector<std::byte>& room, Out& out) : room_(room), out_(out) {}
@@ -70,11 +70,11 @@ class ConvertingCommand final : public Command<In, Out> {
       is_in_room_ = true;
       return room_;
     }
-    void Take(std::span<const std::byte> answer) override { has_decoded_ = Decode(answer); }
+    void Take(std::span<const std::byte> reply) override { has_decoded_ = Decode(reply); }
 
-    bool Decode(std::span<const std::byte> answer) {
+    bool Decode(std::span<const std::byte> reply) {
       if constexpr (std::is_same_v<Out, None>) return true;
-      return tendon::Decode(answer, out_);
+      return tendon::Decode(reply, out_);
     }
     /// Called after the target was called. Returns false if the reply cannot be decoded.
     [[nodiscard]] bool Finish() {

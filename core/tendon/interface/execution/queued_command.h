@@ -44,7 +44,7 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
         observer_(offer) {
     if (mailbox_ == nullptr) return;
     if constexpr (!kLiesInSlot<In>) arguments_ = std::make_unique<In[]>(mailbox_->storage());
-    if constexpr (kAnswers) answers_ = std::make_unique<Out[]>(mailbox_->completions().size());
+    if constexpr (kHasResult) results_ = std::make_unique<Out[]>(mailbox_->completions().size());
   }
 
   static constexpr Mailbox::SlotShape Shape() {
@@ -53,7 +53,7 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
 
   Status Execute(const In& in, Out& out) override {
     if (mailbox_ == nullptr) return ExecuteNow(in, out);
-    if constexpr (kAnswers) return Status::kUnsupported;
+    if constexpr (kHasResult) return Status::kUnsupported;
     std::byte* argument = nullptr;
     const Status claimed = Claim(in, argument);
     if (!claimed) return observer_.ShowOther<Out>(CallOutcome::kRefused, claimed, in);
@@ -64,8 +64,8 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
   /// Decodes the argument directly into its slot, without a copy. Therefore, a malformed argument
   /// occupies a slot until the server skips it. If the mailbox refuses the call, the caller gets
   /// the mailbox's status even for a malformed argument.
-  Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& out) override {
-    if (mailbox_ == nullptr || kAnswers) return Command<In, Out>::ExecuteEncoded(in, out);
+  Status ExecuteEncoded(std::span<const std::byte> in, ReplySink& out) override {
+    if (mailbox_ == nullptr || kHasResult) return Command<In, Out>::ExecuteEncoded(in, out);
     std::byte* argument = nullptr;
     const Status claimed = ClaimDecoded(in, argument);
     if (!claimed) return ShowRefused(claimed, in);
@@ -99,7 +99,7 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
   [[nodiscard]] const CallObserver& observer() const { return observer_; }
 
  private:
-  static constexpr bool kAnswers = !std::is_same_v<Out, None>;
+  static constexpr bool kHasResult = !std::is_same_v<Out, None>;
 
   /// The entry of a slot whose caller waits.
   class BlockingCallEntry final : public Mailbox::Entry {
@@ -219,8 +219,8 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
       return mailbox_->accepting() ? Status::kTimeout : Status::kNotActive;
     }
     Status status = completion.status();
-    if constexpr (kAnswers) {
-      if (status && !Copy(answers_[record], out)) status = Status::kFailed;
+    if constexpr (kHasResult) {
+      if (status && !Copy(results_[record], out)) status = Status::kFailed;
     }
     completion.Free();
     return status;
@@ -234,8 +234,8 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
   void Run(std::byte* argument, std::size_t slot, [[maybe_unused]] std::size_t record) {
     if (expiry_ != nullptr) expiry_->Renew(mailbox_->number());
     const In& in = ArgumentIn(argument, slot);
-    if constexpr (kAnswers) {
-      Handle(in, answers_[record]);
+    if constexpr (kHasResult) {
+      Handle(in, results_[record]);
     } else {
       None nothing;
       Handle(in, nothing);
@@ -278,7 +278,7 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
   Expiry* expiry_;
   BlockingCallEntry blocking_entry_{*this};
   std::unique_ptr<In[]> arguments_;  // one per slot
-  std::unique_ptr<Out[]> answers_;   // one per completion record
+  std::unique_ptr<Out[]> results_;   // one per completion record
   CallObserver observer_;
 };
 

@@ -30,7 +30,7 @@ class SharedReadCommand final : public Command<None, Out> {
   }
   /// Returns kFailed if the size of the value changes during the read, which is a mistake of the
   /// author.
-  Status ExecuteEncoded(std::span<const std::byte> /*in*/, AnswerSink& out) override {
+  Status ExecuteEncoded(std::span<const std::byte> /*in*/, ReplySink& out) override {
     return With([&out](const Out& value) -> Status {
       const std::span<std::byte> room = out.Room(EncodedSize(value));
       const bool is_whole = room.empty() || EncodeTo(value, room) == room.size();

@@ -44,10 +44,10 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>,
                                                interface_ + " are waiting: try again later"});
   }
 
-  /// Network thread: answers the calls that have ended.
-  void Answer(SteadyTime now, SteadyTime& next) {
+  /// Network thread: replies to the calls that have ended.
+  void SendReplies(SteadyTime now, SteadyTime& next) {
     const std::scoped_lock lock(begun_mutex_);
-    begun_.Answer(now, next);
+    begun_.SendReplies(now, next);
   }
 
   /// Disconnects the command. After this function has returned, the component is not used any more.
@@ -63,8 +63,8 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>,
   }
 
  private:
-  /// Executes the call and replies. If the call must wait, Answer() replies later in the network
-  /// thread.
+  /// Executes the call and replies. If the call must wait, SendReplies() replies later in the
+  /// network thread.
   void Execute(std::span<const std::byte> argument, SteadyTime deadline, NetworkThread& network,
                Responder responder) {
     if (is_closed_.Get()) return Finish(Status::kNotConnected, {}, responder);
@@ -100,10 +100,10 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>,
       const std::string what = "the answer of '" + description_.name + "'";
       return responder.Refuse(ExceedsMaxPayload(what, result.size(), interface_));
     }
-    const bool answers = description_.signature.out != FingerprintOf<None>();
+    const bool has_result = description_.signature.out != FingerprintOf<None>();
     message::CallMemberReply called{.status = static_cast<std::uint8_t>(status.code()),
                                     .answer = {}};
-    if (status && answers) called.answer = result;
+    if (status && has_result) called.answer = result;
     responder.Reply(EncodeBody(called), kOwnLane);
   }
 
@@ -210,7 +210,7 @@ std::shared_ptr<SerialExecutor> MemberCalls::ExecutorFor(const Offer& offer,
 
 bool MemberCalls::Work(SteadyTime now, SteadyTime& next) {
   const std::scoped_lock lock(mutex_);
-  for (const auto& [key, target] : targets_) target->Answer(now, next);
+  for (const auto& [key, target] : targets_) target->SendReplies(now, next);
   return false;
 }
 

@@ -18,12 +18,12 @@ constexpr std::chrono::hours kAsLongAsTheLink(24 * 365);
 using Done = std::function<void(const OpenedInterface&)>;
 
 OpenedInterface MakeProxy(const std::shared_ptr<NetworkThread>& network, const PeerLink& link,
-                          const Result<message::OpenInterfaceReply>& answer,
+                          const Result<message::OpenInterfaceReply>& reply,
                           const InterfaceRequest& wanted, const PeerLink::MirroredValues& copies) {
-  if (!answer) return answer.error();
+  if (!reply) return reply.error();
   const std::shared_ptr<Channel>& channel = link.channel();
   ProvidedInterfaceProxy::Remote remote{.channel = channel,
-                                        .opened = *answer,
+                                        .opened = *reply,
                                         .name = wanted.open.provided,
                                         .mirrored = {},
                                         .executor = wanted.executor};
@@ -32,7 +32,7 @@ OpenedInterface MakeProxy(const std::shared_ptr<NetworkThread>& network, const P
     return std::make_shared<ProvidedInterfaceProxy>(network, remote, wanted.open.description,
                                                     wanted.read_deadline);
   } catch (const ConfigurationError& error) {
-    (void)channel->Notify(message::kCloseInterface, answer->handle, Bytes());
+    (void)channel->Notify(message::kCloseInterface, reply->handle, Bytes());
     return Error{ErrorCode::kInvalid,
                  channel->peer().name + " sent an invalid answer: " + error.what()};
   }
@@ -41,15 +41,15 @@ OpenedInterface MakeProxy(const std::shared_ptr<NetworkThread>& network, const P
 void Open(const std::shared_ptr<NetworkThread>& network, const std::shared_ptr<PeerLink>& link,
           const InterfaceRequest& wanted, const PeerLink::MirroredValues& copies,
           const Done& done) {
-  const auto on_answer = [network, link, wanted, copies,
-                          done](const Result<message::OpenInterfaceReply>& answer) {
-    const OpenedInterface proxy = MakeProxy(network, *link, answer, wanted, copies);
+  const auto on_reply = [network, link, wanted, copies,
+                         done](const Result<message::OpenInterfaceReply>& reply) {
+    const OpenedInterface proxy = MakeProxy(network, *link, reply, wanted, copies);
     if (proxy) link->handles().Put(wanted.open.handle, *proxy);
     done(proxy);
   };
   const std::shared_ptr<Channel>& channel = link->channel();
   channel->Request<message::OpenInterfaceReply>(message::kOpenInterface, 0, wanted.open,
-                                                kAsLongAsTheLink, on_answer);
+                                                kAsLongAsTheLink, on_reply);
 }
 
 }  // namespace
@@ -93,7 +93,7 @@ void PeerLink::Begin(const std::shared_ptr<Channel>& channel) {
 
 void PeerLink::OnRequest(const std::shared_ptr<Channel>& channel, const FrameHeader& header,
                          std::span<const std::byte> body, Responder responder) {
-  if (header.type == message::kGetSchemas) return AnswerSchemas(body, responder);
+  if (header.type == message::kGetSchemas) return ReplyWithSchemas(body, responder);
   ChannelHandler::OnRequest(channel, header, body, std::move(responder));
 }
 
@@ -199,14 +199,14 @@ void OpenProvided(const std::shared_ptr<NetworkThread>& network,
   if (wanted.mirrored.empty()) return Open(network, link, wanted, {}, done);
   link->channel()->Request<message::MirrorReply>(
       message::kMirror, 0, message::Mirror{wanted.open.provided, wanted.mirrored}, kAsLongAsTheLink,
-      [network, link, wanted, done](const Result<message::MirrorReply>& answer) {
-        if (!answer) return done(answer.error());
-        if (answer->columns.size() != wanted.mirrored.size()) {
+      [network, link, wanted, done](const Result<message::MirrorReply>& reply) {
+        if (!reply) return done(reply.error());
+        if (reply->columns.size() != wanted.mirrored.size()) {
           return done(Error{
               ErrorCode::kInvalid,
               link->channel()->peer().name + " does not offer the requested mirrored values"});
         }
-        const auto copies = link->MakeCopies(*answer);
+        const auto copies = link->MakeCopies(*reply);
         if (!copies) return done(copies.error());
         Open(network, link, wanted, *copies, done);
       });

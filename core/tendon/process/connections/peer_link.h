@@ -51,7 +51,7 @@ class PeerLink final : public ChannelHandler, public std::enable_shared_from_thi
 
   [[nodiscard]] const std::shared_ptr<Channel>& channel() const { return channel_; }
   [[nodiscard]] std::uint64_t instance() const { return channel_->peer().instance; }
-  /// The last measured round trip; below 0 before the first answer. Any thread.
+  /// The last measured round trip; below 0 before the first reply. Any thread.
   [[nodiscard]] std::chrono::nanoseconds round_trip() const { return round_trip_.Get(); }
   /// The time since the peer last answered; it is pinged twice a second.
   [[nodiscard]] std::chrono::nanoseconds silence() const {

@@ -29,10 +29,10 @@ void PeerSession::OnAllowedRequest(const SharedChannel& channel, const FrameHead
   }
   if (type == message::kOpenInterface) return OpenInterface(body, std::move(responder));
   if (type == message::kListen) return Listen(body, std::move(responder));
-  if (type == message::kGetSchemas) return AnswerSchemas(body, responder);
+  if (type == message::kGetSchemas) return ReplyWithSchemas(body, responder);
   if (type == message::kGetCounts) return GetCounts(body, std::move(responder));
   if (type == message::kGetFill) return GetFill(body, std::move(responder));
-  if (type == message::kGetProgram) return responder.Answer(Result(OwnVersion()));
+  if (type == message::kGetProgram) return responder.ReplyWith(Result(OwnVersion()));
   if (type == message::kCallMember) return CallMember(body, std::move(responder));
   if (type == message::kSubscribe || type == message::kJoinTopic) {
     return Subscribe(type, channel, body, std::move(responder));
@@ -105,8 +105,8 @@ void PeerSession::Call(const FrameHeader& header, Body body, Responder responder
 void PeerSession::OpenInterface(Body body, Responder responder) {
   Post<message::OpenInterface>(
       body, std::move(responder),
-      [&services = services_, client = client_](const auto& open, const auto& answer) {
-        services.connections.Open(client, open, ServedConnections::Use::kAll, answer);
+      [&services = services_, client = client_](const auto& open, const auto& responder) {
+        services.connections.Open(client, open, ServedConnections::Use::kAll, responder);
       });
 }
 
@@ -115,15 +115,15 @@ void PeerSession::OpenInterface(Body body, Responder responder) {
 void PeerSession::Listen(Body body, Responder responder) {
   Post<message::OpenInterface>(
       body, std::move(responder),
-      [&services = services_, client = client_](const auto& open, const auto& answer) {
+      [&services = services_, client = client_](const auto& open, const auto& responder) {
         if (!open.description.functions.empty()) {
-          return answer->Refuse({ErrorCode::kInvalid, "the request to listen to the events of " +
-                                                          ToString(open.provided) +
-                                                          " must not contain functions"});
+          return responder->Refuse({ErrorCode::kInvalid, "the request to listen to the events of " +
+                                                             ToString(open.provided) +
+                                                             " must not contain functions"});
         }
         message::OpenInterface all = open;
         all.latest_only.clear();
-        services.connections.Open(client, all, ServedConnections::Use::kEventsOnly, answer);
+        services.connections.Open(client, all, ServedConnections::Use::kEventsOnly, responder);
       });
 }
 
@@ -145,9 +145,11 @@ void PeerSession::Post(
   }
   auto wanted = DecodeBody<Wanted>(body);
   if (!wanted) return responder.Refuse(wanted.error());
-  services_.context.worker->Post(
-      [reservation, serve = std::move(serve), wanted = *std::move(wanted),
-       answer = std::make_shared<Responder>(std::move(responder))] { serve(wanted, answer); });
+  services_.context.worker->Post([reservation, serve = std::move(serve),
+                                  wanted = *std::move(wanted),
+                                  responder = std::make_shared<Responder>(std::move(responder))] {
+    serve(wanted, responder);
+  });
 }
 
 /// Serves a notice on the worker. A notice cannot be refused, so the channel is closed if the quota
@@ -161,16 +163,16 @@ void PeerSession::PostNotice(const SharedChannel& channel, std::function<void()>
 void PeerSession::GetCounts(Body body, Responder responder) {
   Post<message::GetCounts>(
       body, std::move(responder),
-      [&process = services_.context.process](const auto& asked, const auto& answer) {
-        answer->Answer(process.LookUpCounts(asked.required));
+      [&process = services_.context.process](const auto& asked, const auto& responder) {
+        responder->ReplyWith(process.LookUpCounts(asked.required));
       });
 }
 
 void PeerSession::GetFill(Body body, Responder responder) {
   Post<message::GetFill>(
       body, std::move(responder),
-      [&process = services_.context.process](const auto& asked, const auto& answer) {
-        answer->Answer(process.LookUpFill(asked.component));
+      [&process = services_.context.process](const auto& asked, const auto& responder) {
+        responder->ReplyWith(process.LookUpFill(asked.component));
       });
 }
 
@@ -186,46 +188,47 @@ void PeerSession::Subscribe(MessageType type, const SharedChannel& channel, Body
   monitor_->Begin(channel);
   Post<message::Subscribe>(
       body, std::move(responder),
-      [&telemetry = services_.telemetry, type, channel](const auto& wanted, const auto& answer) {
-        if (type == message::kJoinTopic) return telemetry.JoinTopic(channel, wanted, *answer);
-        telemetry.Subscribe(channel, wanted, *answer);
+      [&telemetry = services_.telemetry, type, channel](const auto& wanted, const auto& responder) {
+        if (type == message::kJoinTopic) return telemetry.JoinTopic(channel, wanted, *responder);
+        telemetry.Subscribe(channel, wanted, *responder);
       });
 }
 
 void PeerSession::ReadRows(Body body, Responder responder) {
   Post<message::ReadRows>(
       body, std::move(responder),
-      [&telemetry = services_.telemetry](const auto& wanted, const auto& answer) {
-        telemetry.ReadRows(wanted, *answer);
+      [&telemetry = services_.telemetry](const auto& wanted, const auto& responder) {
+        telemetry.ReadRows(wanted, *responder);
       });
 }
 
 void PeerSession::ReadEvents(Body body, Responder responder) {
-  Post<message::ReadEvents>(body, std::move(responder),
-                            [&history = services_.history](const auto& wanted, const auto& answer) {
-                              answer->Answer(history.ReadEvents(wanted));
-                            });
+  Post<message::ReadEvents>(
+      body, std::move(responder),
+      [&history = services_.history](const auto& wanted, const auto& responder) {
+        responder->ReplyWith(history.ReadEvents(wanted));
+      });
 }
 
 void PeerSession::ReadLog(Body body, Responder responder) {
   Post<message::ReadLog>(body, std::move(responder),
-                         [&history = services_.history](const auto& wanted, const auto& answer) {
-                           answer->Answer(history.ReadLog(wanted));
+                         [&history = services_.history](const auto& wanted, const auto& responder) {
+                           responder->ReplyWith(history.ReadLog(wanted));
                          });
 }
 
 void PeerSession::GetProcessHistory(Body body, Responder responder) {
   Post<None>(body, std::move(responder),
-             [&history = services_.history](const auto& /*wanted*/, const auto& answer) {
-               answer->Answer(Result(history.state()));
+             [&history = services_.history](const auto& /*wanted*/, const auto& responder) {
+               responder->ReplyWith(Result(history.state()));
              });
 }
 
 void PeerSession::Mirror(const SharedChannel& channel, Body body, Responder responder) {
   Post<message::Mirror>(
       body, std::move(responder),
-      [&telemetry = services_.telemetry, channel](const auto& wanted, const auto& answer) {
-        telemetry.Mirror(channel, wanted, *answer);
+      [&telemetry = services_.telemetry, channel](const auto& wanted, const auto& responder) {
+        telemetry.Mirror(channel, wanted, *responder);
       });
 }
 

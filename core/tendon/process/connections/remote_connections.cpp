@@ -154,7 +154,7 @@ void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>
     entry.handle = attempt.handle = wanted.open.handle;
     attempt.number = entry.attempt;
   }
-  // The answer is needed even after GiveUp(), because it contains the handle with which
+  // The reply is needed even after GiveUp(), because it contains the handle with which
   // CloseThere() closes the interface at the peer.
   OpenProvided(context_.network, link, wanted,
                [this, worker = context_.worker, attempt](const OpenedInterface& opened) {
@@ -162,7 +162,7 @@ void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>
                });
   context_.worker->PostAfter(
       kOpenTimeout, [this, id, number = attempt.number, peer = link->channel()->peer().name] {
-        GiveUp(id, number, NoAnswer(peer, kOpenTimeout));
+        GiveUp(id, number, NoReply(peer, kOpenTimeout));
       });
 }
 

@@ -15,7 +15,7 @@
 namespace tendon {
 namespace {
 
-constexpr std::chrono::milliseconds kAnswerTimeout(400);  // the opener waits this long
+constexpr std::chrono::milliseconds kReplyTimeout(400);  // the opener waits this long
 constexpr std::size_t kMostTypes = 8;
 
 /// Adds the types of incompatible `members` that this process does not know to `unknown`.
@@ -53,7 +53,7 @@ void RefuseMisfit(Worker& timer, const std::shared_ptr<Channel>& channel,
   AddUnknown(open.description.functions, compatibility, unknown.fingerprints);
   AddUnknown(open.description.event_handlers, compatibility, unknown.fingerprints);
   if (unknown.fingerprints.empty()) return responder->Refuse(why);
-  Ask<message::Schemas>(timer, channel, message::kGetSchemas, unknown, kAnswerTimeout,
+  Ask<message::Schemas>(timer, channel, message::kGetSchemas, unknown, kReplyTimeout,
                         [open, provided, unknown, why, responder](const auto& known) {
                           if (!known) return responder->Refuse(why);
                           const auto schemas = ReadSchemas(unknown, *known);

@@ -62,13 +62,13 @@ class EventHistory::Handler final : public CommandBase, private Mailbox::Entry {
 
   [[nodiscard]] std::uint64_t missed() const { return missed_.value(); }
 
-  Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& /*out*/) override {
+  Status ExecuteEncoded(std::span<const std::byte> in, ReplySink& /*out*/) override {
     return Post(in.size(), [&](std::span<std::byte> place) {
       std::ranges::copy(in, place.begin());
       return true;
     });
   }
-  Status ExecuteFrom(const ArgumentWriter& in, AnswerSink& /*out*/) override {
+  Status ExecuteFrom(const ArgumentWriter& in, ReplySink& /*out*/) override {
     return Post(in.size(), [&](std::span<std::byte> place) { return in.WriteTo(place); });
   }
 

@@ -41,7 +41,7 @@ struct PastEvent {
   std::vector<std::byte> value;  ///< a CDR body; empty if the event has no value
 };
 
-/// The answer to ReadEvents. It contains events of about 128 KiB, and at least one event if any
+/// The reply to ReadEvents. It contains events of about 128 KiB, and at least one event if any
 /// event is left.
 struct ReadEventsReply {
   std::uint64_t epoch = 0;          ///< identifies the interface
@@ -58,7 +58,7 @@ struct ReadLog {
   std::uint64_t first = 0;  ///< ReadLogReply::next of the previous reply; 0 in the first request
 };
 
-/// The answer to ReadLog.
+/// The reply to ReadLog.
 struct ReadLogReply {
   std::uint64_t next = 0;          ///< the number of the record after these
   std::uint64_t end = 0;           ///< the number of the next record that will be written

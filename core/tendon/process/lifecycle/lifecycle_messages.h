@@ -116,7 +116,7 @@ struct GetClasses {
   std::string process;
 };
 
-/// The answer to GetClasses.
+/// The reply to GetClasses.
 struct Classes {
   std::vector<ClassDescription> classes;    ///< of the loaded plug-ins, sorted by library and name
   std::vector<std::string> plugins;         ///< all libraries in the plug-in folders of the process

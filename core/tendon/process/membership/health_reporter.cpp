@@ -43,10 +43,10 @@ void HealthReporter::Report(Channel& channel) {
   }
   channel.Request<message::GcmClock>(
       message::kReportHealth, 0, health, kTimeout,
-      [clock = clock_, sent](const Result<message::GcmClock>& answer) {
-        if (!answer) return;  // the next report replaces this one
+      [clock = clock_, sent](const Result<message::GcmClock>& reply) {
+        if (!reply) return;  // the next report replaces this one
         const std::scoped_lock lock(clock->mutex);
-        const SteadyTime there{std::chrono::nanoseconds(answer->time)};
+        const SteadyTime there{std::chrono::nanoseconds(reply->time)};
         clock->offset.Add(sent, there, SteadyClock().Now());
       },
       kOwnLane);

@@ -10,7 +10,7 @@
 namespace tendon {
 
 /// Reports to a GCM every second how much CPU time and memory this process uses, and estimates the
-/// GCM's clock from the answers. Used by one thread; answers arrive in threads of the middleware.
+/// GCM's clock from the replies. Used by one thread; replies arrive in threads of the middleware.
 class HealthReporter {
  public:
   /// Sends a report if a second has passed or the channel has changed. If the next report is due
@@ -26,7 +26,7 @@ class HealthReporter {
   void Report(Channel& channel);
 
   std::weak_ptr<Channel> channel_;
-  std::shared_ptr<GcmClockOffset> clock_;  // shared with handlers of pending answers
+  std::shared_ptr<GcmClockOffset> clock_;  // shared with handlers of pending replies
   SteadyTime next_{};
 };
 

@@ -41,8 +41,8 @@ class Membership::GcmHandler final : public ChannelHandler {
       if (!plan) return shared->Refuse(plan.error());
       worker_->Post([&membership = membership_, plan = *plan, shared] {
         membership.delegate_.MakeConnection(plan, [&membership, shared](const auto& made) {
-          membership.Report();  // the GCM must have the report before its viewers get the answer
-          shared->Answer(made);
+          membership.Report();  // the GCM must have the report before its viewers get the reply
+          shared->ReplyWith(made);
         });
       });
     } else if (header.type == message::kBreakConnection) {
@@ -51,7 +51,7 @@ class Membership::GcmHandler final : public ChannelHandler {
       worker_->Post([&membership = membership_, required = wire->required, shared] {
         const auto broken = membership.delegate_.BreakConnection(required);
         membership.Report();
-        shared->Answer(broken);
+        shared->ReplyWith(broken);
       });
     } else if (header.type == message::kLifecycleOrder) {
       const auto order = DecodeBody<message::LifecycleOrder>(body);
@@ -64,20 +64,20 @@ class Membership::GcmHandler final : public ChannelHandler {
       worker_->Post([&membership = membership_, order = *order, begin, shared] {
         const auto done = [&membership, shared](const auto& outcome) {
           membership.Report();
-          shared->Answer(outcome);
+          shared->ReplyWith(outcome);
         };
         membership.delegate_.ExecuteOrder(order, begin, done);
       });
     } else if (header.type == message::kGetClasses) {
       worker_->Post([&membership = membership_, shared] {
-        membership.delegate_.ListClasses([shared](const auto& all) { shared->Answer(all); });
+        membership.delegate_.ListClasses([shared](const auto& all) { shared->ReplyWith(all); });
       });
     } else if (header.type == message::kSetLogLevel) {
       const auto order = DecodeBody<message::SetLogLevel>(body);
       if (order) SetLogLevel(order->level);
-      shared->Answer(order ? Result<void>() : order.error());
+      shared->ReplyWith(order ? Result<void>() : order.error());
     } else if (header.type == message::kGetSchemas) {
-      AnswerSchemas(body, *shared);
+      ReplyWithSchemas(body, *shared);
     } else {
       ChannelHandler::OnRequest(channel, header, body, std::move(*shared));
     }
@@ -309,7 +309,7 @@ bool Membership::Work(SteadyTime now, SteadyTime& next) {
     const std::scoped_lock lock(mutex_);
     if (!channel_) return false;
     channel = channel_;
-    // A large message may delay our request or the GCM's answer.
+    // A large message may delay our request or the GCM's reply.
     const SteadyTime lost =
         std::max({last_renewed_->Get(), channel->last_part(), LargeMessageInProgress::Last(now)}) +
         kSilence;

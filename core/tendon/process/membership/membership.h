@@ -107,7 +107,7 @@ class Membership final : private NetworkJob {
   HealthReporter health_;  // used only in the lease's thread
 
   // Used only on the worker.
-  std::shared_ptr<Channel> candidate_;  // channel of a join request without an answer
+  std::shared_ptr<Channel> candidate_;  // channel of a join request without a reply
   ProcessContent reported_;
   Backoff backoff_ = kLinkRetry;
   std::string logged_;

@@ -22,7 +22,7 @@ using FindBroker = std::function<Result<std::string>()>;
 /// Makes a client that opens channels to processes on demand, with `mine` as its Hello. A
 /// subscription to every row uses the broker, if the process and the middleware support this. If
 /// there is no broker, or if it delivers nothing for some seconds, the process sends the rows
-/// directly; the client logs this. `timeout` is the time to wait for an answer to ReadPast(); the
+/// directly; the client logs this. `timeout` is the time to wait for a reply to ReadPast(); the
 /// longer it is, the more time a busy process has to accept a link for it.
 std::unique_ptr<TelemetryClient> MakeTelemetryClient(
     std::shared_ptr<Middleware> middleware, ResolveAddress resolve, Hello mine,

@@ -10,7 +10,7 @@ namespace tendon {
 namespace {
 
 constexpr std::chrono::milliseconds kSourceOpenTimeout(1000);
-constexpr std::chrono::milliseconds kSourceAnswerTimeout(2000);
+constexpr std::chrono::milliseconds kSourceReplyTimeout(2000);
 constexpr std::chrono::milliseconds kListenTimeout(5000);
 constexpr std::chrono::seconds kBrokerRest(30);     // pause after a failed subscription
 constexpr std::chrono::seconds kLongestSilence(5);  // normally, a topic sends twice a second
@@ -124,16 +124,16 @@ void RowSource::RequestRows(Item& item) {
   item.stage = Stage::kRequested;
   tendon::Ask<message::SubscribeReply>(
       *worker_, channel_, message::kSubscribe, RequestFor(item.subscription->wanted()),
-      kSourceAnswerTimeout,
+      kSourceReplyTimeout,
       [self = shared_from_this(), channel = channel_,
-       subscription = item.subscription](const Result<message::SubscribeReply>& answer) {
-        auto outcome = answer;
-        if (answer) {  // before the first rows arrive
-          const auto begun = self->Begin(*channel, subscription, *answer);
+       subscription = item.subscription](const Result<message::SubscribeReply>& reply) {
+        auto outcome = reply;
+        if (reply) {  // before the first rows arrive
+          const auto begun = self->Begin(*channel, subscription, *reply);
           if (!begun) outcome = begun.error();
         }
         self->worker_->Post([self, channel, subscription, outcome] {
-          self->OnAnswer(channel, subscription, outcome);
+          self->OnReply(channel, subscription, outcome);
         });
       });
 }
@@ -156,27 +156,27 @@ void RowSource::RequestTopic(Item& item, const std::string& broker) {
   item.stage = Stage::kRequested;
   tendon::Ask<message::JoinTopicReply>(
       *worker_, channel_, message::kJoinTopic, RequestFor(item.subscription->wanted()),
-      kSourceAnswerTimeout,
+      kSourceReplyTimeout,
       [self = shared_from_this(), channel = channel_, subscription = item.subscription,
-       broker](const Result<message::JoinTopicReply>& answer) {
-        self->worker_->Post([self, channel, subscription, broker, answer] {
-          self->OnTopicJoined(channel, subscription, broker, answer);
+       broker](const Result<message::JoinTopicReply>& reply) {
+        self->worker_->Post([self, channel, subscription, broker, reply] {
+          self->OnTopicJoined(channel, subscription, broker, reply);
         });
       });
 }
 
 void RowSource::OnTopicJoined(const std::shared_ptr<Channel>& channel,
                               const SharedSubscription& subscription, const std::string& broker,
-                              const Result<message::JoinTopicReply>& answer) {
+                              const Result<message::JoinTopicReply>& reply) {
   Item* item = Find(subscription);
   const bool is_void = item == nullptr || channel != channel_;
   if (is_void) {
-    if (answer) Unsubscribe(*channel, answer->subscribed.handle);
+    if (reply) Unsubscribe(*channel, reply->subscribed.handle);
     return;
   }
-  if (!answer) return FallBack(*item, answer.error());
-  if (const auto followed = Follow(*item, broker, *answer); !followed) {
-    Unsubscribe(*channel, answer->subscribed.handle);
+  if (!reply) return FallBack(*item, reply.error());
+  if (const auto followed = Follow(*item, broker, *reply); !followed) {
+    Unsubscribe(*channel, reply->subscribed.handle);
     FallBack(*item, followed.error());
   }
 }
@@ -259,23 +259,23 @@ Result<void> RowSource::Begin(Channel& channel,
   return {};
 }
 
-void RowSource::OnAnswer(const std::shared_ptr<Channel>& channel,
-                         const std::shared_ptr<RowSubscription>& subscription,
-                         const Result<message::SubscribeReply>& answer) {
+void RowSource::OnReply(const std::shared_ptr<Channel>& channel,
+                        const std::shared_ptr<RowSubscription>& subscription,
+                        const Result<message::SubscribeReply>& reply) {
   Item* item = Find(subscription);
   const bool is_void = item == nullptr || channel != channel_;
   if (is_void) {
-    if (answer) Unsubscribe(*channel, answer->handle);
+    if (reply) Unsubscribe(*channel, reply->handle);
     return;
   }
-  if (answer) {
+  if (reply) {
     item->stage = Stage::kActive;
-    item->handle = answer->handle;
+    item->handle = reply->handle;
     backoff_.Reset();
     return;
   }
   item->stage = Stage::kWanted;
-  subscription->Interrupt(answer.error());
+  subscription->Interrupt(reply.error());
   RetryLater();
 }
 
@@ -299,7 +299,7 @@ void RowSource::OnNotice(const std::shared_ptr<Channel>& channel, const FrameHea
 void RowSource::OnRows(Channel& channel, std::uint32_t handle, std::span<const std::byte> body) {
   std::unique_lock lock(mutex_);
   const auto found = active_.find({&channel, handle});
-  if (found == active_.end()) {  // the subscription has ended, or the answer came too late
+  if (found == active_.end()) {  // the subscription has ended, or the reply came too late
     lock.unlock();
     (void)channel.Notify(message::kUnsubscribe, handle, Bytes());
     return;

@@ -146,7 +146,7 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   void RequestTopic(Item& item, const std::string& broker);
   void OnTopicJoined(const std::shared_ptr<Channel>& channel,
                      const SharedSubscription& subscription, const std::string& broker,
-                     const Result<message::JoinTopicReply>& answer);
+                     const Result<message::JoinTopicReply>& reply);
   Result<void> Follow(Item& item, const std::string& broker, const message::JoinTopicReply& joined);
   void MonitorTopic(const SharedSubscription& subscription,
                     const std::shared_ptr<TopicState>& line);
@@ -155,9 +155,9 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   Result<void> Begin(Channel& channel, const std::shared_ptr<RowSubscription>& subscription,
                      const message::SubscribeReply& subscribed);
   void OnRows(Channel& channel, std::uint32_t handle, std::span<const std::byte> body);
-  void OnAnswer(const std::shared_ptr<Channel>& channel,
-                const std::shared_ptr<RowSubscription>& subscription,
-                const Result<message::SubscribeReply>& answer);
+  void OnReply(const std::shared_ptr<Channel>& channel,
+               const std::shared_ptr<RowSubscription>& subscription,
+               const Result<message::SubscribeReply>& reply);
   /// Ends a subscription at the process. Any thread.
   void Unsubscribe(Channel& channel, std::uint32_t handle);
   void RetryLater();

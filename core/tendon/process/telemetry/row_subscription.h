@@ -27,7 +27,7 @@ class RowSubscription {
   /// The row with which the subscription starts. kFirstTick: the announced row. kFirstBatch: the
   /// first row that arrives, for rows that arrive through a topic.
   enum class Start { kFirstTick, kFirstBatch };
-  /// Activates the subscription. Returns an error if the answer is invalid. Otherwise returns the
+  /// Activates the subscription. Returns an error if the reply is invalid. Otherwise returns the
   /// number of this activation, which must be passed to Deliver(). Rows that were written while the
   /// subscription was inactive count as lost.
   Result<std::uint64_t> Begin(const message::SubscribeReply& subscribed,

@@ -12,10 +12,10 @@
 namespace tendon_test {
 namespace {
 
-using tendon::AnswerSink;
 using tendon::ArgumentWriter;
 using tendon::CommandBase;
 using tendon::None;
+using tendon::ReplySink;
 using tendon::Status;
 using tendon::test::Encoded;
 using Bytes = std::vector<std::byte>;
@@ -25,11 +25,11 @@ class KeepingTarget final : public CommandBase {
  public:
   KeepingTarget() : CommandBase(tendon::layout::kNone, tendon::layout::kNone) {}
 
-  Status ExecuteEncoded(std::span<const std::byte> /*in*/, AnswerSink& /*out*/) override {
+  Status ExecuteEncoded(std::span<const std::byte> /*in*/, ReplySink& /*out*/) override {
     ADD_FAILURE() << "the argument was encoded elsewhere";
     return Status::kFailed;
   }
-  Status ExecuteFrom(const ArgumentWriter& in, AnswerSink& /*out*/) override {
+  Status ExecuteFrom(const ArgumentWriter& in, ReplySink& /*out*/) override {
     if (!accepts) return Status::kQueueFull;
     kept.resize(in.size());
     return in.WriteTo(kept) ? Status::kQueued : Status::kFailed;
@@ -44,7 +44,7 @@ class EchoingTarget final : public CommandBase {
  public:
   EchoingTarget() : CommandBase(tendon::layout::kNone, tendon::layout::kNone) {}
 
-  Status ExecuteEncoded(std::span<const std::byte> in, AnswerSink& out) override {
+  Status ExecuteEncoded(std::span<const std::byte> in, ReplySink& out) override {
     std::ranges::copy(in, out.Room(in.size()).begin());
     return Status::kDone;
   }

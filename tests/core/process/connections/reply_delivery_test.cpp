@@ -20,11 +20,11 @@ struct FrameCounts {
 };
 
 /// A reply that is counted when it ends, at once or deferred.
-class CountedAnswer final : public tendon::ReplySlot {
+class CountedReply final : public tendon::ReplySlot {
  public:
-  CountedAnswer(tendon::ReplySlot& answer, std::shared_ptr<FrameCounts> counts)
+  CountedReply(tendon::ReplySlot& answer, std::shared_ptr<FrameCounts> counts)
       : answer_(answer), counts_(std::move(counts)) {}
-  CountedAnswer(std::unique_ptr<tendon::ReplySlot> later, std::shared_ptr<FrameCounts> counts)
+  CountedReply(std::unique_ptr<tendon::ReplySlot> later, std::shared_ptr<FrameCounts> counts)
       : later_(std::move(later)), answer_(*later_), counts_(std::move(counts)) {}
 
  private:
@@ -37,7 +37,7 @@ class CountedAnswer final : public tendon::ReplySlot {
   }
   std::unique_ptr<tendon::ReplySlot> MakeDeferred() override {
     auto later = answer_.Defer();
-    return later ? std::make_unique<CountedAnswer>(std::move(later), counts_) : nullptr;
+    return later ? std::make_unique<CountedReply>(std::move(later), counts_) : nullptr;
   }
 
   const std::unique_ptr<tendon::ReplySlot> later_;
@@ -81,7 +81,7 @@ class CountingMiddleware final : public tendon::Middleware {
     }
     void OnDirectFrame(std::span<const std::byte> frame, tendon::ReplySlot& answer) override {
       ++counts_->asked;
-      CountedAnswer counted(answer, counts_);
+      CountedReply counted(answer, counts_);
       handler_->OnDirectFrame(frame, counted);
     }
     void OnClosed(const tendon::Error& reason) override { handler_->OnClosed(reason); }

@@ -36,7 +36,7 @@ class Lingering final : public tendon::Component {
 
 /// Process robot answers pings at once. It answers requests to connect late, because its worker
 /// waits for the end of a component.
-class LateAnswer : public RemoteConnection {
+class LateReply : public RemoteConnection {
  protected:
   void SetUp() override {
     StartRobot();
@@ -78,7 +78,7 @@ class LateAnswer : public RemoteConnection {
   std::future<bool> removed;
 };
 
-TEST_P(LateAnswer, ToATimedOutAttemptLeavesNoSecondConnection) {
+TEST_P(LateReply, ToATimedOutAttemptLeavesNoSecondConnection) {
   ASSERT_TRUE(desk->Connect(kRobot, kControl).ok());
   ASSERT_EQ(desk->connections().front().state, ConnectionState::kPending);
   EXPECT_THAT(Reason(), HasSubstr("no answer from robot"));
@@ -91,7 +91,7 @@ TEST_P(LateAnswer, ToATimedOutAttemptLeavesNoSecondConnection) {
   EXPECT_TRUE(EventuallyTrue([&] { return plant->stops.size() == 1; }));
 }
 
-TEST_P(LateAnswer, AfterADisconnectLeavesNoConnection) {
+TEST_P(LateReply, AfterADisconnectLeavesNoConnection) {
   ASSERT_TRUE(desk->Connect(kRobot, kControl).ok());
   ASSERT_TRUE(desk->Disconnect(kRobot).ok());
 
@@ -102,6 +102,6 @@ TEST_P(LateAnswer, AfterADisconnectLeavesNoConnection) {
   EXPECT_TRUE(desk->connections().empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Over, LateAnswer, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
+INSTANTIATE_TEST_SUITE_P(Over, LateReply, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
 
 }  // namespace

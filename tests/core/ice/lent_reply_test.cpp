@@ -70,9 +70,9 @@ class Borrower final : public LinkHandler {
   std::promise<Heard> next_;
 };
 
-class LentAnswer : public testing::Test {
+class LentReply : public testing::Test {
  protected:
-  LentAnswer() {
+  LentReply() {
     auto listener = server_->Listen(
         "127.0.0.1:0", [](const auto& link) { return std::make_shared<Filler>(link); });
     EXPECT_TRUE(listener);
@@ -97,7 +97,7 @@ class LentAnswer : public testing::Test {
   std::shared_ptr<Link> link_;
 };
 
-TEST_F(LentAnswer, ALargeReplyIsLentWithoutACopy) {
+TEST_F(LentReply, ALargeReplyIsLentWithoutACopy) {
   constexpr std::uint32_t kFirst = 1'000'000;
   constexpr std::uint32_t kSecond = 900'001;
 
@@ -111,14 +111,14 @@ TEST_F(LentAnswer, ALargeReplyIsLentWithoutACopy) {
   EXPECT_TRUE(std::ranges::equal(second.frame, FrameOf(kSecond, kSecond)));
 }
 
-TEST_F(LentAnswer, ASmallReplyIsCopied) {
+TEST_F(LentReply, ASmallReplyIsCopied) {
   const auto heard = Ask(100);
 
   EXPECT_EQ(heard.owner, nullptr);
   EXPECT_EQ(heard.copy, FrameOf(100, 100));
 }
 
-TEST_F(LentAnswer, AnUnfinishedReplyIsARefusal) {
+TEST_F(LentReply, AnUnfinishedReplyIsARefusal) {
   const auto heard = Ask(Filler::kBroken);
 
   const auto header = ReadWholeFrame(heard.copy);

@@ -24,7 +24,7 @@ bool Leave(ReplySlot& answer, std::uint32_t number) {
   return true;
 }
 
-TEST_P(LaterAnswerContract, MayBeFilledByAnyThreadInAnyOrder) {
+TEST_P(LaterReplyContract, MayBeFilledByAnyThreadInAnyOrder) {
   const auto leave = [](ReplySlot& answer, std::uint32_t number) {
     return std::async(std::launch::async, [&] { return Leave(answer, number); }).get();
   };
@@ -40,7 +40,7 @@ TEST_P(LaterAnswerContract, MayBeFilledByAnyThreadInAnyOrder) {
   EXPECT_TRUE(recorder_->intact());
 }
 
-TEST_P(LaterAnswerContract, DroppingTheSlotSendsNoReply) {
+TEST_P(LaterReplyContract, DroppingTheSlotSendsNoReply) {
   Ask().reset();
 
   EXPECT_TRUE(EventuallyTrue([&] { return Leave(*Ask(), 7); }));
@@ -50,7 +50,7 @@ TEST_P(LaterAnswerContract, DroppingTheSlotSendsNoReply) {
   EXPECT_EQ(recorder_->closed(), 0);
 }
 
-TEST_P(LaterAnswerContract, AnUnfinishedReplyDoesNotCloseTheLink) {
+TEST_P(LaterReplyContract, AnUnfinishedReplyDoesNotCloseTheLink) {
   EXPECT_TRUE(EventuallyTrue([&] { return Begin(*Ask(), 1).has_value(); }));
 
   EXPECT_TRUE(EventuallyTrue([&] { return Leave(*Ask(), 7); }));
@@ -62,7 +62,7 @@ TEST_P(LaterAnswerContract, AnUnfinishedReplyDoesNotCloseTheLink) {
   EXPECT_EQ(recorder_->closed(), 0);
 }
 
-TEST_P(LaterAnswerContract, APendingReplyDoesNotDelayTheOpenersClose) {
+TEST_P(LaterReplyContract, APendingReplyDoesNotDelayTheOpenersClose) {
   const auto answer = Ask();
 
   asker_->Close();
@@ -72,7 +72,7 @@ TEST_P(LaterAnswerContract, APendingReplyDoesNotDelayTheOpenersClose) {
   if (Begin(*answer, 1)) answer->End();  // the caller no longer waits
 }
 
-TEST_P(LaterAnswerContract, APendingReplyDoesNotDelayTheAcceptorsClose) {
+TEST_P(LaterReplyContract, APendingReplyDoesNotDelayTheAcceptorsClose) {
   const auto answer = Ask();
 
   keeper_->link()->Close();
@@ -81,7 +81,7 @@ TEST_P(LaterAnswerContract, APendingReplyDoesNotDelayTheAcceptorsClose) {
   EXPECT_TRUE(keeper_->WaitForClosed());
 }
 
-TEST_P(LaterAnswerContract, APendingReplyDoesNotDelayShutdown) {
+TEST_P(LaterReplyContract, APendingReplyDoesNotDelayShutdown) {
   const auto answer = Ask();
 
   End();
