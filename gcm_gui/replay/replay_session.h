@@ -118,8 +118,8 @@ class ReplaySession : public QObject {
   QList<std::int64_t> marks_;
   std::function<std::int64_t()> past_wanted_;
   std::int64_t position_ = 0;
-  std::int64_t past_read_ =
-      0;  // time before the moment of the latest jump for which rows were read, ns
+  // Time before the moment of the latest jump for which rows were read, ns.
+  std::int64_t past_read_ = 0;
   std::int64_t read_from_ = 0;          // earliest time with rows
   std::optional<std::int64_t> wanted_;  // target of the next jump
   std::optional<std::int64_t> reopened_at_;

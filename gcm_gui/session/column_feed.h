@@ -35,8 +35,8 @@ class ColumnFeed final : public RowSink {
   };
   struct NewSamples {
     std::vector<Run> runs;
-    std::optional<QString>
-        stale;  ///< the reason why there are no samples; no value if there are samples
+    /// The reason why there are no samples; no value if there are samples.
+    std::optional<QString> stale;
     /// The names of the number's values, as soon as they are known; null if the values are plain
     /// numbers.
     std::optional<ValueNamesPointer> names;

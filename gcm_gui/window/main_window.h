@@ -162,8 +162,8 @@ class MainWindow : public QMainWindow {
   GcmSwitcher* other_ = nullptr;
   GcmLauncher* gcm_start_ = nullptr;
   QTimer second_;
-  std::int64_t lost_since_ =
-      0;  // the time when the GCM was lost, ns since 1970; 0 while it is reachable
+  // The time when the GCM was lost, ns since 1970; 0 while it is reachable.
+  std::int64_t lost_since_ = 0;
 };
 
 }  // namespace tendon::gui

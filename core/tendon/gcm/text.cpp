@@ -223,8 +223,8 @@ std::string WallTimeText(std::int64_t nanoseconds) {
 
 std::string FineWallTimeText(std::int64_t nanoseconds) {
   constexpr std::int64_t kMillisecond = 1'000'000;
-  const std::int64_t below_second =
-      (nanoseconds / kMillisecond % 1000 + 1000) % 1000;  // positive, even before 1970
+  // Positive, even before 1970.
+  const std::int64_t below_second = (nanoseconds / kMillisecond % 1000 + 1000) % 1000;
   std::string milliseconds = std::to_string(1000 + below_second);
   milliseconds.front() = '.';
   return WallTimeText(nanoseconds) + milliseconds;

@@ -118,8 +118,8 @@ class ObservedCallWriter final : public ArgumentWriter {
  private:
   static constexpr bool kHasArgument = !std::is_same_v<In, None>;
   static constexpr bool kHasResult = !std::is_same_v<Out, None>;
-  static inline const Out
-      kNoResult{};  // created before the first call, because a call must not allocate
+  // Created before the first call, because a call must not allocate.
+  static inline const Out kNoResult{};
 
   const CallHeader& header_;
   const In& in_;

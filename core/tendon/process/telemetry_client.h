@@ -89,8 +89,8 @@ struct TableSubscription {
 /// The result of ReadPast().
 struct PastRows {
   std::uint64_t rows = 0;  ///< rows that were read
-  std::uint64_t lost =
-      0;  ///< missing rows: they were written between the rows that were read, but were not kept
+  /// Missing rows: they were written between the rows that were read, but were not kept.
+  std::uint64_t lost = 0;
   std::chrono::nanoseconds reach{0};  ///< the age of the oldest row that was read; 0 without rows
   std::optional<Error> failure;       ///< the reason why not all rows could be read
 };

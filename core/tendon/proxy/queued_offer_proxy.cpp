@@ -48,8 +48,8 @@ class SlotBuffers {
   }
   /// Must be called after the last use of a buffer. Frees it if all buffers together are too large.
   void FreeIfMany(std::size_t slot) noexcept {
-    const std::uint64_t freed =
-        freed_.value();  // read before grown_, so that the difference is never below zero
+    // Read before grown_, so that the difference is never below zero.
+    const std::uint64_t freed = freed_.value();
     if (grown_.value() - freed <= most_kept_) return;
     freed_.Add(buffers_[slot].capacity());
     buffers_[slot] = {};
@@ -307,8 +307,8 @@ class ObservedCallProxy final : public CommandBase, private Mailbox::Entry {
     return ExecuteFrom(EncodedArgument(in), out);
   }
   Status ExecuteFrom(const ArgumentWriter& in, ReplySink& /*out*/) override {
-    const Status posted =
-        ComponentAccess::CatchExceptions(nullptr, [&] { return Post(in); });  // the codec may throw
+    // The codec may throw.
+    const Status posted = ComponentAccess::CatchExceptions(nullptr, [&] { return Post(in); });
     if (!posted) lost_.Add();
     return posted;
   }

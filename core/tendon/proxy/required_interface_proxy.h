@@ -67,8 +67,8 @@ class RequiredInterfaceProxy final : public NetworkJob,
   /// The connected component.
   struct Server {
     const ProvidedInterface* interface = nullptr;
-    std::function<std::string()>
-        fault;  ///< returns the reason why the component is faulted; called in any thread
+    /// Returns the reason why the component is faulted; called in any thread.
+    std::function<std::string()> fault;
   };
   /// From now on, reports to the peer the state of the server, and which calls of `connection` were
   /// executed. Returns true if the server executes calls now. The arguments must exist until

@@ -446,8 +446,8 @@ void Recorder::KeepLosses() {
   const auto pause = std::max<std::chrono::nanoseconds>(kShortest, options_.before / kMost);
   if (!kept_losses_.empty() && now - kept_losses_.back().first < pause) return;
   kept_losses_.emplace_back(now, queue_->losses());
-  constexpr auto kLatest =
-      1s;  // the longest delay until the recorder knows that a trigger has fired
+  // The longest delay until the recorder knows that a trigger has fired.
+  constexpr auto kLatest = 1s;
   while (kept_losses_.size() > 1 && kept_losses_[1].first <= now - options_.before - kLatest) {
     kept_losses_.pop_front();
   }

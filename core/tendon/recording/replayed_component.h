@@ -40,8 +40,8 @@ class ReplayedComponent final : public Component {
 
   const std::shared_ptr<ReplayedMembers> members_;
   double period_ = 0.0;
-  std::vector<std::unique_ptr<ReplayedEvent>>
-      silent_events_;  // events that are not in the recording
+  // Events that are not in the recording.
+  std::vector<std::unique_ptr<ReplayedEvent>> silent_events_;
   RateLimitedWarning refused_;
 };
 

@@ -45,8 +45,8 @@ struct Transition {
   ComponentState from;
   LifecycleRequest request;
   ComponentState to;  ///< equal to `from` if the request is refused
-  std::string_view
-      refusal{};  ///< the text after "component 'arm' is active"; empty if the request is allowed
+  /// The text after "component 'arm' is active"; empty if the request is allowed.
+  std::string_view refusal{};
   bool configures_first = false;
 };
 

@@ -32,8 +32,8 @@ struct NodePicture {
   QString path;
   QString name;
   ComponentState state = ComponentState::kConstructed;
-  std::vector<UnsatisfiedInterface>
-      waits{};  ///< the connections for which a running component still waits
+  /// The connections for which a running component still waits.
+  std::vector<UnsatisfiedInterface> waits{};
   std::vector<PortPicture> required;
   std::vector<PortPicture> provided;
   QSizeF size;  ///< the size that the node needs in the theme's fonts

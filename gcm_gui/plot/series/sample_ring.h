@@ -17,8 +17,8 @@ inline constexpr std::int64_t kClockToleranceNs = 1'000'000'000;
 
 /// The value of one signal in one row of its state table.
 struct Sample {
-  std::int64_t time_ns =
-      0;                   ///< the time when the row was written, on the steady clock of the source
+  /// The time when the row was written, on the steady clock of the source.
+  std::int64_t time_ns = 0;
   std::uint64_t tick = 0;  ///< number of the row; the next row has the next number
   ExactNumber value;
 };

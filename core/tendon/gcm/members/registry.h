@@ -125,8 +125,8 @@ class Registry {
   Catalogue catalogue_;
   DescriptionPool pool_;
   std::map<SessionToken, Member> members_;
-  std::map<std::string, SteadyTime>
-      tombstones_;  // the time when each absent process was lost, by name
+  // The time when each absent process was lost, by name.
+  std::map<std::string, SteadyTime> tombstones_;
   /// Processes that are being started, with their former entries in the catalogue.
   std::map<std::string, std::optional<ProcessDescription>> expected_;
   ConnectionRestorer restorer_;

@@ -72,8 +72,8 @@ class PeerLinks {
   std::map<std::string, std::shared_ptr<PeerLink>> links_;
   std::map<std::string, std::vector<Done>> openings_;  // the callbacks that wait for each process
   std::map<std::string, UnresponsivePeer> unresponsive_;
-  std::deque<std::string>
-      unresponsive_queue_;  // to be opened one at a time; the first one is being opened
+  // To be opened one at a time; the first one is being opened.
+  std::deque<std::string> unresponsive_queue_;
 };
 
 }  // namespace tendon

@@ -49,8 +49,8 @@ class TableHistory {
   const StateTable& table_;
   const std::uint64_t first_tick_;
   HistoryRing ring_;
-  std::optional<RowCursor>
-      rows_;  // empty before the first row, because columns may be added until then
+  // Empty before the first row, because columns may be added until then.
+  std::optional<RowCursor> rows_;
   std::vector<std::byte> body_;
   std::uint64_t missed_ = 0;
   SteadyTime looked_;                 // the time of the last estimate

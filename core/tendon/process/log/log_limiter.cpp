@@ -36,8 +36,8 @@ LogLimiter::Bucket& LogLimiter::BucketOf(std::string_view source, SteadyTime now
   if (const auto found = buckets_.find(source); found != buckets_.end()) return found->second;
   if (buckets_.size() >= kMostSources && now >= next_sweep_) {
     std::erase_if(buckets_, [now](const auto& one) {
-      return one.second.due <= now &&
-             one.second.suppressed == 0;  // this bucket equals a new bucket
+      // This bucket equals a new bucket.
+      return one.second.due <= now && one.second.suppressed == 0;
     });
     next_sweep_ = now + kUntilTold;
   }

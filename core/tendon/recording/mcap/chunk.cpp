@@ -39,9 +39,8 @@ Result<ByteView> BufferedFile::At(std::uint64_t offset, std::size_t size) {
   if (offset < begin_ || offset - begin_ > buffer_.size() ||
       size > buffer_.size() - (offset - begin_)) {
     auto filled = Fill(offset, std::min<std::uint64_t>(size + ahead_, file_.size() - offset));
-    if (!filled)
-      filled =
-          Fill(offset, size);  // the disk may have a bad sector in the bytes that were read ahead
+    // The disk may have a bad sector in the bytes that were read ahead.
+    if (!filled) filled = Fill(offset, size);
     if (!filled) return filled.error();
   }
   return ByteView(buffer_).subspan(static_cast<std::size_t>(offset - begin_), size);

@@ -81,8 +81,8 @@ Result<Compression> ParseFormatName(std::string_view name) {
 }
 
 std::uint32_t Crc32(ByteView bytes, std::uint32_t before) noexcept {
-  if (bytes.empty())
-    return before;  // zlib treats a null pointer as a request for the initial value
+  // zlib treats a null pointer as a request for the initial value.
+  if (bytes.empty()) return before;
   return static_cast<std::uint32_t>(
       crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
