@@ -42,7 +42,8 @@ class LogDeferral {
   ~LogDeferral() = default;
 };
 
-/// While this object exists, the log records of its thread go to a deferral. Scopes may be nested.
+/// While this object exists, the log records of the thread that made it are not logged, but stored
+/// in `deferral`. If scopes are nested, the deferral of the innermost scope gets the records.
 class LogDeferralScope {
  public:
   explicit LogDeferralScope(LogDeferral& deferral) noexcept;

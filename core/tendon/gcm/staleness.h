@@ -35,8 +35,8 @@ enum class StaleReason { kNone, kNotStarted, kSuspended, kFinished, kFaulted, kN
   return "lost";
 }
 
-/// Determines the reason from the states of a process and its component. If the process does not
-/// reply or is lost, the state of the component is ignored.
+/// Returns the reason why the values of a component are not current; kNone if they are. The state
+/// of the component counts only while its process is alive.
 [[nodiscard]] constexpr StaleReason StaleReasonOf(ProcessState process,
                                                   ComponentState component) noexcept {
   if (process == ProcessState::kSuspect) return StaleReason::kNoAnswer;

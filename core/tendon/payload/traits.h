@@ -21,8 +21,8 @@ template <typename T>
 concept Character = std::same_as<T, char> || std::same_as<T, wchar_t> || std::same_as<T, char8_t> ||
     std::same_as<T, char16_t> || std::same_as<T, char32_t>;
 
-/// bool, std::byte, integers of 8 to 64 bits, float and double. Not `char`, because its sign
-/// depends on the machine.
+/// A bool, a std::byte, an integer of 8 to 64 bits, a float or a double. Characters are not numbers
+/// here: a `char` is signed on some machines and unsigned on others.
 template <typename T>
 concept Number = (std::integral<T> && !Character<T> && sizeof(T) <= sizeof(std::uint64_t)) ||
                  std::same_as<T, float> || std::same_as<T, double> || std::same_as<T, std::byte>;

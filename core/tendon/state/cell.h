@@ -29,8 +29,9 @@ struct CellLayout {
   bool operator==(const CellLayout&) const = default;
 };
 
-/// True if a value of T has the same bytes in memory as on the wire: numbers without gaps, in the
-/// order of the description. For most types the compiler turns this function into a constant.
+/// Returns true if the bytes of `value` in memory are the bytes of its encoding. This is the case
+/// if T consists only of numbers, in the order of its description and without padding. For most
+/// types the compiler turns this function into a constant.
 template <FixedPayload T>
 bool LiesAsOnWire(const T& value) noexcept {
   if constexpr (!std::is_trivially_copyable_v<T> || sizeof(T) != kEncodedSize<T>) {
@@ -83,8 +84,8 @@ void LoadCell(const RowRing<>::Word* cell, std::byte* bytes) noexcept {
   }
 }
 
-/// Returns a buffer of `words` words, into which the calling thread reads rows. The memory is
-/// reused, so a call allocates only if the buffer has never been large enough.
+/// Returns the buffer into which the calling thread reads rows, with a size of `words` words. Each
+/// thread has one buffer and keeps it, so memory is allocated only if the buffer must grow.
 std::span<std::uint64_t> RowBuffer(std::size_t words);
 
 /// A reader's copy of one cell. The content is valid only if the check of the row's tick succeeds

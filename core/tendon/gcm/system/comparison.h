@@ -59,8 +59,7 @@ enum class StartComparison {
 [[nodiscard]] bool IsSameThread(const SystemFile::Component& one,
                                 const SystemFile::Component& other);
 
-/// Returns true if a component in one state satisfies a request for the other state. This is the
-/// case if the states are equal, or if the component runs in neither of them.
+/// Returns true if the two states are equal, or if the component runs in neither.
 [[nodiscard]] bool SatisfiesSameRequest(ComponentState one, ComponentState other);
 
 /// Returns true if both texts are equal, or if both are equal as JSON.

@@ -10,8 +10,8 @@
 
 namespace tendon {
 
-/// The time limit of a command that must be renewed: runs `end` if the next call does not arrive in
-/// time.
+/// Ends the effect of a command that the client must repeat, for example a movement: runs `end` if
+/// the command was executed, but not again within the time limit.
 ///
 /// Thread safety: only the thread that executes the calls of the component uses it.
 class Expiry {

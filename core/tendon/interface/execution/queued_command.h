@@ -26,7 +26,7 @@ inline constexpr bool kLiesInSlot = std::is_trivially_copyable_v<T>;
 /// component without a thread has no mailbox; then the caller's thread runs `handler`, if
 /// `component` accepts calls.
 ///
-/// A caller gets the reply only if it waits. Replies are stored in a pool, because the caller may
+/// A caller gets the result only if it waits. Results are stored in a pool, because the caller may
 /// stop waiting before its call ends.
 template <Payload In, Payload Out, typename Handler>
 class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {

@@ -12,8 +12,8 @@
 
 namespace tendon {
 
-/// Reads the kept rows of a state table as one series without duplicates. The series consists of
-/// the rows in the history of the process and the rows that are still in the table.
+/// Reads all rows of a state table that this process still has, in the order of their ticks: first
+/// the rows in the history, then the newer rows in the table. A row that is in both is read once.
 ///
 /// Thread safety: one thread at a time. The history must not change meanwhile.
 class KeptRows {
