@@ -7,8 +7,6 @@
 namespace tendon {
 namespace {
 
-/// The handle and the size of a call.
-constexpr std::size_t kCallHead = 8;
 /// The place of the argument in the frame of a batch with only one call.
 constexpr std::size_t kFirstArgument = FrameHeader::kSize + kCallHead;
 

@@ -12,6 +12,9 @@
 
 namespace tendon {
 
+/// The number of bytes in front of the argument of a call: its handle and the size of its argument.
+inline constexpr std::size_t kCallHead = 8;
+
 /// Several calls or events in the body of one frame, so that a burst of calls needs only one frame.
 /// Each call consists of u32 handle, u32 size, the argument, and padding to 8 bytes; little-endian.
 /// The memory in front of the body is reserved for the header of the frame.
@@ -72,13 +75,12 @@ class CallBuffer {
 /// incomplete call.
 template <typename Visitor>
 void ForEachCall(std::span<const std::byte> body, Visitor visit) {
-  constexpr std::size_t kHead = 8;
-  while (body.size() >= kHead) {
+  while (body.size() >= kCallHead) {
     std::uint32_t handle = 0;
     std::uint32_t size = 0;
     std::memcpy(&handle, body.data(), sizeof handle);
     std::memcpy(&size, body.data() + sizeof handle, sizeof size);
-    body = body.subspan(kHead);
+    body = body.subspan(kCallHead);
     if (size > body.size()) return;
     visit(handle, body.first(size));
     const std::size_t padded = (std::size_t{size} + 7) / 8 * 8;

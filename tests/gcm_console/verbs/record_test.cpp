@@ -181,7 +181,7 @@ TEST_F(RecordTest, ContinuesWithARestartedProcessAndWithoutAGcm) {
 
   const auto reader = mcap::Reader::Open(std::filesystem::path(file));
   ASSERT_TRUE(reader);
-  EXPECT_TRUE(tendon::mcap::Verify(**reader).is_intact());
+  EXPECT_EQ(tendon::mcap::Verify(**reader).problems.count(), 0U);
   std::size_t channels = 0;
   for (const auto& [id, channel] : (*reader)->channels()) {
     channels += channel.topic == "robot/odometer/state/Count" ? 1 : 0;

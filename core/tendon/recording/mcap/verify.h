@@ -11,8 +11,6 @@ struct Verification {
   Statistics found;   ///< counts of the data in the file, independent of the summary
   Problems problems;  ///< everything that is damaged or missing, including problems found when the
                       ///< file was opened
-
-  [[nodiscard]] bool is_intact() const { return problems.count() == 0; }
 };
 
 /// Reads the whole file and checks all redundant data of the format: the checksums of chunks,

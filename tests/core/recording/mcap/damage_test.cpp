@@ -185,7 +185,7 @@ TEST_P(DamageTest, NoFlippedByteIsReadInSilence) {
     const Found found = FindIn(reader, sample);
     ASSERT_TRUE(IsRightOrTold(reader, sample, found));
     if (found.messages == sample.messages.size()) ++complete;
-    ASSERT_FALSE(Verify(reader).is_intact()) << "Verify() sees every flipped byte";
+    ASSERT_GT(Verify(reader).problems.count(), 0U) << "Verify() sees every flipped byte";
   });
 
   EXPECT_GT(complete, sample.bytes.size() / ByteDistance() / 100)
