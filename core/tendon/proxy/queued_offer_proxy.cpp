@@ -1,5 +1,6 @@
 #include <tendon/base/clock.h>
 #include <tendon/interface/command.h>
+#include <tendon/interface/execution/blocking_call_entry.h>
 #include <tendon/interface/execution/component_access.h>
 #include <tendon/interface/execution/latest_value.h>
 #include <tendon/proxy/queued_offer_proxy.h>
@@ -125,27 +126,7 @@ class QueuedCommandProxy : public CommandBase, protected Mailbox::Entry {
   Mailbox& mailbox_;
 
  private:
-  /// The entry for calls whose callers wait.
-  class BlockingCallEntry final : public Mailbox::Entry {
-   public:
-    explicit BlockingCallEntry(QueuedCommandProxy& command) : command_(command) {}
-
-    void ExecuteSlot(std::byte* /*argument*/, std::size_t slot) override {
-      const auto call = command_.callers_->Start(RecordOf(slot));
-      if (call) command_.Hand(*call, command_.arguments_[slot].argument());
-      command_.arguments_.FreeIfMany(slot);
-    }
-    void DropSlot(std::byte* /*argument*/, std::size_t slot) noexcept override {
-      command_.callers_->Drop(RecordOf(slot));
-    }
-
-   private:
-    [[nodiscard]] std::size_t RecordOf(std::size_t slot) const noexcept {
-      return command_.mailbox_.completions().RecordOf(slot);
-    }
-
-    QueuedCommandProxy& command_;
-  };
+  friend class BlockingCallEntry<QueuedCommandProxy>;
 
   /// Sends the call in the caller's thread and waits for the reply, so that no other thread must
   /// be woken. Returns nothing, and changes nothing, if other calls must be sent first.
@@ -236,10 +217,6 @@ class QueuedCommandProxy : public CommandBase, protected Mailbox::Entry {
     return {
         .handle = handle_, .argument = std::move(argument), .callers = callers_, .number = call};
   }
-  void Hand(std::uint64_t call, std::span<const std::byte> argument) {
-    outbox_.SetBlockingCall(BlockingCallOf(call, Bytes(argument.begin(), argument.end())));
-  }
-
   void ExecuteSlot(std::byte* /*argument*/, std::size_t slot) override {
     outbox_.waiting_bytes().Give(arguments_[slot].argument().size());
     outbox_.SendOrBatch(handle_, arguments_[slot], mailbox_);
@@ -249,9 +226,20 @@ class QueuedCommandProxy : public CommandBase, protected Mailbox::Entry {
     outbox_.waiting_bytes().Give(arguments_[slot].argument().size());
   }
 
+  void ExecuteBlockingCall(std::byte* /*argument*/, std::size_t slot) {
+    if (const auto call = callers_->Start(mailbox_.completions().RecordOf(slot))) {
+      const std::span<const std::byte> argument = arguments_[slot].argument();
+      outbox_.SetBlockingCall(BlockingCallOf(*call, Bytes(argument.begin(), argument.end())));
+    }
+    arguments_.FreeIfMany(slot);
+  }
+  void DropBlockingCall(std::byte* /*argument*/, std::size_t slot) noexcept {
+    callers_->Drop(mailbox_.completions().RecordOf(slot));
+  }
+
   const bool must_wait_;
   const std::shared_ptr<OutstandingCalls<>> callers_;
-  BlockingCallEntry blocking_entry_{*this};
+  BlockingCallEntry<QueuedCommandProxy> blocking_entry_{*this};
   SlotBuffers arguments_;  // 64 MiB at most are kept
 };
 

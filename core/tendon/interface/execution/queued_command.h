@@ -2,6 +2,7 @@
 
 #include <tendon/base/clock.h>
 #include <tendon/interface/command.h>
+#include <tendon/interface/execution/blocking_call_entry.h>
 #include <tendon/interface/execution/call_observer.h>
 #include <tendon/interface/execution/component_access.h>
 #include <tendon/interface/execution/expiry.h>
@@ -101,36 +102,7 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
  private:
   static constexpr bool kHasResult = !std::is_same_v<Out, None>;
 
-  /// The entry of a slot whose caller waits.
-  class BlockingCallEntry final : public Mailbox::Entry {
-   public:
-    explicit BlockingCallEntry(QueuedCommand& command) : command_(command) {}
-
-    void ExecuteSlot(std::byte* argument, std::size_t slot) override {
-      const std::size_t record = command_.mailbox_->completions().RecordOf(slot);
-      Completion<>& completion = command_.mailbox_->completions()[record];
-      if (!completion.Start()) {
-        command_.ShowNotExecuted(CallOutcome::kExpired, Status::kTimeout, argument, slot);
-        return;
-      }
-      try {
-        command_.Run(argument, slot, record);
-      } catch (...) {
-        completion.Finish(Status::kFailed);
-        throw;
-      }
-      completion.Finish(Status::kDone);
-    }
-    void DropSlot(std::byte* argument, std::size_t slot) noexcept override {
-      CompletionPool& completions = command_.mailbox_->completions();
-      Completion<>& completion = completions[completions.RecordOf(slot)];
-      if (completion.Start()) completion.Finish(Status::kNotActive);
-      command_.DropSlot(argument, slot);
-    }
-
-   private:
-    QueuedCommand& command_;
-  };
+  friend class BlockingCallEntry<QueuedCommand>;
 
   Status ExecuteNow(const In& in, Out& out) {
     if (component_ != nullptr && !component_->accepting()) {
@@ -231,6 +203,28 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
     ShowNotExecuted(CallOutcome::kDropped, Status::kNotActive, argument, slot);
   }
 
+  void ExecuteBlockingCall(std::byte* argument, std::size_t slot) {
+    const std::size_t record = mailbox_->completions().RecordOf(slot);
+    Completion<>& completion = mailbox_->completions()[record];
+    if (!completion.Start()) {
+      ShowNotExecuted(CallOutcome::kExpired, Status::kTimeout, argument, slot);
+      return;
+    }
+    try {
+      Run(argument, slot, record);
+    } catch (...) {
+      completion.Finish(Status::kFailed);
+      throw;
+    }
+    completion.Finish(Status::kDone);
+  }
+  void DropBlockingCall(std::byte* argument, std::size_t slot) noexcept {
+    CompletionPool& completions = mailbox_->completions();
+    Completion<>& completion = completions[completions.RecordOf(slot)];
+    if (completion.Start()) completion.Finish(Status::kNotActive);
+    DropSlot(argument, slot);
+  }
+
   void Run(std::byte* argument, std::size_t slot, [[maybe_unused]] std::size_t record) {
     if (expiry_ != nullptr) expiry_->Renew(mailbox_->number());
     const In& in = ArgumentIn(argument, slot);
@@ -276,7 +270,7 @@ class QueuedCommand final : public Command<In, Out>, private Mailbox::Entry {
   Mailbox* mailbox_;
   const ComponentAccess* component_;
   Expiry* expiry_;
-  BlockingCallEntry blocking_entry_{*this};
+  BlockingCallEntry<QueuedCommand> blocking_entry_{*this};
   std::unique_ptr<In[]> arguments_;  // one per slot
   std::unique_ptr<Out[]> results_;   // one per completion record
   CallObserver observer_;
