@@ -49,7 +49,6 @@ class GraphScene : public QGraphicsScene {
   [[nodiscard]] const std::map<QString, EdgeItem*>& edges() const { return edges_; }
   /// Returns the edge of a required interface, whether it works or not; null if there is none.
   [[nodiscard]] const EdgeItem* edge(const QString& required) const;
-  [[nodiscard]] const std::vector<CardItem*>& cards() const { return cards_; }
   /// True while positions are being computed. New items have no position until then.
   [[nodiscard]] bool isArranging() const;
   /// The rectangle around all nodes and boxes.

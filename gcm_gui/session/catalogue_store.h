@@ -48,8 +48,6 @@ class CatalogueStore : public QObject {
   /// Applies the next changes. If a change is missing, ignores the later changes, because a
   /// snapshot will follow.
   void apply(const std::vector<CatalogueChange>& changes);
-  /// Returns true while some changes have not been announced to the views yet.
-  [[nodiscard]] bool isAnnouncing() const { return !unannounced_.empty(); }
 
  Q_SIGNALS:
   /// Announces changes that have arrived together. If they touch many components, they are
@@ -71,7 +69,7 @@ class CatalogueStore : public QObject {
   Catalogue catalogue_;
   std::map<ChangedPart, KnownState> states_;
   ChangedParts unannounced_;
-  QTimer next_;
+  QTimer next_{this};  // active while some changes are not announced
 };
 
 }  // namespace tendon::gui

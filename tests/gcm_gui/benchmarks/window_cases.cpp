@@ -6,6 +6,7 @@
 #include <gcm_gui/session/link_state.h>
 #include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/window/main_window.h>
+#include <support/announcing.h>
 #include <support/fakes.h>
 #include <support/large_system.h>
 
@@ -37,7 +38,7 @@ class LargeWindow {
   void Fill() {
     window_->show();
     store_.replace(catalogue_);
-    while (store_.isAnnouncing() || window_->graph().graph().isArranging()) {
+    while (IsAnnouncing(store_) || window_->graph().graph().isArranging()) {
       QCoreApplication::processEvents();
     }
     window_->grab();

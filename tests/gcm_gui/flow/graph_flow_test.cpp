@@ -3,7 +3,6 @@
 #include <gcm_gui/graph/items/process_item.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
-#include <gcm_gui/window/watched_application.h>
 
 #include <QSet>
 #include <QTimer>
@@ -15,6 +14,7 @@
 #include <string>
 
 #include "flow/flow_fixture.h"
+#include "support/handler_watch.h"
 #include "support/pictures.h"
 
 namespace tendon::gui {
@@ -42,7 +42,7 @@ class GraphFlowTest : public FlowFixture {
 
   /// Starts to measure the handlers.
   void WatchHandlers() {
-    handlers_.forgetHandlers();
+    handlers_.beginPhase();
     since_ = std::chrono::steady_clock::now();
   }
   /// After the last round, expects that no handler waited in this phase in all rounds. A wait in
@@ -53,23 +53,20 @@ class GraphFlowTest : public FlowFixture {
       return std::chrono::duration<double, std::milli>(duration).count();
     };
     const auto until = std::chrono::steady_clock::now() - since_;
-    const std::chrono::nanoseconds longest = handlers_.longestHandler();
+    const HandlerWatch::Phase handlers = handlers_.phase();
     std::cout << "  " << phase << " after " << milliseconds(until)
-              << " ms; the longest handler took " << milliseconds(longest) << " ms ("
-              << handlers_.longestName().toStdString() << ")\n";
-    QSet<QString> waited;
-    for (const QString& waiter : handlers_.waiters()) {
-      waited.insert(waiter.section(QStringLiteral(" · "), 0, 0));
-    }
-    QSet<QString>& waits_each_time = waits_each_time_.try_emplace(phase, waited).first->second;
-    waits_each_time.intersect(waited);
+              << " ms; the longest handler took " << milliseconds(handlers.longest) << " ms ("
+              << handlers.longest_name.toStdString() << ")\n";
+    QSet<QString>& waits_each_time =
+        waits_each_time_.try_emplace(phase, handlers.waited).first->second;
+    waits_each_time.intersect(handlers.waited);
     if (round + 1 < kRounds) return;
     EXPECT_TRUE(waits_each_time.isEmpty())
         << phase << ": " << waits_each_time.values().join('\n').toStdString();
   }
 
  private:
-  WatchedApplication& handlers_ = *static_cast<WatchedApplication*>(qApp);
+  HandlerWatch& handlers_ = *static_cast<HandlerWatch*>(qApp);
   std::chrono::steady_clock::time_point since_;
   std::map<std::string, QSet<QString>> waits_each_time_;  // by phase
 };

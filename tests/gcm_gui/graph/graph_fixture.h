@@ -6,6 +6,7 @@
 #include <QTest>
 #include <utility>
 
+#include "support/announcing.h"
 #include "support/fakes.h"
 #include "support/sample_system.h"
 
@@ -21,7 +22,7 @@ class GraphFixture : public ::testing::Test {
   /// Shows the graph, and waits until all items have their positions.
   void Show() {
     store_.apply(system_.TakeChanges());
-    EXPECT_TRUE(QTest::qWaitFor([this] { return !store_.isAnnouncing() && !scene_.isArranging(); },
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !IsAnnouncing(store_) && !scene_.isArranging(); },
                                 kGraphPatience));
   }
 

@@ -31,7 +31,7 @@ class GraphScaleTest : public GraphFixture {
 
   void AwaitLayout() {
     constexpr int kLayoutPatience = 60'000;  // ms
-    ASSERT_TRUE(QTest::qWaitFor([this] { return !store_.isAnnouncing() && !scene_.isArranging(); },
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !IsAnnouncing(store_) && !scene_.isArranging(); },
                                 kLayoutPatience));
   }
 
@@ -50,7 +50,7 @@ TEST_F(GraphScaleTest, AThousandComponentsAreShownAndFollowed) {
   const InterfaceName other{LargeProcess(4), LargeComponent(7), "Drives"};
   view_.show();
   Time("the first of it appears", [&] { Show(); });
-  while (store_.isAnnouncing())
+  while (IsAnnouncing(store_))
     Time("more of it appears", [] { QCoreApplication::processEvents(); });
   AwaitLayout();
   EXPECT_EQ(scene_.components().size(), std::size_t{kProcesses * kOfEach});

@@ -4,6 +4,7 @@
 #include <QTest>
 #include <vector>
 
+#include "support/announcing.h"
 #include "support/large_system.h"
 
 namespace tendon::gui {
@@ -21,7 +22,7 @@ class CatalogueStoreTest : public ::testing::Test {
 
   void Show(SystemBuilder& system) { store_.apply(system.TakeChanges()); }
   [[nodiscard]] bool Finish() {
-    return QTest::qWaitFor([&] { return !store_.isAnnouncing(); }, kPatience);
+    return QTest::qWaitFor([&] { return !IsAnnouncing(store_); }, kPatience);
   }
   /// Returns how often a whole process was reported as changed.
   [[nodiscard]] int Times(const std::string& process) const {
@@ -39,7 +40,7 @@ TEST_F(CatalogueStoreTest, AnnouncesAFewChangesAtOnce) {
 
   Show(system);
 
-  EXPECT_FALSE(store_.isAnnouncing());
+  EXPECT_FALSE(IsAnnouncing(store_));
   EXPECT_EQ(told_.size(), 1u);
 }
 

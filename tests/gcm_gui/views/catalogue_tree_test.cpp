@@ -7,6 +7,7 @@
 #include <QToolButton>
 #include <cstdint>
 
+#include "support/announcing.h"
 #include "support/fakes.h"
 #include "support/large_system.h"
 #include "support/sample_system.h"
@@ -23,7 +24,7 @@ class CatalogueTreeTest : public WindowFixture {
  protected:
   CatalogueTreeTest() : first_(PathOf(3, 7)), second_(PathOf(4, 9)) {
     store_.replace(LargeSystem(10, 50).catalogue());
-    EXPECT_TRUE(QTest::qWaitFor([this] { return !store_.isAnnouncing(); }, kPatience));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !IsAnnouncing(store_); }, kPatience));
   }
 
   static QString PathOf(int process, int component) {

@@ -11,6 +11,7 @@
 #include <QLineEdit>
 #include <QTest>
 
+#include "support/announcing.h"
 #include "support/large_system.h"
 #include "support/pictures.h"
 #include "window/window_fixture.h"
@@ -64,7 +65,7 @@ TEST_F(GraphPicturesTest, RendersALargeGraphZoomedOut) {
   SystemBuilder large = LargeSystem(12, 20);
   store_.replace(large.catalogue());
   EXPECT_TRUE(QTest::qWaitFor(
-      [&] { return !store_.isAnnouncing() && !window_.graph().graph().isArranging(); }, kPatience));
+      [&] { return !IsAnnouncing(store_) && !window_.graph().graph().isArranging(); }, kPatience));
   window_.graph().fit();
   KeepPictures(window_, "graph-far");
 }

@@ -5,6 +5,8 @@
 
 #include <QTest>
 
+#include "support/announcing.h"
+
 namespace tendon::gui {
 
 WindowFixture::WindowFixture(std::int64_t lost_since) : system_(LookSystem(lost_since)) {
@@ -19,7 +21,7 @@ WindowFixture::WindowFixture(std::int64_t lost_since) : system_(LookSystem(lost_
 void WindowFixture::Show() {
   store_.apply(system_.TakeChanges());
   EXPECT_TRUE(QTest::qWaitFor(
-      [this] { return !store_.isAnnouncing() && !window_.graph().graph().isArranging(); },
+      [this] { return !IsAnnouncing(store_) && !window_.graph().graph().isArranging(); },
       kPatience));
 }
 

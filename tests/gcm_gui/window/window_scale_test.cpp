@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "support/announcing.h"
 #include "support/large_system.h"
 #include "window/window_fixture.h"
 
@@ -58,7 +59,7 @@ class WindowScaleTest : public WindowFixture {
 TEST_F(WindowScaleTest, HandlesAThousandComponents) {
   Time("the first of them appear", [&] { store_.replace(large_.catalogue()); });
   TimeTurns("the longest turn until all are there",
-            [&] { return !store_.isAnnouncing() && !window_.graph().graph().isArranging(); });
+            [&] { return !IsAnnouncing(store_) && !window_.graph().graph().isArranging(); });
   EXPECT_EQ(window_.graph().graph().components().size(), std::size_t{kProcesses * kOfEach});
   TimeTurns("the longest turn until it has settled",
             [turns = 0]() mutable { return ++turns > 50; });

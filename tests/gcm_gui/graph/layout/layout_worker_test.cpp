@@ -86,7 +86,7 @@ TEST(GraphScene, HidesComponentsWithoutAPlace) {
   EXPECT_TRUE(scene.components().empty());
   EXPECT_TRUE(scene.processes().empty());
 
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !scene.isArranging() && !store.isAnnouncing(); },
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !scene.isArranging() && !IsAnnouncing(store); },
                               kWorkerPatience));
   ASSERT_EQ(scene.components().size(), 7U);
   for (const auto& [path, component] : scene.components()) {
@@ -134,7 +134,7 @@ TEST(LayoutAnimation, ALargeSystemIsNotAnimated) {
   RecordingActions actions;
   ConnectMode mode{store, actions};
   GraphScene scene(store, selection, mode);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !scene.isArranging() && !store.isAnnouncing(); },
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !scene.isArranging() && !IsAnnouncing(store); },
                               kWorkerPatience));
   const auto& [path, component] = *scene.components().begin();
   const QPointF there = component->pos() + QPointF(5000, 5000);
