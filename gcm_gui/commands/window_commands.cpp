@@ -222,7 +222,8 @@ void WindowCommands::addPlotCommands() {
   pause.setCheckable(true);
   new ButtonsHaveSpace(window_);
   connect(&window_.plots(), &PlotPanel::pausedChanged, &pause, &QAction::setChecked);
-  add(Words::tr("Follow &live data"), {}, [this] { window_.plots().currentPlot().goLive(); });
+  add(Words::tr("Follow &live data"), {},
+      [this] { window_.plots().currentPlot().gestures().goLive(); });
   add(Words::tr("Cursors &A and B"), {}, [this] { window_.plots().toggleCursors(); });
   add(Words::tr("Add a curve of a recor&ding…"), {}, [this] { window_.overlay().ask(); });
   commands_->menu(Commands::Menu::kPlot).addSeparator();

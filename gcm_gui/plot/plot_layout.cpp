@@ -56,7 +56,7 @@ QJsonObject JsonOf(const PlotView& view, const QString& name, bool is_below) {
   if (!name.isEmpty() && !is_below) plot["name"] = name;
   if (is_below) plot["below"] = true;
   if (view.window().motion() == TimeWindow::Motion::kSweep) plot["sweep"] = true;
-  if (view.scale() == ValueScale::kLogarithmic) plot["logarithmic"] = true;
+  if (view.curves().scale() == ValueScale::kLogarithmic) plot["logarithmic"] = true;
   return plot;
 }
 
@@ -157,7 +157,7 @@ std::optional<QString> ShowLayout(PlotPanel& panel, const QByteArray& layout) {
     if (!plot.is_below) panel.setName(view, plot.name);
     for (const CurveLayout& curve : plot.curves) {
       const QString recording = RecordingOf(curve.key.path);
-      if (!recording.isEmpty()) view.setShift(recording, curve.shift_ns);
+      if (!recording.isEmpty()) view.recordedCurves().setShift(recording, curve.shift_ns);
       panel.addSignal(curve.key.path, curve.key.unit);
       view.curve(curve.key.path)->setVisible(!curve.is_hidden);
       view.setLook(curve.key.path, curve.look);

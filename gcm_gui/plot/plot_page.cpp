@@ -114,12 +114,12 @@ void PlotPage::markCurrent() {
 
 void PlotPage::align() {
   SideRoom most;
-  for (const PlotView* view : views_) {
-    const SideRoom room = view->sideRoom();
+  for (PlotView* view : views_) {
+    const SideRoom room = view->axes().wantedRoom();
     most.left = std::max(most.left, room.left);
     most.right = std::max(most.right, room.right);
   }
-  for (PlotView* view : views_) view->setSideRoom(views_.size() > 1 ? most : SideRoom{});
+  for (PlotView* view : views_) view->axes().setRoom(views_.size() > 1 ? most : SideRoom{});
 }
 
 bool PlotPage::eventFilter(QObject* watched, QEvent* event) {

@@ -75,15 +75,16 @@ PlotPanel::PlotPanel(QWidget* parent)
 void PlotPanel::connectHead() {
   connect(head_, &PlotHeader::newPlotRequested, this, [this] { addPlot(); });
   connect(head_, &PlotHeader::splitRequested, this, [this] { splitPlot(); });
-  connect(head_, &PlotHeader::backRequested, this, [this] { currentPlot().goBack(); });
-  connect(head_, &PlotHeader::forwardRequested, this, [this] { currentPlot().goForward(); });
+  connect(head_, &PlotHeader::backRequested, this, [this] { currentPlot().gestures().goBack(); });
+  connect(head_, &PlotHeader::forwardRequested, this,
+          [this] { currentPlot().gestures().goForward(); });
   connect(head_, &PlotHeader::sweepToggled, this, [this](bool sweeping) {
     currentPlot().setMotion(sweeping ? TimeWindow::Motion::kSweep : TimeWindow::Motion::kScroll);
   });
   connect(head_, &PlotHeader::windowChosen, this, &PlotPanel::setWindow);
   connect(head_, &PlotHeader::pauseToggled, this, &PlotPanel::setPaused);
   connect(head_, &PlotHeader::cursorsToggled, this,
-          [this](bool shown) { currentPlot().showCursors(shown); });
+          [this](bool shown) { currentPlot().cursors().show(shown); });
   connect(head_, &PlotHeader::csvRequested, this, &PlotPanel::askForCsv);
 }
 
@@ -97,15 +98,16 @@ void PlotPanel::buildTabs() {
 void PlotPanel::prepare(PlotView& given) {
   PlotView* view = &given;
   if (paused_) view->setPaused(true);
-  view->setMarks(marks_);
-  view->setMarksShown(marks_shown_);
+  view->marks().set(marks_);
+  view->marks().setShown(marks_shown_);
   connect(view, &PlotView::curvesDropped, this, [this, view](const QList<CurveKey>& keys) {
     for (const CurveKey& key : keys) add(*view, key);
   });
-  connect(view, &PlotView::recordingMoved, this, [this](const QString& recording, qint64 shift_ns) {
-    Q_EMIT notice(Words::tr("%1 is shifted by %2; Alt+Left undoes the shift")
-                      .arg(QFileInfo(recording).fileName(), RoundedShiftText(shift_ns)));
-  });
+  connect(&view->recordedCurves(), &RecordedCurves::moved, this,
+          [this](const QString& recording, qint64 shift_ns) {
+            Q_EMIT notice(Words::tr("%1 is shifted by %2; Alt+Left undoes the shift")
+                              .arg(QFileInfo(recording).fileName(), RoundedShiftText(shift_ns)));
+          });
   connect(view, &PlotView::curvesMoved, this,
           [this, view](const QList<CurveKey>& keys, quint64 from) {
             for (const CurveKey& key : keys) move(key.path, from, *view);
@@ -115,7 +117,7 @@ void PlotPanel::prepare(PlotView& given) {
   connect(view, &PlotView::liveChanged, this, [this](bool live) {
     if (live) setPaused(false);
   });
-  connect(view, &PlotView::cursorsChanged, this, &PlotPanel::updateHead);
+  connect(&view->cursors(), &PlotCursors::shownChanged, this, &PlotPanel::updateHead);
   connect(view, &PlotView::motionChanged, this, &PlotPanel::updateHead);
   connect(view, &PlotView::marksToggled, this, [this] { setMarksShown(!marks_shown_); });
   connect(view, &PlotView::remapRequested, this, &PlotPanel::askForRemap);
@@ -186,7 +188,7 @@ void PlotPanel::append(const QString& path, std::span<const Sample> samples) {
     if (curve == nullptr) continue;
     curve->append(samples);
     // New samples of a recorded curve do not cause a redraw by themselves.
-    if (curve->isRecorded()) view->curveStateChanged();
+    if (curve->isRecorded()) view->changed();
   }
 }
 
@@ -196,18 +198,18 @@ void PlotPanel::setNames(const QString& path, const ValueNamesPointer& names) {
 
 void PlotPanel::addMark(Mark mark) {
   marks_.add(std::move(mark));
-  for (PlotView* view : plots()) view->marksChanged();
+  for (PlotView* view : plots()) view->changed();
 }
 
 void PlotPanel::removeMarks() {
   marks_.clear();
-  for (PlotView* view : plots()) view->marksChanged();
+  for (PlotView* view : plots()) view->changed();
 }
 
 void PlotPanel::setMarksShown(bool shown) {
   if (shown == marks_shown_) return;
   marks_shown_ = shown;
-  for (PlotView* view : plots()) view->setMarksShown(shown);
+  for (PlotView* view : plots()) view->marks().setShown(shown);
   Q_EMIT marksShownChanged(shown);
 }
 
@@ -216,7 +218,7 @@ void PlotPanel::removeSamples(const QString& recording) {
     for (const auto& curve : view->curves().curves()) {
       if (curve->recording() == recording) curve->removeSamples();
     }
-    view->curveStateChanged();
+    view->changed();
   }
 }
 
@@ -226,21 +228,21 @@ void PlotPanel::setRecordedTime(const QString& recording, const TimeSpan& time) 
     for (const auto& curve : view->curves().curves()) {
       if (curve->recording() == recording) curve->setRecordedEnd(time.to_ns);
     }
-    view->curveStateChanged();
+    view->changed();
   }
 }
 
 void PlotPanel::showBegin(PlotView& view, const QString& recording) {
   const auto time = recorded_times_.find(recording);
   if (time != recorded_times_.end()) {
-    view.align(recording, time->second.from_ns, PlotView::Edge::kLeft);
+    view.recordedCurves().align(recording, time->second.from_ns, RecordedCurves::Edge::kLeft);
   }
 }
 
 std::optional<TimeSpan> PlotPanel::seenOf(const QString& recording) const {
-  for (const PlotView* view : page(pages_->currentIndex()).views()) {
-    if (!view->recordings().contains(recording)) continue;
-    const std::int64_t back_ns = -view->shift(recording);
+  for (PlotView* view : page(pages_->currentIndex()).views()) {
+    if (!view->recordedCurves().recordings().contains(recording)) continue;
+    const std::int64_t back_ns = -view->recordedCurves().shift(recording);
     return TimeSpan{.from_ns = MovedTime(view->window().firstTime(), back_ns),
                     .to_ns = MovedTime(view->window().lastTime(), back_ns)};
   }
@@ -276,7 +278,7 @@ void PlotPanel::updateStandstills() {
       const QString why = standstills_(curve->path(), newest);
       if (why == curve->standstill()) continue;
       curve->setStandstill(why);
-      view->curveStateChanged();
+      view->changed();
     }
   }
 }
@@ -412,7 +414,9 @@ void PlotPanel::showPlotMenu(PlotView& view, const QPoint& position) {
   menu->popup(view.canvas()->mapToGlobal(position));
 }
 
-void PlotPanel::toggleCursors() { currentPlot().showCursors(!currentPlot().cursors().any()); }
+void PlotPanel::toggleCursors() {
+  currentPlot().cursors().show(!currentPlot().cursors().times().any());
+}
 
 void PlotPanel::setMemoryBudget(std::size_t bytes) {
   memory_ = bytes;
@@ -440,15 +444,15 @@ void PlotPanel::updateHead() {
     }
   }
   head_->setMemory(used, memory_, is_thinned);
-  auto figures = currentPlot().figures();
+  auto figures = currentPlot().curves().figures(currentPlot().now());
   for (SourceFigures& each : figures) {
     if (losses_) each.losses = losses_(each.path).since(each.losses_before);
   }
   head_->setFigures(figures);
   head_->setWindow(currentPlot().window().length());
-  head_->setCursors(currentPlot().cursors().any());
+  head_->setCursors(currentPlot().cursors().times().any());
   head_->setSweeping(currentPlot().window().motion() == TimeWindow::Motion::kSweep);
-  head_->setWay(currentPlot().hasFormerView(), currentPlot().hasLaterView());
+  head_->setWay(currentPlot().gestures().hasFormerView(), currentPlot().gestures().hasLaterView());
 }
 
 PlotView& PlotPanel::addPlot() {

@@ -3,7 +3,6 @@
 #include <gcm_gui/plot/canvas/cursor_lines.h>
 #include <gcm_gui/plot/canvas/curve_layer.h>
 #include <gcm_gui/plot/canvas/gap_bands.h>
-#include <gcm_gui/plot/canvas/mark_flags.h>
 #include <gcm_gui/plot/canvas/sweep_painter.h>
 #include <gcm_gui/plot/controls/curve_editor.h>
 #include <gcm_gui/plot/controls/legend_area.h>
@@ -27,7 +26,6 @@
 #include <QPainter>
 #include <QPushButton>
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -37,7 +35,6 @@ namespace {
 constexpr int kFrame = 16;       // ms
 constexpr int kLegendTicks = 6;  // frames between two updates of the numbers in the legend
 constexpr int kCurrentMark = 2;  // pixels at the left edge
-constexpr double kGrab = 5;      // pixels on both sides of a cursor
 constexpr auto kHint = QT_TRANSLATE_NOOP("Words", "Select a value and press P, or drag it here");
 
 std::uint64_t NextId() {
@@ -54,7 +51,10 @@ PlotView::PlotView(std::shared_ptr<SharedTimeAxis> time_axis, QWidget* parent)
       axes_(*this),
       time_axis_(std::move(time_axis)),
       window_(time_axis_->window()),
-      cursors_(time_axis_->cursors()),
+      gestures_(axes_, curves_, *time_axis_),
+      recorded_curves_(axes_, curves_, *time_axis_),
+      cursors_(axes_, curves_, *time_axis_),
+      marks_(*this, *time_axis_),
       id_(NextId()),
       newest_ns_(std::numeric_limits<std::int64_t>::min()) {
   time_axis_->join(curves_);
@@ -87,7 +87,7 @@ void PlotView::build() {
   (new GapBands(curves_, window_))->attach(this);
   layer_ = new CurveLayer(curves_, window_);
   layer_->attach(this);
-  (new CursorLines(curves_, window_, cursors_))->attach(this);
+  (new CursorLines(curves_, window_, cursors_.times()))->attach(this);
   overlay_ = new PlotOverlay(canvas());
   legend_ = new LegendArea(*this);
   live_pill_ = new QPushButton(canvas());
@@ -95,7 +95,9 @@ void PlotView::build() {
   live_pill_->setFocusPolicy(Qt::TabFocus);
   SetRole(*live_pill_, "primary");
   live_pill_->hide();
-  connect(live_pill_, &QPushButton::clicked, this, &PlotView::goLiveTogether);
+  connect(live_pill_, &QPushButton::clicked, &gestures_, &PlotGestures::goLiveTogether);
+  connect(&gestures_, &PlotGestures::changed, this, &PlotView::noticeChange);
+  connect(&recorded_curves_, &RecordedCurves::editorRequested, this, &PlotView::askForLook);
   connect(&legendBox(), &Legend::dragRequested, this, &PlotView::startDrag);
   connect(&legendBox(), &Legend::removeRequested, this, &PlotView::curveRemovalRequested);
   connect(&legendBox(), &Legend::remapRequested, this, &PlotView::remapRequested);
@@ -121,7 +123,7 @@ void PlotView::takeTheme() {
 
 Curve& PlotView::addCurve(const CurveKey& key) {
   Curve& curve = curves_.add(key);
-  takeShifts();
+  recorded_curves_.takeShifts();
   curvesChanged();
   return curve;
 }
@@ -133,11 +135,11 @@ std::unique_ptr<Curve> PlotView::takeCurve(const QString& path) {
 }
 
 void PlotView::adoptCurve(std::unique_ptr<Curve> curve) {
-  if (curve->isRecorded() && !isOnPage(curve->recording())) {
+  if (curve->isRecorded() && !recorded_curves_.isOnPage(curve->recording())) {
     time_axis_->setShift(curve->recording(), curve->shift());
   }
   curves_.adopt(std::move(curve));
-  takeShifts();
+  recorded_curves_.takeShifts();
   curvesChanged();
 }
 
@@ -200,23 +202,14 @@ void PlotView::askForLook(const QString& path) {
                            ? RecordingName(path) + QStringLiteral(" · ") + ShortName(path)
                            : ShortName(path);
   auto* editor = new CurveEditor(name, asked->unit(), asked->look(), axes, this);
-  if (asked->isRecorded()) editor->addShift(shift(recording));
+  if (asked->isRecorded()) editor->addShift(recorded_curves_.shift(recording));
   connect(editor, &CurveEditor::accepted, this,
           [this, path](const CurveLook& look) { setLook(path, look); });
   connect(editor, &CurveEditor::shiftAccepted, this,
-          [this, recording](qint64 shift_ns) { setShift(recording, shift_ns); });
+          [this, recording](qint64 shift_ns) { recorded_curves_.setShift(recording, shift_ns); });
   const QPoint below = legend_->geometry().topLeft();
   editor->move(mapToGlobal(below - QPoint(0, editor->height() + kGrid)));
   editor->show();
-}
-
-bool PlotView::askForShift(const QString& recording) {
-  for (const auto& curve : curves_.curves()) {
-    if (!curve->isRecorded() || curve->recording() != recording) continue;
-    askForLook(curve->path());
-    return true;
-  }
-  return false;
 }
 
 void PlotView::setStatistics(bool shown) {
@@ -224,41 +217,10 @@ void PlotView::setStatistics(bool shown) {
   updateLegend();
 }
 
-void PlotView::setMarks(const MarkTrack& marks) {
-  delete flags_;  // the destructor of the flags detaches them from the plot
-  flags_ = new MarkFlags(marks, window_);
-  flags_->attach(this);
-  changed();
-}
-
-void PlotView::setMarksShown(bool shown) {
-  if (flags_ != nullptr) flags_->setVisible(shown);
-  changed();
-}
-
-QString PlotView::marksAt(double x) const {
-  if (flags_ == nullptr || !flags_->isVisible()) return {};
-  QwtScaleMap map = canvasMap(QwtAxis::XBottom);
-  const double seconds = map.invTransform(x);
-  const double shift = window_.secondsAt(window_.shownAt(seconds)) - seconds;
-  map.setScaleInterval(map.s1() + shift, map.s2() + shift);
-  return flags_->textAt(x, map, canvas()->contentsRect());
-}
-
-// Sets the texts of the marks as a description for screen readers.
-void PlotView::describeMarks() {
-  const bool are_told = flags_ != nullptr && flags_->isVisible() && canvas()->hasFocus();
-  const QString text =
-      are_told ? flags_->textBetween(window_.firstTime(), window_.lastTime()) : QString();
-  if (text != canvas()->accessibleDescription()) canvas()->setAccessibleDescription(text);
-}
-
 void PlotView::setHover(std::optional<int> x) {
   if (curves_.empty()) x = std::nullopt;
   if (time_axis_->setHover(x)) updateLegend();
 }
-
-std::vector<SourceFigures> PlotView::figures() const { return curves_.figures(now()); }
 
 void PlotView::setPlotsAbove(const std::vector<PlotView*>& plots) {
   above_.assign(plots.begin(), plots.end());
@@ -280,14 +242,14 @@ void PlotView::noticeChange() {
   if (time_axis_->revision() == seen_revision_) return;
   seen_revision_ = time_axis_->revision();
   dirty_ = true;
-  takeShifts();
+  recorded_curves_.takeShifts();
   updateLive();
 }
 
 void PlotView::updateLive() {
   // The button is shown if the time or a value axis does not follow the data. The plots share the
   // time, so for the time only the first plot shows the button. Each plot has its own value axes.
-  live_pill_->setVisible(!curves_.empty() && (isLive() ? !isFitted() : isFirst()));
+  live_pill_->setVisible(!curves_.empty() && (isLive() ? !curves_.isFitted() : isFirst()));
   // The text is "Fit" if the time is live but a value axis is not fitted.
   live_pill_->setText(isLive() ? Words::tr("Fit") : Words::tr("Live"));
   live_pill_->setIcon(ThemeIcon(isLive() ? "fit" : "play", Token::kOnAccent));
@@ -299,18 +261,6 @@ void PlotView::updateLive() {
   if (was_live_ == isLive()) return;
   was_live_ = isLive();
   Q_EMIT liveChanged(was_live_);
-}
-
-std::int64_t PlotView::now() const {
-  // A recording is always complete up to the shown moment, so there is no delay to estimate.
-  return IsMomentShown() ? ShownTime() : time_axis_->clock().now(ShownTime());
-}
-
-// Returns the width of the time axis in columns. This width differs slightly from the width of the
-// canvas.
-double PlotView::columns() const {
-  const QwtScaleMap map = canvasMap(QwtAxis::XBottom);
-  return std::max(1.0, map.p2() - map.p1());
 }
 
 void PlotView::noticeSamples() {
@@ -349,12 +299,12 @@ void PlotView::refreshGuarded() {
 
 void PlotView::refresh() {
   noticeSamples();
-  window_.follow(now(), columns() * devicePixelRatioF());
+  time_axis_->follow(axes_.screenColumns());
   noticeChange();
   const bool legend_is_due = ticks_++ % kLegendTicks == 0;
   if (legend_is_due || time_axis_->hover() != shown_hover_) updateLegend();
   if (legend_is_due) noticeSideRoom();
-  if (legend_is_due) describeMarks();
+  if (legend_is_due) marks_.describe();
   if (window_ == drawn_window_ && !dirty_) return;
   drawn_window_ = window_;
   dirty_ = false;
@@ -451,8 +401,9 @@ void PlotView::dropEvent(QDropEvent* event) {
     // The other window has its shown moment at the right edge, so this plot also shows it there.
     const auto moment = RecordedMomentIn(*event->mimeData());
     const QString recording = RecordingOf(keys.front().path);
-    if (moment && !isOnPage(recording)) {
-      align(recording, MovedTime(*moment, -WallOffset()), Edge::kRight);
+    if (moment && !recorded_curves_.isOnPage(recording)) {
+      recorded_curves_.align(recording, MovedTime(*moment, -WallOffset()),
+                             RecordedCurves::Edge::kRight);
     }
     Q_EMIT curvesDropped(keys);
   } else if (from.toULongLong() != id_) {
@@ -484,7 +435,7 @@ void PlotView::setMotion(TimeWindow::Motion motion) {
 
 void PlotView::setPaused(bool paused) {
   if (paused) {
-    window_.follow(now(), columns() * devicePixelRatioF());
+    time_axis_->follow(axes_.screenColumns());
     window_.hold();
   } else {
     window_.goLive();
@@ -492,203 +443,9 @@ void PlotView::setPaused(bool paused) {
   changed();
 }
 
-void PlotView::goLive() {
-  if (!isLive() || !isFitted()) time_axis_->remember(SharedTimeAxis::Gesture::kOnce);
-  window_.goLive();
-  for (UnitAxis& axis : curves_.axes()) axis.fitted = true;
-  changed();
-}
-
-void PlotView::goLiveTogether() {
-  if (!isLive()) {
-    time_axis_->remember(SharedTimeAxis::Gesture::kOnce);
-    time_axis_->fitAll();
-    window_.goLive();
-    return changed();
-  }
-  goLive();
-}
-
-bool PlotView::isLive() const { return window_.isLive(); }
-
-bool PlotView::isFitted() const {
-  const auto& axes = curves_.axes();
-  return std::all_of(axes.begin(), axes.end(), [](const UnitAxis& axis) { return axis.fitted; });
-}
-
 bool PlotView::isFirst() const {
   return std::all_of(above_.begin(), above_.end(),
                      [](const auto& plot) { return plot == nullptr || plot->curves().empty(); });
-}
-
-void PlotView::zoomTime(double factor, double x) {
-  time_axis_->remember(SharedTimeAxis::Gesture::kZoomTime);
-  window_.zoom(factor, invTransform(QwtAxis::XBottom, x));
-  changed();
-}
-
-// Sets the range of an axis. Refuses a range that cannot be shown, and a range between two whole
-// numbers, because the axis would have no labels there.
-void PlotView::choose(UnitAxis& axis, const AxisRange& range) const {
-  // If a range was only moved, rounding changes its span by less than this.
-  constexpr double kNarrower = 1 - 1e-9;
-  const bool has_whole =
-      curves_.scale() == ValueScale::kLinear && axis.numbers == NumberKind::kWhole;
-  const bool is_between = has_whole && range.span() < std::min(1.0, axis.range.span() * kNarrower);
-  if (IsShowable(range) && !is_between) axis.range = range;
-  axis.fitted = false;
-}
-
-void PlotView::zoomValues(double factor, double y) {
-  time_axis_->remember(SharedTimeAxis::Gesture::kZoomValues);
-  const QwtScaleMap map = canvasMap(QwtAxis::YLeft);
-  // The fraction of the height, from the bottom.
-  const double at = (y - map.p1()) / (map.p2() - map.p1());
-  for (UnitAxis& axis : curves_.axes()) {
-    const double fixed = axis.range.low + at * axis.range.span();
-    choose(axis, {.low = fixed + (axis.range.low - fixed) * factor,
-                  .high = fixed + (axis.range.high - fixed) * factor});
-  }
-  changed();
-}
-
-void PlotView::panTime(double pixels) {
-  time_axis_->remember(SharedTimeAxis::Gesture::kMove);
-  window_.pan((window_.to() - window_.from()) * pixels / columns());
-  changed();
-}
-
-void PlotView::panValues(double pixels) {
-  time_axis_->remember(SharedTimeAxis::Gesture::kMove);
-  for (UnitAxis& axis : curves_.axes()) {
-    const double by = axis.range.span() * pixels / canvas()->height();
-    choose(axis, {.low = axis.range.low + by, .high = axis.range.high + by});
-  }
-  changed();
-}
-
-void PlotView::zoomTo(const QRect& rect) {
-  time_axis_->remember(SharedTimeAxis::Gesture::kOnce);
-  window_.show(invTransform(QwtAxis::XBottom, rect.left()),
-               invTransform(QwtAxis::XBottom, rect.right()));
-  const QwtScaleMap map = canvasMap(QwtAxis::YLeft);
-  const auto part = [&](int y) { return (y - map.p1()) / (map.p2() - map.p1()); };
-  for (UnitAxis& axis : curves_.axes()) {
-    const AxisRange all = axis.range;
-    choose(axis, {.low = all.low + part(rect.bottom()) * all.span(),
-                  .high = all.low + part(rect.top()) * all.span()});
-  }
-  changed();
-}
-
-void PlotView::moveRecording(const QString& recording, double pixels) {
-  time_axis_->remember(SharedTimeAxis::Gesture::kShift);
-  const double by_ns = (window_.to() - window_.from()) * pixels / columns() * 1e9;
-  time_axis_->setShift(recording, MovedTime(shift(recording), std::llround(by_ns)));
-  changed();
-  Q_EMIT recordingMoved(recording, shift(recording));
-}
-
-void PlotView::setShift(const QString& recording, std::int64_t shift_ns) {
-  if (time_axis_->shift(recording) == shift_ns) return;
-  const bool is_shown = time_axis_->isShown(recording);
-  if (is_shown) time_axis_->remember(SharedTimeAxis::Gesture::kOnce);
-  time_axis_->setShift(recording, shift_ns);
-  changed();
-  if (is_shown) Q_EMIT recordingMoved(recording, shift(recording));
-}
-
-std::int64_t PlotView::shift(const QString& recording) const {
-  return time_axis_->shift(recording).value_or(0);
-}
-
-void PlotView::align(const QString& recording, std::int64_t time_ns, Edge edge) {
-  window_.follow(now(), columns() * devicePixelRatioF());
-  const std::int64_t place = edge == Edge::kLeft ? window_.firstTime() : window_.lastTime();
-  setShift(recording, MovedTime(place, -time_ns));
-}
-
-bool PlotView::isOnPage(const QString& recording) const { return time_axis_->isShown(recording); }
-
-QStringList PlotView::recordings() const {
-  QStringList recordings;
-  for (const auto& curve : curves_.curves()) {
-    if (curve->isRecorded() && !recordings.contains(curve->recording())) {
-      recordings << curve->recording();
-    }
-  }
-  return recordings;
-}
-
-QString PlotView::recordingAt(const QPointF& point) const {
-  const std::int64_t time = window_.shownAt(invTransform(QwtAxis::XBottom, point.x()));
-  const QwtScaleMap map = canvasMap(QwtAxis::YLeft);
-  QString nearest;
-  double least = std::numeric_limits<double>::infinity();
-  for (const auto& curve : curves_.curves()) {
-    if (!curve->isRecorded() || !curve->isVisible()) continue;
-    if (nearest.isEmpty()) nearest = curve->recording();
-    const auto value = curve->numberAt(time);
-    if (!value) continue;
-    const UnitAxis& axis = curves_.axisOf(*curve);
-    const double place = axis.frame.placeOf(value->nearest() - axis.frame.base, curves_.scale());
-    const double part = (place - axis.range.low) / axis.range.span();
-    const double distance = std::abs(map.p1() + part * (map.p2() - map.p1()) - point.y());
-    if (distance >= least) continue;
-    least = distance;
-    nearest = curve->recording();
-  }
-  return nearest;
-}
-
-// Moves the recorded curves to the positions of their recordings on this time axis.
-void PlotView::takeShifts() {
-  for (const auto& curve : curves_.curves()) {
-    if (curve->isRecorded()) curve->setShift(shift(curve->recording()));
-  }
-}
-
-void PlotView::endRun() { time_axis_->endRun(); }
-
-void PlotView::goBack() {
-  time_axis_->goBack();
-  noticeChange();
-}
-
-void PlotView::goForward() {
-  time_axis_->goForward();
-  noticeChange();
-}
-
-bool PlotView::hasFormerView() const { return time_axis_->hasFormer(); }
-
-bool PlotView::hasLaterView() const { return time_axis_->hasLater(); }
-
-void PlotView::placeCursor(Cursor cursor, double x) {
-  if (curves_.empty()) return;
-  cursors_.set(cursor, window_.shownAt(invTransform(QwtAxis::XBottom, x)));
-  changed();
-  Q_EMIT cursorsChanged(true);
-}
-
-std::optional<Cursor> PlotView::cursorAt(double x) const {
-  for (const Cursor cursor : kCursors) {
-    const auto time = cursors_.time(cursor);
-    if (time && std::abs(transform(QwtAxis::XBottom, window_.pointOf(*time)) - x) <= kGrab) {
-      return cursor;
-    }
-  }
-  return std::nullopt;
-}
-
-void PlotView::showCursors(bool shown) {
-  cursors_.clear();
-  if (shown) {
-    placeCursor(Cursor::kA, columns() / 3);
-    placeCursor(Cursor::kB, columns() * 2 / 3);
-  }
-  changed();
-  Q_EMIT cursorsChanged(cursors_.any());
 }
 
 }  // namespace tendon::gui

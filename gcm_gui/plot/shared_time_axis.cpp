@@ -1,3 +1,4 @@
+#include <gcm_gui/plot/series/shown_time.h>
 #include <gcm_gui/plot/series/time_shift.h>
 #include <gcm_gui/plot/shared_time_axis.h>
 
@@ -31,9 +32,12 @@ void SharedTimeAxis::leave(CurveSet& curves) {
 }
 
 void SharedTimeAxis::fitAll() {
-  for (CurveSet* set : sets_) {
-    for (UnitAxis& axis : set->axes()) axis.fitted = true;
-  }
+  for (CurveSet* set : sets_) set->fitAll();
+}
+
+std::int64_t SharedTimeAxis::now() const {
+  // A recording is always complete up to the shown moment, so there is no delay to estimate.
+  return IsMomentShown() ? ShownTime() : clock_.now(ShownTime());
 }
 
 bool SharedTimeAxis::setHover(std::optional<int> column) {

@@ -43,6 +43,10 @@ class SharedTimeAxis {
   [[nodiscard]] TimeWindow& window() { return window_; }
   [[nodiscard]] Cursors& cursors() { return cursors_; }
   [[nodiscard]] LiveClock& clock() { return clock_; }
+  /// Returns the present time of the sources, in ns of their steady clock; see LiveClock.
+  [[nodiscard]] std::int64_t now() const;
+  /// Moves a live window to the present time; see TimeWindow::follow().
+  void follow(double columns) { window_.follow(now(), columns); }
   [[nodiscard]] std::optional<int> hover() const { return hover_; }
   /// Sets the column under the mouse. Returns true if it has changed.
   bool setHover(std::optional<int> column);

@@ -46,8 +46,9 @@ void RecordingOverlay::askForSignals(const QString& file) {
 void RecordingOverlay::add(const QList<CurveKey>& keys, qint64 begin_ns) {
   const QString recording = RecordingOf(keys.front().path);
   PlotView& view = panel_.currentPlot();
-  if (!view.isOnPage(recording)) {
-    view.align(recording, MovedTime(begin_ns, -WallOffset()), PlotView::Edge::kLeft);
+  if (!view.recordedCurves().isOnPage(recording)) {
+    view.recordedCurves().align(recording, MovedTime(begin_ns, -WallOffset()),
+                                RecordedCurves::Edge::kLeft);
   }
   for (const CurveKey& key : keys) panel_.addSignal(key.path, key.unit);
   notes_.addRecent(recording);

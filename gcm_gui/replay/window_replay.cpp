@@ -55,7 +55,7 @@ void WindowReplay::showMoment() {
   for (int i = 0; i < plots_->plotCount(); ++i) {
     PlotView& plot = plots_->plot(i);
     const bool is_in_sight = now >= plot.window().firstTime() && now <= plot.window().lastTime();
-    if (!plot.isLive() && !is_in_sight) plot.goLiveTogether();
+    if (!plot.isLive() && !is_in_sight) plot.gestures().goLiveTogether();
   }
 }
 

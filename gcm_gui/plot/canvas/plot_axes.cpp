@@ -6,6 +6,7 @@
 #include <qwt_plot.h>
 #include <qwt_plot_layout.h>
 #include <qwt_scale_div.h>
+#include <qwt_scale_map.h>
 #include <qwt_scale_widget.h>
 
 #include <QFontMetrics>
@@ -68,6 +69,31 @@ void PlotAxes::takeTheme() {
 
 void PlotAxes::setVisible(bool visible) {
   for (const auto axis : kAxes) plot_.setAxisVisible(axis, visible);
+}
+
+double PlotAxes::columns() const {
+  const QwtScaleMap map = plot_.canvasMap(QwtAxis::XBottom);
+  return std::max(1.0, map.p2() - map.p1());
+}
+
+double PlotAxes::screenColumns() const { return columns() * plot_.devicePixelRatioF(); }
+
+int PlotAxes::rows() const { return plot_.canvas()->height(); }
+
+double PlotAxes::secondsAt(double x) const { return plot_.invTransform(QwtAxis::XBottom, x); }
+
+double PlotAxes::columnOf(double seconds) const {
+  return plot_.transform(QwtAxis::XBottom, seconds);
+}
+
+double PlotAxes::fractionAt(double y) const {
+  const QwtScaleMap map = plot_.canvasMap(QwtAxis::YLeft);
+  return (y - map.p1()) / (map.p2() - map.p1());
+}
+
+double PlotAxes::rowOf(double fraction) const {
+  const QwtScaleMap map = plot_.canvasMap(QwtAxis::YLeft);
+  return map.p1() + fraction * (map.p2() - map.p1());
 }
 
 double PlotAxes::timeStep(const TimeWindow& window) {

@@ -46,6 +46,20 @@ class PlotAxes {
   /// Paints what Qwt cannot paint: the units above the axes, and the outer axes.
   void paint(const std::vector<UnitAxis>& axes) const;
 
+  /// Returns the width of the time axis in columns. This width differs slightly from the width of
+  /// the canvas.
+  [[nodiscard]] double columns() const;
+  /// Returns the same width in pixels of the screen.
+  [[nodiscard]] double screenColumns() const;
+  /// Returns the height of the canvas in rows.
+  [[nodiscard]] int rows() const;
+  /// Returns the position of canvas column `x` on the time axis, in s.
+  [[nodiscard]] double secondsAt(double x) const;
+  [[nodiscard]] double columnOf(double seconds) const;
+  /// Returns the position of canvas row `y` as a fraction of the value axes, from their bottom.
+  [[nodiscard]] double fractionAt(double y) const;
+  [[nodiscard]] double rowOf(double fraction) const;
+
   /// Returns the distance between two labels of the time axis, in s.
   [[nodiscard]] static double timeStep(const TimeWindow& window);
 

@@ -14,7 +14,8 @@ namespace {
 
 void AddRecording(QMenu& menu, PlotPanel& panel, PlotView& view, const QString& recording) {
   QMenu& one = *menu.addMenu(QFileInfo(recording).fileName());
-  one.addAction(Words::tr("Shift…"), &view, [&view, recording] { view.askForShift(recording); })
+  one.addAction(Words::tr("Shift…"), &view,
+                [&view, recording] { view.recordedCurves().askForShift(recording); })
       ->setShortcut(Qt::Key_T);
   one.addAction(Words::tr("Begin at the left edge"), &panel,
                 [&panel, &view, recording] { panel.showBegin(view, recording); });
@@ -38,8 +39,8 @@ void FillPlotMenu(QMenu& menu, PlotPanel& panel, PlotView& view) {
     QAction* action =
         group->addAction(fits.addAction(text, &view, [&view, fit = fit] { view.setFit(fit); }));
     action->setCheckable(true);
-    action->setChecked(view.fit() == fit);
-    action->setEnabled(fit != Fit::kSymmetric || view.scale() == ValueScale::kLinear);
+    action->setChecked(view.curves().fit() == fit);
+    action->setEnabled(fit != Fit::kSymmetric || view.curves().scale() == ValueScale::kLinear);
   }
   fits.addSeparator();
   QAction* logarithmic = fits.addAction(Words::tr("Logarithmic"), &view, [&view](bool chosen) {
@@ -47,7 +48,7 @@ void FillPlotMenu(QMenu& menu, PlotPanel& panel, PlotView& view) {
   });
   logarithmic->setShortcut(Qt::Key_L);
   logarithmic->setCheckable(true);
-  logarithmic->setChecked(view.scale() == ValueScale::kLogarithmic);
+  logarithmic->setChecked(view.curves().scale() == ValueScale::kLogarithmic);
   QAction* statistics = menu.addAction(Words::tr("Statistics"), &view,
                                        [&view](bool shown) { view.setStatistics(shown); });
   statistics->setCheckable(true);
@@ -65,14 +66,15 @@ void FillPlotMenu(QMenu& menu, PlotPanel& panel, PlotView& view) {
   sweep->setShortcut(Qt::Key_S);
   sweep->setCheckable(true);
   sweep->setChecked(view.window().motion() == Motion::kSweep);
-  menu.addAction(Words::tr("Follow live data"), &view, &PlotView::goLive);
-  menu.addAction(Words::tr("Back to the previous view"), &view, &PlotView::goBack)
-      ->setEnabled(view.hasFormerView());
-  menu.addAction(Words::tr("Forward again"), &view, &PlotView::goForward)
-      ->setEnabled(view.hasLaterView());
+  menu.addAction(Words::tr("Follow live data"), &view.gestures(), &PlotGestures::goLive);
+  menu.addAction(Words::tr("Back to the previous view"), &view.gestures(), &PlotGestures::goBack)
+      ->setEnabled(view.gestures().hasFormerView());
+  menu.addAction(Words::tr("Forward again"), &view.gestures(), &PlotGestures::goForward)
+      ->setEnabled(view.gestures().hasLaterView());
   menu.addSeparator();
   menu.addAction(Words::tr("Add a curve of a recording…"), &panel, &PlotPanel::recordingRequested);
-  for (const QString& recording : view.recordings()) AddRecording(menu, panel, view, recording);
+  for (const QString& recording : view.recordedCurves().recordings())
+    AddRecording(menu, panel, view, recording);
   menu.addSeparator();
   menu.addAction(Words::tr("A plot below"), &panel, [&panel] { panel.splitPlot(); });
   menu.addAction(Words::tr("Close this plot"), &panel, [&panel, &view] { panel.closePlot(view); });

@@ -39,11 +39,11 @@ bool PlotNavigator::eventFilter(QObject* watched, QEvent* event) {
       return release(static_cast<const QMouseEvent&>(*event));
     case QEvent::MouseButtonDblClick:
       endDrag();
-      view_.goLive();
+      view_.gestures().goLive();
       return true;
     case QEvent::Leave:
       view_.setHover({});
-      view_.endRun();
+      view_.gestures().endRun();
       return false;
     case QEvent::Wheel:
       return wheel(static_cast<const QWheelEvent&>(*event));
@@ -61,26 +61,27 @@ bool PlotNavigator::eventFilter(QObject* watched, QEvent* event) {
 
 bool PlotNavigator::press(const QMouseEvent& event) {
   if (event.button() == Qt::BackButton || event.button() == Qt::ForwardButton) {
-    event.button() == Qt::BackButton ? view_.goBack() : view_.goForward();
+    event.button() == Qt::BackButton ? view_.gestures().goBack() : view_.gestures().goForward();
     return true;
   }
   if (event.button() != Qt::LeftButton || view_.curves().empty()) return false;
   pressed_ = last_ = event.pos();
   moves_values_ = false;
   drag_ = event.modifiers().testFlag(Qt::ShiftModifier) ? Drag::kPan : Drag::kZoom;
-  if (const auto cursor = view_.cursorAt(event.pos().x())) {
+  if (const auto cursor = view_.cursors().at(event.pos().x())) {
     drag_ = Drag::kCursor;
     cursor_ = *cursor;
   }
-  recording_ =
-      event.modifiers().testFlag(Qt::ControlModifier) ? view_.recordingAt(event.pos()) : QString();
+  recording_ = event.modifiers().testFlag(Qt::ControlModifier)
+                   ? view_.recordedCurves().recordingAt(event.pos())
+                   : QString();
   if (drag_ == Drag::kZoom && !recording_.isEmpty()) {
     drag_ = Drag::kShift;
-    view_.endRun();
+    view_.gestures().endRun();
     view_.canvas()->setCursor(Qt::SizeHorCursor);
   }
   if (drag_ == Drag::kPan) {
-    view_.endRun();
+    view_.gestures().endRun();
     view_.canvas()->setCursor(Qt::ClosedHandCursor);
   }
   return true;
@@ -93,16 +94,16 @@ bool PlotNavigator::move(const QMouseEvent& event) {
     const QRect band = QRect(pressed_, position).normalized() & view_.canvas()->rect();
     view_.overlay().setRubberBand(band);
   } else if (drag_ == Drag::kCursor) {
-    view_.placeCursor(cursor_, position.x());
+    view_.cursors().place(cursor_, position.x());
   } else if (drag_ == Drag::kShift) {
-    view_.moveRecording(recording_, position.x() - last_.x());
+    view_.recordedCurves().move(recording_, position.x() - last_.x());
     last_ = position;
   } else if (drag_ == Drag::kNone) {
     showGrip(position.x());
   } else {
     if (std::abs(position.y() - pressed_.y()) > kPanThreshold) moves_values_ = true;
-    view_.panTime(last_.x() - position.x());
-    if (moves_values_) view_.panValues(position.y() - last_.y());
+    view_.gestures().panTime(last_.x() - position.x());
+    if (moves_values_) view_.gestures().panValues(position.y() - last_.y());
     last_ = position;
   }
   return drag_ != Drag::kNone;
@@ -114,12 +115,12 @@ bool PlotNavigator::release(const QMouseEvent& event) {
   const bool zooms =
       drag_ == Drag::kZoom && band.width() >= kSmallestBand && band.height() >= kSmallestBand;
   endDrag();
-  if (zooms) view_.zoomTo(band);
+  if (zooms) view_.gestures().zoomTo(band);
   return true;
 }
 
 void PlotNavigator::endDrag() {
-  if (drag_ == Drag::kShift) view_.endRun();
+  if (drag_ == Drag::kShift) view_.gestures().endRun();
   drag_ = Drag::kNone;
   view_.overlay().setRubberBand({});
   view_.canvas()->unsetCursor();
@@ -131,17 +132,17 @@ bool PlotNavigator::wheel(const QWheelEvent& event) {
   const QPointF at = event.position();
   const double factor = std::pow(kNotchFactor, turned.y() / kNotch);
   if (std::abs(turned.x()) > std::abs(turned.y())) {
-    view_.panTime(-turned.x());
+    view_.gestures().panTime(-turned.x());
   } else if (event.modifiers().testFlag(Qt::ControlModifier)) {
-    view_.zoomValues(factor, at.y());
+    view_.gestures().zoomValues(factor, at.y());
   } else {
-    view_.zoomTime(factor, at.x());
+    view_.gestures().zoomTime(factor, at.x());
   }
   return true;
 }
 
 void PlotNavigator::showGrip(int x) {
-  if (view_.cursorAt(x)) {
+  if (view_.cursors().at(x)) {
     view_.canvas()->setCursor(Qt::SplitHCursor);
   } else {
     view_.canvas()->setCursor(Qt::ArrowCursor);
@@ -149,7 +150,7 @@ void PlotNavigator::showGrip(int x) {
 }
 
 bool PlotNavigator::help(const QHelpEvent& event) {
-  QToolTip::showText(event.globalPos(), view_.marksAt(event.pos().x()), view_.canvas());
+  QToolTip::showText(event.globalPos(), view_.marks().textAt(event.pos().x()), view_.canvas());
   return true;
 }
 
@@ -163,15 +164,15 @@ bool PlotNavigator::plainKey(int key) {
   const int x = mouse().x();
   switch (key) {
     case Qt::Key_A:
-      view_.placeCursor(Cursor::kA, x);
+      view_.cursors().place(Cursor::kA, x);
       return true;
     case Qt::Key_B:
-      view_.placeCursor(Cursor::kB, x);
+      view_.cursors().place(Cursor::kB, x);
       return true;
     case Qt::Key_T:
-      return view_.askForShift(view_.recordingAt(mouse()));
+      return view_.recordedCurves().askForShift(view_.recordedCurves().recordingAt(mouse()));
     case Qt::Key_Delete:
-      view_.showCursors(false);
+      view_.cursors().show(false);
       return true;
     case Qt::Key_E:
       Q_EMIT view_.marksToggled();
@@ -182,8 +183,8 @@ bool PlotNavigator::plainKey(int key) {
                           : TimeWindow::Motion::kScroll);
       return true;
     case Qt::Key_L:
-      view_.setScale(view_.scale() == ValueScale::kLinear ? ValueScale::kLogarithmic
-                                                          : ValueScale::kLinear);
+      view_.setScale(view_.curves().scale() == ValueScale::kLinear ? ValueScale::kLogarithmic
+                                                                   : ValueScale::kLinear);
       return true;
     default:
       return false;
@@ -194,10 +195,10 @@ bool PlotNavigator::shiftKey(const QKeyEvent& event) {
   const bool is_arrow = event.key() == Qt::Key_Left || event.key() == Qt::Key_Right;
   const Qt::KeyboardModifiers held = event.modifiers() & ~Qt::KeypadModifier;
   if (!is_arrow || held != Qt::ControlModifier) return false;
-  const QString recording = view_.recordingAt(mouse());
+  const QString recording = view_.recordedCurves().recordingAt(mouse());
   if (recording.isEmpty()) return false;
   const double step = kKeyShift * view_.canvas()->width();
-  view_.moveRecording(recording, event.key() == Qt::Key_Left ? -step : step);
+  view_.recordedCurves().move(recording, event.key() == Qt::Key_Left ? -step : step);
   return true;
 }
 
@@ -208,7 +209,8 @@ bool PlotNavigator::key(const QKeyEvent& event) {
   const QPoint centre = view_.canvas()->rect().center();
   const bool values = event.modifiers().testFlag(Qt::ControlModifier);
   const auto zoom = [&](double factor) {
-    values ? view_.zoomValues(factor, centre.y()) : view_.zoomTime(factor, centre.x());
+    values ? view_.gestures().zoomValues(factor, centre.y())
+           : view_.gestures().zoomTime(factor, centre.x());
   };
   switch (event.key()) {
     case Qt::Key_Escape:
@@ -216,12 +218,12 @@ bool PlotNavigator::key(const QKeyEvent& event) {
       endDrag();
       return true;
     case Qt::Key_Left:
-      event.modifiers().testFlag(Qt::AltModifier) ? view_.goBack()
-                                                  : view_.panTime(-kKeyPan * width);
+      event.modifiers().testFlag(Qt::AltModifier) ? view_.gestures().goBack()
+                                                  : view_.gestures().panTime(-kKeyPan * width);
       return true;
     case Qt::Key_Right:
-      event.modifiers().testFlag(Qt::AltModifier) ? view_.goForward()
-                                                  : view_.panTime(kKeyPan * width);
+      event.modifiers().testFlag(Qt::AltModifier) ? view_.gestures().goForward()
+                                                  : view_.gestures().panTime(kKeyPan * width);
       return true;
     case Qt::Key_Plus:
     case Qt::Key_Equal:
@@ -231,7 +233,7 @@ bool PlotNavigator::key(const QKeyEvent& event) {
       zoom(1 / kNotchFactor);
       return true;
     case Qt::Key_End:
-      view_.goLive();
+      view_.gestures().goLive();
       return true;
     default:
       return false;

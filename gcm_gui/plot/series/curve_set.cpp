@@ -157,6 +157,14 @@ int CurveSet::colorFor(const QString& path) const {
   return color;
 }
 
+void CurveSet::fitAll() {
+  for (UnitAxis& axis : axes_) axis.fitted = true;
+}
+
+bool CurveSet::isFitted() const {
+  return std::all_of(axes_.begin(), axes_.end(), [](const UnitAxis& axis) { return axis.fitted; });
+}
+
 void CurveSet::setFit(Fit fit) {
   fit_ = fit;
   for (UnitAxis& axis : axes_) {

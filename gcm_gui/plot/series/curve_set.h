@@ -82,6 +82,10 @@ class CurveSet {
   [[nodiscard]] const std::vector<UnitAxis>& axes() const { return axes_; }
   [[nodiscard]] const UnitAxis& axisOf(const Curve& curve) const;
 
+  /// Lets all axes follow the data.
+  void fitAll();
+  /// True if all axes follow the data.
+  [[nodiscard]] bool isFitted() const;
   /// Sets how all axes follow the data.
   void setFit(Fit fit);
   [[nodiscard]] Fit fit() const { return fit_; }

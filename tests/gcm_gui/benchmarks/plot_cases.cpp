@@ -87,7 +87,7 @@ class Ours {
 
   void Draw(QPixmap& target) {
     for (auto& view : views_) {
-      view->panTime(columns_);
+      view->gestures().panTime(columns_);
       view->refresh();
       view->render(&target);
     }

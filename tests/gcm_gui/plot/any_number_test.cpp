@@ -340,15 +340,15 @@ class AnyNumberInAView : public testing::Test {
     view_.setScale(scale);
     view_.setStatistics(true);
     view_.addCurve({"p/a/state.x", "rad"}).append(RowsOf(values));
-    view_.goLive();
+    view_.gestures().goLive();
     Painted(view_);
-    view_.zoomValues(0.01, 10);
-    view_.panValues(1e6);
+    view_.gestures().zoomValues(0.01, 10);
+    view_.gestures().panValues(1e6);
     Painted(view_);
-    for (int i = 0; i < 50; ++i) view_.zoomValues(1e3, 10);
-    for (int i = 0; i < 50; ++i) view_.zoomValues(1e-3, 10);
+    for (int i = 0; i < 50; ++i) view_.gestures().zoomValues(1e3, 10);
+    for (int i = 0; i < 50; ++i) view_.gestures().zoomValues(1e-3, 10);
     Painted(view_);
-    view_.goBack();
+    view_.gestures().goBack();
     Painted(view_);
     for (const UnitAxis& axis : view_.curves().axes()) {
       ASSERT_TRUE(IsShowable(axis.range)) << axis.range.low << " to " << axis.range.high;

@@ -28,18 +28,18 @@ class PlotCursors : public testing::Test {
 
   double xOf(double seconds) { return view_.transform(QwtAxis::XBottom, seconds); }
   std::vector<CursorLines::Line> Lines() {
-    return CursorLines(view_.curves(), view_.window(), view_.cursors()).lines();
+    return CursorLines(view_.curves(), view_.window(), view_.cursors().times()).lines();
   }
 
   PlotView view_;
 };
 
 TEST_F(PlotCursors, ShowTheirDistanceInTimeAndInEachCurve) {
-  view_.placeCursor(Cursor::kA, xOf(-6));
+  view_.cursors().place(Cursor::kA, xOf(-6));
   EXPECT_TRUE(Lines().empty());
-  view_.placeCursor(Cursor::kB, xOf(-4));
+  view_.cursors().place(Cursor::kB, xOf(-4));
 
-  EXPECT_NEAR(view_.cursors().span(), 2, 0.03);
+  EXPECT_NEAR(view_.cursors().times().span(), 2, 0.03);
   ASSERT_EQ(Lines().size(), 2u);
   const QStringList words = Lines()[1].text.split(' ');
   ASSERT_EQ(words.size(), 3);
@@ -48,27 +48,27 @@ TEST_F(PlotCursors, ShowTheirDistanceInTimeAndInEachCurve) {
 }
 
 TEST_F(PlotCursors, StayWithTheDataWhenTheWindowMoves) {
-  view_.placeCursor(Cursor::kA, xOf(-5));
-  const auto time = view_.cursors().time(Cursor::kA);
+  view_.cursors().place(Cursor::kA, xOf(-5));
+  const auto time = view_.cursors().times().time(Cursor::kA);
 
-  view_.panTime(50);
+  view_.gestures().panTime(50);
   Painted(view_);
 
-  EXPECT_EQ(view_.cursors().time(Cursor::kA), time);
-  EXPECT_TRUE(view_.cursorAt(xOf(-5)).has_value());
+  EXPECT_EQ(view_.cursors().times().time(Cursor::kA), time);
+  EXPECT_TRUE(view_.cursors().at(xOf(-5)).has_value());
 }
 
 TEST_F(PlotCursors, KeysPlaceAndRemoveThem) {
   QTest::keyClick(view_.canvas(), Qt::Key_A);
   QTest::keyClick(view_.canvas(), Qt::Key_B);
-  EXPECT_TRUE(view_.cursors().both());
+  EXPECT_TRUE(view_.cursors().times().both());
 
   QTest::keyClick(view_.canvas(), Qt::Key_Delete);
-  EXPECT_FALSE(view_.cursors().any());
+  EXPECT_FALSE(view_.cursors().times().any());
 }
 
 TEST_F(PlotCursors, DraggingThemDoesNotZoom) {
-  view_.placeCursor(Cursor::kA, xOf(-5));
+  view_.cursors().place(Cursor::kA, xOf(-5));
   const double span = view_.window().to() - view_.window().from();
   const QPoint from(static_cast<int>(xOf(-5)), 40);
   const QPoint to = from + QPoint(60, 30);
@@ -79,18 +79,18 @@ TEST_F(PlotCursors, DraggingThemDoesNotZoom) {
   QApplication::sendEvent(view_.canvas(), &move);
   QTest::mouseRelease(view_.canvas(), Qt::LeftButton, {}, to);
 
-  EXPECT_EQ(view_.cursorAt(to.x()), Cursor::kA);
-  EXPECT_FALSE(view_.cursorAt(from.x()).has_value());
+  EXPECT_EQ(view_.cursors().at(to.x()), Cursor::kA);
+  EXPECT_FALSE(view_.cursors().at(from.x()).has_value());
   EXPECT_EQ(view_.window().to() - view_.window().from(), span);
 }
 
 TEST_F(PlotCursors, AnEmptyPlotHasNoCursors) {
   view_.removeCurve("p/a/state.x");
-  view_.showCursors(false);
+  view_.cursors().show(false);
 
-  view_.showCursors(true);
+  view_.cursors().show(true);
 
-  EXPECT_FALSE(view_.cursors().any());
+  EXPECT_FALSE(view_.cursors().times().any());
 }
 
 TEST(SpanText, ShortSpansAreInMilliseconds) {

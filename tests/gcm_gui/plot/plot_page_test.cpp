@@ -86,7 +86,10 @@ TEST_F(PlotPages, CanvasesStayAligned) {
   panel_.addSignal("robot/a/state.t", "°C");
 
   EXPECT_TRUE(QTest::qWaitFor(
-      [this] { return areAligned() && above().sideRoom().right < below().sideRoom().right; },
+      [this] {
+        return areAligned() &&
+               above().axes().wantedRoom().right < below().axes().wantedRoom().right;
+      },
       120'000));
 }
 
@@ -141,7 +144,7 @@ TEST_F(PlotPages, OneButtonMakesAllLiveAgain) {
   EXPECT_TRUE(below().isLive());
   EXPECT_FALSE(Pill(above()).isVisible());
   EXPECT_FALSE(Pill(below()).isVisible()) << "its values follow, too";
-  above().goBack();
+  above().gestures().goBack();
   refresh();
   EXPECT_FALSE(below().isLive());
 }
@@ -169,8 +172,8 @@ TEST_F(PlotPages, TheLiveButtonIsOnTheFirstNonEmptyPlot) {
 TEST_F(PlotPages, AllPlotsShareCursorsAndTheHoverLine) {
   panel_.setPaused(true);
   refresh();
-  above().placeCursor(Cursor::kA, 200);
-  EXPECT_EQ(below().cursorAt(200), Cursor::kA);
+  above().cursors().place(Cursor::kA, 200);
+  EXPECT_EQ(below().cursors().at(200), Cursor::kA);
 
   QTest::mouseMove(above().canvas(), {300, 30});
   above().setHover(300);
@@ -266,8 +269,8 @@ TEST_F(PlotPages, ALayoutKeepsStackedPlots) {
   EXPECT_FALSE(other.isBelow(2));
   EXPECT_EQ(other.findChild<QTabBar*>("plotTabs")->count(), 2);
   EXPECT_EQ(other.plot(0).window().motion(), TimeWindow::Motion::kSweep);
-  EXPECT_EQ(other.plot(0).scale(), ValueScale::kLinear);
-  EXPECT_EQ(other.plot(1).scale(), ValueScale::kLogarithmic);
+  EXPECT_EQ(other.plot(0).curves().scale(), ValueScale::kLinear);
+  EXPECT_EQ(other.plot(1).curves().scale(), ValueScale::kLogarithmic);
 }
 
 TEST_F(PlotPages, RendersStackedPlots) {
@@ -276,8 +279,8 @@ TEST_F(PlotPages, RendersStackedPlots) {
                 Rows(0, 30'000, [](double t) { return 14 * std::cos(t); }));
   refresh();
   panel_.setPaused(true);
-  above().placeCursor(Cursor::kA, 200);
-  above().placeCursor(Cursor::kB, 420);
+  above().cursors().place(Cursor::kA, 200);
+  above().cursors().place(Cursor::kB, 420);
   above().setHover(300);
   ASSERT_TRUE(QTest::qWaitFor([this] { return areAligned(); }, 120'000));
   for (const auto& [choice, name] : {std::pair{Theme::Choice::kDark, "plot_split-dark"},

@@ -148,7 +148,7 @@ TEST_F(PlotPanelTest, GoingLiveInOnePlotEndsThePause) {
   panel_.addSignal(kX, "rad");
   panel_.setPaused(true);
 
-  panel_.currentPlot().goLive();
+  panel_.currentPlot().gestures().goLive();
 
   EXPECT_FALSE(panel_.isPaused());
   EXPECT_FALSE(child<QToolButton>("pause").isChecked());

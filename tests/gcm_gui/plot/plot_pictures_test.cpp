@@ -71,7 +71,7 @@ TEST_P(PlotPictures, RendersSingleSamples) {
   panel_.addSignal(Joint(0), "rad");
   panel_.append(Joint(0), Rows(0, 30'000, [](double t) { return std::sin(t * 60); }));
   panel_.currentPlot().refresh();
-  for (int i = 0; i < 28; ++i) panel_.currentPlot().zoomTime(0.8, 400);
+  for (int i = 0; i < 28; ++i) panel_.currentPlot().gestures().zoomTime(0.8, 400);
   panel_.currentPlot().setHover(300);
   keep("zoomed");
 }

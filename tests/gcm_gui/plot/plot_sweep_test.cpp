@@ -62,7 +62,7 @@ TEST_F(PlotSweep, ZoomingLeavesTheSweepForTheSelectedTime) {
   const int right = static_cast<int>(view_.transform(QwtAxis::XBottom, head() * 0.75));
   const std::int64_t from = view_.window().shownAt(view_.invTransform(QwtAxis::XBottom, left));
 
-  view_.zoomTo(QRect(QPoint(left, 20), QPoint(right, 120)));
+  view_.gestures().zoomTo(QRect(QPoint(left, 20), QPoint(right, 120)));
   Painted(view_);
 
   EXPECT_FALSE(view_.window().isSweeping());
@@ -84,7 +84,7 @@ TEST_F(PlotSweep, CsvExportContainsTheVisibleTime) {
 }
 
 TEST_F(PlotSweep, GoingLiveResumesTheSweep) {
-  view_.goLive();
+  view_.gestures().goLive();
   EXPECT_TRUE(view_.window().isSweeping());
   const std::int64_t before = view_.window().lastTime();
 

@@ -240,9 +240,9 @@ TEST_F(PlotValues, StatesShowTheirNameOnAxisLegendAndCursors) {
   EXPECT_THAT(entry().figures.toStdString(), testing::HasSubstr("off 2"));
   EXPECT_THAT(entry().figures.toStdString(), testing::HasSubstr("automatic 7"));
 
-  view_.placeCursor(Cursor::kA, columnOf(kSecond));
-  view_.placeCursor(Cursor::kB, columnOf(8 * kSecond));
-  const auto lines = CursorLines(view_.curves(), view_.window(), view_.cursors()).lines();
+  view_.cursors().place(Cursor::kA, columnOf(kSecond));
+  view_.cursors().place(Cursor::kB, columnOf(8 * kSecond));
+  const auto lines = CursorLines(view_.curves(), view_.window(), view_.cursors().times()).lines();
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[1].text, "off → automatic");
   KeepPicture(Painted(view_), "plot_states");
@@ -275,16 +275,16 @@ TEST_F(PlotValues, ASecondPlotOfASignalHasItsStateNames) {
 TEST_F(PlotValues, AMovedAxisBaseKeepsTheZoom) {
   show(Integers(10'000,
                 [](std::uint64_t i) { return 9'000'000'000 + static_cast<std::int64_t>(i); }));
-  view_.zoomValues(0.5, 100);
+  view_.gestures().zoomValues(0.5, 100);
   const UnitAxis before = view_.curves().axes().front();
-  view_.goLive();
+  view_.gestures().goLive();
   view_.curve(kSignal)->append(Integers(20'000, [](std::uint64_t i) {
     return i < 10'000 ? 0 : 90'000'000'000 + static_cast<std::int64_t>(i);
   }));
   Painted(view_);
   ASSERT_NE(view_.curves().axes().front().frame, before.frame);
 
-  view_.goBack();
+  view_.gestures().goBack();
 
   const UnitAxis& after = view_.curves().axes().front();
   EXPECT_NEAR(after.frame.base + after.range.low, before.frame.base + before.range.low, 1e-3);
@@ -313,7 +313,7 @@ TEST(PlotValuesOfALayout, OpensWithTheLargestDoubles) {
 TEST_F(PlotValues, AnIntegerAxisIsNotZoomedBelowOneStep) {
   show(Integers(10'000, [](std::uint64_t i) { return static_cast<std::int64_t>(i % 7); }));
 
-  for (int i = 0; i < 50; ++i) view_.zoomValues(0.8, 100);
+  for (int i = 0; i < 50; ++i) view_.gestures().zoomValues(0.8, 100);
 
   const UnitAxis& axis = view_.curves().axes().front();
   EXPECT_LT(axis.range.span(), 2);

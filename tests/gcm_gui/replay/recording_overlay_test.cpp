@@ -109,18 +109,18 @@ TEST_F(RecordingOverlayTest, AUserPutsARecordingBesideALiveCurveAndShiftsIt) {
   EXPECT_EQ(Recorded()->colorIndex(), Plot().curve(kShownWave)->colorIndex());
   EXPECT_EQ(source_.subscribed.keys(), QStringList{kShownWave}) << "the system is not asked for it";
 
-  const std::int64_t shift = Plot().shift(file_);
+  const std::int64_t shift = Plot().recordedCurves().shift(file_);
   QWidget* canvas = Plot().canvas();
   const QPoint middle = canvas->rect().center();
   QTest::mousePress(canvas, Qt::LeftButton, Qt::ControlModifier, middle);
   QTest::mouseMove(canvas, middle + QPoint(30, 0));
   QTest::mouseMove(canvas, middle + QPoint(60, 0));
   QTest::mouseRelease(canvas, Qt::LeftButton, Qt::ControlModifier, middle + QPoint(60, 0));
-  EXPECT_NEAR(static_cast<double>(Plot().shift(file_) - shift),
+  EXPECT_NEAR(static_cast<double>(Plot().recordedCurves().shift(file_) - shift),
               30.0 * kSecond * 60 / canvas->width(), 0.3 * kSecond);
 
   QTest::keyClick(canvas, Qt::Key_Left, Qt::AltModifier);
-  EXPECT_EQ(Plot().shift(file_), shift);
+  EXPECT_EQ(Plot().recordedCurves().shift(file_), shift);
 
   QTest::keyClick(canvas, Qt::Key_T);
   auto* field = window_.findChild<QLineEdit*>("curveEditor.shift");
@@ -128,7 +128,7 @@ TEST_F(RecordingOverlayTest, AUserPutsARecordingBesideALiveCurveAndShiftsIt) {
   QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
   QTest::keyClicks(field, "-7392.5");
   QTest::keyClick(field, Qt::Key_Return);
-  EXPECT_EQ(Plot().shift(file_), -73925 * (kSecond / 10));
+  EXPECT_EQ(Plot().recordedCurves().shift(file_), -73925 * (kSecond / 10));
   EXPECT_TRUE(Eventually([this] {
     Plot().refresh();
     return Row()->entry().name.contains(QString("−2 h 03 min 12.5 s"));
@@ -170,7 +170,7 @@ TEST_F(RecordingOverlayTest, LooksAsInThePictures) {
   window_.resize(1440, 900);
   AddTheSameSignal();
   Feed();
-  Plot().setShift(file_, Plot().shift(file_) + 5 * kSecond);
+  Plot().recordedCurves().setShift(file_, Plot().recordedCurves().shift(file_) + 5 * kSecond);
   KeepPictures(window_, "recording-overlay");
   QTest::keyClick(Plot().canvas(), Qt::Key_T);
   auto* editor = window_.findChild<QFrame*>("curveEditor");

@@ -65,8 +65,8 @@ TEST_F(MarkFlagsTest, HoveringAMarkShowsItsText) {
   panel_.addMark(MarkAt(10 * kSecond, "MoveTo"));
   const int x = static_cast<int>(xOf(10 * kSecond));
 
-  EXPECT_EQ(view().marksAt(x + 2), "all of MoveTo");
-  EXPECT_EQ(view().marksAt(x - 40), "");
+  EXPECT_EQ(view().marks().textAt(x + 2), "all of MoveTo");
+  EXPECT_EQ(view().marks().textAt(x - 40), "");
 
   const QPoint place(x + 2, 20);
   QHelpEvent rest(QEvent::ToolTip, place, view().canvas()->mapToGlobal(place));

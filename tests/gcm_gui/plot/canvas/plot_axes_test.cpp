@@ -94,7 +94,7 @@ TEST_F(PlotAxesTest, KeepsTheRequestedSideRoomFree) {
   Painted(view_);
   const QRect before = view_.canvas()->geometry();
 
-  view_.setSideRoom({.left = 80, .right = 150});
+  view_.axes().setRoom({.left = 80, .right = 150});
   Painted(view_);
 
   EXPECT_EQ(view_.canvas()->x(), before.x() + 80 - PlotAxes::kSide);

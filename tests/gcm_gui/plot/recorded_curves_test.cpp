@@ -36,7 +36,7 @@ class RecordedCurveTest : public testing::Test {
     panel_.show();
     panel_.addSignal(kLiveX, "rad");
     panel_.append(kLiveX, Rows(0, 30'000));
-    view().setShift(kRunFile, 5 * kSecond);
+    view().recordedCurves().setShift(kRunFile, 5 * kSecond);
     panel_.addSignal(kRecordedX, "rad");
     panel_.append(kRecordedX, Rows(0, 10'000, [](double) { return 4.0; }));
     view().refresh();
@@ -74,14 +74,14 @@ TEST_F(RecordedCurveTest, TheShiftMovesOnlyTheRecordedCurve) {
   EXPECT_EQ(First(curve(kLiveX)), 0);
   EXPECT_EQ(First(curve(kRecordedX)), 5 * kSecond);
 
-  view().setShift(kRunFile, -2 * kSecond);
+  view().recordedCurves().setShift(kRunFile, -2 * kSecond);
 
   EXPECT_EQ(First(curve(kLiveX)), 0);
   EXPECT_EQ(First(curve(kRecordedX)), -2 * kSecond);
 }
 
 TEST_F(RecordedCurveTest, SamplesThatComeLaterAreShifted) {
-  view().setShift(kRunFile, 7 * kSecond);
+  view().recordedCurves().setShift(kRunFile, 7 * kSecond);
   panel_.append(kRecordedX, Rows(10'000, 10'001));
 
   const SampleRing& samples = curve(kRecordedX).samples();
@@ -107,26 +107,26 @@ TEST_F(RecordedCurveTest, APlotWithoutLiveCurvesGoesOnWithItsTime) {
 }
 
 TEST_F(RecordedCurveTest, AHugeShiftStaysWithinItsLimitAndCanBeTakenBack) {
-  view().setShift(kRunFile, std::numeric_limits<std::int64_t>::max());
-  EXPECT_EQ(view().shift(kRunFile), kLongestShift);
+  view().recordedCurves().setShift(kRunFile, std::numeric_limits<std::int64_t>::max());
+  EXPECT_EQ(view().recordedCurves().shift(kRunFile), kLongestShift);
   Painted(view());
-  view().setShift(kRunFile, std::numeric_limits<std::int64_t>::min());
-  EXPECT_EQ(view().shift(kRunFile), -kLongestShift);
+  view().recordedCurves().setShift(kRunFile, std::numeric_limits<std::int64_t>::min());
+  EXPECT_EQ(view().recordedCurves().shift(kRunFile), -kLongestShift);
   Painted(view());
 
-  view().setShift(kRunFile, 0);
+  view().recordedCurves().setShift(kRunFile, 0);
 
   EXPECT_EQ(First(curve(kRecordedX)), 0);
 }
 
 TEST_F(RecordedCurveTest, AShiftIsAStepOfTheHistory) {
-  view().setShift(kRunFile, 9 * kSecond);
+  view().recordedCurves().setShift(kRunFile, 9 * kSecond);
 
-  view().goBack();
+  view().gestures().goBack();
   EXPECT_EQ(First(curve(kRecordedX)), 5 * kSecond);
-  EXPECT_FALSE(view().hasFormerView());
+  EXPECT_FALSE(view().gestures().hasFormerView());
 
-  view().goForward();
+  view().gestures().goForward();
   EXPECT_EQ(First(curve(kRecordedX)), 9 * kSecond);
 }
 
@@ -136,24 +136,25 @@ TEST_F(RecordedCurveTest, TheArrowsWithCtrlShiftInOneStep) {
     QTest::keyClick(view().canvas(), Qt::Key_Right, Qt::ControlModifier);
   }
 
-  EXPECT_GT(view().shift(kRunFile), 5 * kSecond);
+  EXPECT_GT(view().recordedCurves().shift(kRunFile), 5 * kSecond);
   EXPECT_TRUE(view().isLive());
   EXPECT_EQ(view().window().length(), before.length());
 
   QTest::keyClick(view().canvas(), Qt::Key_Left, Qt::AltModifier);
-  EXPECT_EQ(view().shift(kRunFile), 5 * kSecond);
+  EXPECT_EQ(view().recordedCurves().shift(kRunFile), 5 * kSecond);
 }
 
 TEST_F(RecordedCurveTest, ADragWithCtrlShiftsTheRecordingByTheTimeUnderTheMouse) {
   const double width = view().canvas()->width();
   drag(middle(), middle() + 100, Qt::ControlModifier);
 
-  const double moved = static_cast<double>(view().shift(kRunFile) - 5 * kSecond) / kSecond;
+  const double moved =
+      static_cast<double>(view().recordedCurves().shift(kRunFile) - 5 * kSecond) / kSecond;
   EXPECT_NEAR(moved, 30 * 100 / width, 0.2);
   EXPECT_EQ(First(curve(kLiveX)), 0);
   EXPECT_TRUE(view().isLive());
-  view().goBack();
-  EXPECT_EQ(view().shift(kRunFile), 5 * kSecond);
+  view().gestures().goBack();
+  EXPECT_EQ(view().recordedCurves().shift(kRunFile), 5 * kSecond);
 }
 
 TEST_F(RecordedCurveTest, ADragWithCtrlZoomsIfThereIsNoRecording) {
@@ -174,7 +175,7 @@ TEST_F(RecordedCurveTest, AllCurvesOfARecordingMoveTogether) {
   panel_.append(other, Rows(0, 10));
   EXPECT_EQ(First(curve(kRecordedY)), 5 * kSecond);
 
-  view().setShift(kRunFile, kSecond);
+  view().recordedCurves().setShift(kRunFile, kSecond);
 
   EXPECT_EQ(First(curve(kRecordedX)), kSecond);
   EXPECT_EQ(First(curve(kRecordedY)), kSecond);
@@ -189,7 +190,7 @@ TEST_F(RecordedCurveTest, APlotBelowHasTheSameShiftAndAnotherPageItsOwn) {
   panel_.addSignal(kRecordedY, "rad");
   panel_.append(kRecordedY, Rows(0, 10));
 
-  below.setShift(kRunFile, kSecond);
+  below.recordedCurves().setShift(kRunFile, kSecond);
   panel_.plot(0).refresh();
 
   EXPECT_EQ(First(*panel_.plot(0).curve(kRecordedX)), kSecond);
@@ -204,15 +205,15 @@ TEST_F(RecordedCurveTest, ARemovedCurveIsReleasedAndTheOthersStay) {
 
   ASSERT_EQ(released.count(), 1);
   EXPECT_EQ(released[0][0], kRecordedX);
-  EXPECT_FALSE(view().isOnPage(kRunFile));
+  EXPECT_FALSE(view().recordedCurves().isOnPage(kRunFile));
   EXPECT_NE(view().curve(kLiveX), nullptr);
 }
 
 TEST_F(RecordedCurveTest, OnlySignalsOfTheSystemCountAsPlotted) {
   EXPECT_EQ(panel_.paths(), QStringList{kLiveX});
   EXPECT_EQ(view().curves().newestTime(), 29'999 * kMillisecond);
-  ASSERT_EQ(view().figures().size(), 1U);
-  EXPECT_EQ(view().figures().front().source, "robot/arm/state");
+  ASSERT_EQ(view().curves().figures(view().now()).size(), 1U);
+  EXPECT_EQ(view().curves().figures(view().now()).front().source, "robot/arm/state");
 }
 
 TEST_F(RecordedCurveTest, AJumpInTheRecordingKeepsTheLiveSamples) {
@@ -306,7 +307,7 @@ TEST_F(RecordedCurveTest, TheEditorSetsAnExactShiftAndRefusesWhatIsNone) {
 
   QTest::keyClick(field, Qt::Key_Return);
 
-  EXPECT_EQ(view().shift(kRunFile), -250'000'001);
+  EXPECT_EQ(view().recordedCurves().shift(kRunFile), -250'000'001);
 }
 
 TEST_F(RecordedCurveTest, TheEditorOfALiveCurveHasNoShift) {
@@ -317,7 +318,7 @@ TEST_F(RecordedCurveTest, TheEditorOfALiveCurveHasNoShift) {
 }
 
 TEST_F(RecordedCurveTest, CsvHasTheTimeOfThePlotAndNamesTheShift) {
-  view().setShift(kRunFile, -2 * kSecond - kSecond / 2);
+  view().recordedCurves().setShift(kRunFile, -2 * kSecond - kSecond / 2);
   QBuffer buffer;
   ASSERT_TRUE(buffer.open(QIODevice::WriteOnly));
 
@@ -333,7 +334,7 @@ TEST_F(RecordedCurveTest, CsvHasTheTimeOfThePlotAndNamesTheShift) {
 }
 
 TEST_F(RecordedCurveTest, ALayoutKeepsTheRecordingAndItsShift) {
-  view().setShift(kRunFile, -kLongestShift + 1);
+  view().recordedCurves().setShift(kRunFile, -kLongestShift + 1);
   const QByteArray layout = LayoutOf(panel_);
 
   PlotPanel other;
@@ -344,7 +345,7 @@ TEST_F(RecordedCurveTest, ALayoutKeepsTheRecordingAndItsShift) {
   EXPECT_EQ(shown->shift(), -kLongestShift + 1);
   EXPECT_EQ(shown->unit(), "rad");
   EXPECT_EQ(other.paths(), QStringList{kLiveX});
-  EXPECT_FALSE(other.currentPlot().hasFormerView());
+  EXPECT_FALSE(other.currentPlot().gestures().hasFormerView());
 }
 
 TEST_F(RecordedCurveTest, ALayoutWithoutAWholeShiftIsRefused) {
@@ -370,7 +371,8 @@ TEST_F(RecordedCurveTest, ADragFromTheWindowOfARecordingPutsItsMomentAtTheRightE
 
   const QString recorded = RecordedPath("/runs/third.mcap", kLiveX);
   ASSERT_NE(view().curve(recorded), nullptr);
-  const std::int64_t there = MovedTime(moment - WallOffset(), view().shift("/runs/third.mcap"));
+  const std::int64_t there =
+      MovedTime(moment - WallOffset(), view().recordedCurves().shift("/runs/third.mcap"));
   EXPECT_NEAR(static_cast<double>(there), static_cast<double>(view().window().lastTime()),
               2 * kSecond);
 }
