@@ -43,6 +43,7 @@ struct RunSettings {
 /// Returns the counts of a local connection.
 [[nodiscard]] ConnectionCounts CountsOf(const Connection& connection);
 
+class ComponentOrder;
 class LocalManager;
 
 /// The second base class of a component that works on all components of its manager, such as a
@@ -230,11 +231,11 @@ class LocalManager {
   Entry MakeEntry(std::unique_ptr<Component> component, ComponentOrigin origin);
   [[nodiscard]] ComponentDescription Describe(const Entry& entry) const;
   [[nodiscard]] Result<std::shared_ptr<Component>> Require(const std::string& component) const;
-  /// Returns all components, leaders before the components that run after them.
+  /// Called while the lock is held.
+  [[nodiscard]] ComponentOrder Order() const;
+  // See ComponentOrder.
   [[nodiscard]] Components InOrder() const;
   using IsMeant = std::function<bool(const Component&)>;
-  /// Returns the components for which `is_meant` is true, in the order in which they must end: each
-  /// comes after its clients and after the components that run after it.
   [[nodiscard]] std::vector<OrderlyShutdown::Member> InEndOrder(const IsMeant& is_meant) const;
   Result<void> StopInOrder(const IsMeant& is_meant, SteadyTime deadline);
   [[nodiscard]] bool IsAtRest(const Component& component) const;

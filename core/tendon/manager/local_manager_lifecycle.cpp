@@ -1,13 +1,14 @@
-#include <tendon/base/dependency_order.h>
 #include <tendon/base/log.h>
+#include <tendon/manager/component_order.h>
 #include <tendon/manager/local_manager.h>
 #include <tendon/task/threaded_task.h>
 
 #include <algorithm>
 #include <thread>
+#include <utility>
 
-// The lifecycle of the components of a LocalManager: requests, and the order in which components
-// start and end.
+// The requests of a LocalManager that change the state of its components. ComponentOrder says in
+// which order.
 
 namespace tendon {
 namespace {
@@ -178,46 +179,25 @@ bool LocalManager::HasCallsUnderWay(const Component& client) const {
   });
 }
 
+ComponentOrder LocalManager::Order() const {
+  Components components;
+  for (const Entry& entry : entries_) components.push_back(entry.component);
+  ComponentOrder order(std::move(components));
+  for (const auto& [id, connection] : connections_) {
+    const ConnectionDescription& ends = connection.description;
+    order.AddConnection(ends.required.component, ends.provided.component);
+  }
+  return order;
+}
+
+LocalManager::Components LocalManager::InOrder() const {
+  const auto lock = Lock();
+  return Order().StartOrder();
+}
+
 std::vector<OrderlyShutdown::Member> LocalManager::InEndOrder(const IsMeant& is_meant) const {
   const auto lock = Lock();
-  std::map<std::string, std::size_t> numbers;  // index of each entry, by name
-  for (const Entry& entry : entries_) numbers.emplace(entry.component->name(), numbers.size());
-  Dependencies needed(entries_.size());
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    const auto* const task = dynamic_cast<const Task*>(entries_[i].component.get());
-    const Task* const leader = task == nullptr ? nullptr : task->leader();
-    const auto own = std::ranges::find_if(
-        entries_, [&](const Entry& entry) { return entry.component.get() == leader; });
-    // The leader may belong to another manager, or may have been removed.
-    if (own != entries_.end())
-      needed[i].push_back(static_cast<std::size_t>(own - entries_.begin()));
-  }
-  for (const auto& [id, connection] : connections_) {
-    const std::size_t client = numbers.at(connection.description.required.component);
-    const std::size_t server = numbers.at(connection.description.provided.component);
-    // A server that runs after its own client ends together with the client, so it cannot end after
-    // the client.
-    if (RunsAfter(*entries_[server].component, *entries_[client].component)) continue;
-    needed[client].push_back(server);
-  }
-  std::vector<OrderlyShutdown::Member> members;
-  std::map<std::size_t, std::size_t> places;  // position in the end order, by number
-  std::vector<std::size_t> order = DependencyOrder(needed);
-  std::reverse(order.begin(), order.end());
-  for (const std::size_t number : order) {
-    if (!is_meant(*entries_[number].component)) continue;
-    places.emplace(number, members.size());
-    members.push_back({.component = entries_[number].component, .before = {}});
-  }
-  for (const auto& [number, place] : places) {
-    for (const std::size_t server : needed[number]) {
-      const auto later = places.find(server);
-      if (later != places.end() && later->second > place) {
-        members[later->second].before.push_back(place);
-      }
-    }
-  }
-  return members;
+  return Order().EndOrder(is_meant);
 }
 
 Result<void> LocalManager::WaitFor(const std::string& component, ComponentState state,
@@ -271,23 +251,6 @@ Error LocalManager::RequestInProgress(const std::string& component) {
   return {ErrorCode::kTimeout, "component '" + component +
                                    "' is still busy with an earlier request; it may be in "
                                    "its Configure(), Startup() or Cleanup()"};
-}
-
-LocalManager::Components LocalManager::InOrder() const {
-  const auto lock = Lock();
-  const auto depth = [](const Entry& entry) {
-    const auto* task = dynamic_cast<const Task*>(entry.component.get());
-    int leaders = 0;
-    while (task != nullptr && (task = task->leader()) != nullptr) ++leaders;
-    return leaders;
-  };
-  Components all;
-  for (int leaders = 0; all.size() < entries_.size(); ++leaders) {
-    for (const Entry& entry : entries_) {
-      if (depth(entry) == leaders) all.push_back(entry.component);
-    }
-  }
-  return all;
 }
 
 }  // namespace tendon
