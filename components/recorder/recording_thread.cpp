@@ -1,4 +1,5 @@
 #include <components/recorder/recording_thread.h>
+#include <tendon/payload/numeric_value.h>
 #include <tendon/recording/save_last.h>
 
 #include <algorithm>
@@ -145,7 +146,7 @@ void RecordingThread::StopNow() {
 void RecordingThread::SaveLastNow(double seconds) {
   if (!(seconds > 0.0 && seconds <= kLongestPast)) {
     return Report(RecordingOutcome::Kind::kFailed,
-                  "cannot save the last " + std::to_string(seconds) +
+                  "cannot save the last " + ToString(tendon::NumericValue(seconds)) +
                       " s: expected more than 0 and at most 86400 s");
   }
   const auto queue = std::make_shared<tendon::recording::RecordingQueue>();

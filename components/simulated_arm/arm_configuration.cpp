@@ -1,5 +1,6 @@
 #include <components/simulated_arm/arm_configuration.h>
 #include <tendon/base/error.h>
+#include <tendon/payload/numeric_value.h>
 
 namespace arm {
 namespace {
@@ -12,7 +13,8 @@ void Require(bool condition, const std::string& component, const std::string& se
 }
 
 std::string Element(const char* field, std::size_t joint, double value) {
-  return std::string(field) + "[" + std::to_string(joint) + "] is " + std::to_string(value);
+  return std::string(field) + "[" + std::to_string(joint) + "] is " +
+         ToString(tendon::NumericValue(value));
 }
 
 /// True for a valid limit of velocity or acceleration.
@@ -36,9 +38,10 @@ void RequireValid(const ArmConfiguration& configuration, const std::string& comp
         Element("acceleration", joint, acceleration[joint]) + ", expected 0.001 to 1000 rad/s^2");
   }
   Require(bandwidth >= kLeastBandwidth && bandwidth <= kMostBandwidth, component,
-          "bandwidth is " + std::to_string(bandwidth) + ", expected 0.001 to 500 rad/s");
+          "bandwidth is " + ToString(tendon::NumericValue(bandwidth)) +
+              ", expected 0.001 to 500 rad/s");
   Require(noise >= 0.0 && noise <= kMostNoise, component,
-          "noise is " + std::to_string(noise) + ", expected 0 to 1 rad");
+          "noise is " + ToString(tendon::NumericValue(noise)) + ", expected 0 to 1 rad");
 }
 
 }  // namespace arm

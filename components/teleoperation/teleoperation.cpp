@@ -1,5 +1,6 @@
 #include <components/teleoperation/teleoperation.h>
 #include <tendon/base/error.h>
+#include <tendon/payload/numeric_value.h>
 
 #include <algorithm>
 #include <chrono>
@@ -27,11 +28,13 @@ JointTour CheckedTour(const TeleoperationConfiguration& configuration, const std
   const auto& [period, amplitude] = configuration;
   if (!(period >= kShortestTour && period <= kLongestTour)) {
     throw tendon::ConfigurationError("configuration of '" + name + "': period is " +
-                                     std::to_string(period) + ", expected 4 to 3600 s");
+                                     ToString(tendon::NumericValue(period)) +
+                                     ", expected 4 to 3600 s");
   }
   if (!(amplitude >= 0.0 && amplitude <= kMostAmplitude)) {
     throw tendon::ConfigurationError("configuration of '" + name + "': amplitude is " +
-                                     std::to_string(amplitude) + ", expected 0 to 3");
+                                     ToString(tendon::NumericValue(amplitude)) +
+                                     ", expected 0 to 3");
   }
   return {period, amplitude};
 }

@@ -37,7 +37,7 @@ std::vector<Library> LibrariesInUse() {
   const QString qt = QString::fromLatin1(qVersion());
   std::vector<Library> all{
       {QStringLiteral("Tendon"), QStringLiteral(TENDON_VERSION),
-       with_ice ? QStringLiteral("BSD-3-Clause; this program, with Ice in it, GPL-2.0")
+       with_ice ? QStringLiteral("BSD-3-Clause; GPL-2.0 for this program, because it contains Ice")
                 : QStringLiteral("BSD-3-Clause"),
        with_ice ? QStringList{"tendon", "gpl-2.0"} : QStringList{"tendon"}},
       {QStringLiteral("Qt"), qt, with_ice ? QStringLiteral("GPL-2.0") : QStringLiteral("LGPL-3.0"),

@@ -1530,28 +1530,36 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>Verbindung für </translation>
     </message>
     <message>
-        <source>other </source>
-        <translation>andere </translation>
+        <source> · no other provided interface fits · D disconnects · Esc cancels</source>
+        <translation> · keine andere angebotene Schnittstelle passt · D trennt · Esc bricht ab</translation>
     </message>
     <message>
-        <source> · no %1 interface fits</source>
-        <translation> · keine %1-Schnittstelle passt</translation>
+        <source> · no other required interface fits · D disconnects · Esc cancels</source>
+        <translation> · keine andere benötigte Schnittstelle passt · D trennt · Esc bricht ab</translation>
     </message>
     <message>
-        <source> · pick another %1 interface</source>
-        <translation> · eine andere %1-Schnittstelle wählen</translation>
+        <source> · pick another provided interface · D disconnects · Esc cancels</source>
+        <translation> · eine andere angebotene Schnittstelle wählen · D trennt · Esc bricht ab</translation>
     </message>
     <message>
-        <source> · pick a %1 interface</source>
-        <translation> · eine %1-Schnittstelle wählen</translation>
+        <source> · pick another required interface · D disconnects · Esc cancels</source>
+        <translation> · eine andere benötigte Schnittstelle wählen · D trennt · Esc bricht ab</translation>
     </message>
     <message>
-        <source> · D disconnects · Esc</source>
-        <translation> · D trennt · Esc</translation>
+        <source> · no provided interface fits · Esc cancels</source>
+        <translation> · keine angebotene Schnittstelle passt · Esc bricht ab</translation>
     </message>
     <message>
-        <source> · Esc</source>
-        <translation> · Esc</translation>
+        <source> · no required interface fits · Esc cancels</source>
+        <translation> · keine benötigte Schnittstelle passt · Esc bricht ab</translation>
+    </message>
+    <message>
+        <source> · pick a provided interface · Esc cancels</source>
+        <translation> · eine angebotene Schnittstelle wählen · Esc bricht ab</translation>
+    </message>
+    <message>
+        <source> · pick a required interface · Esc cancels</source>
+        <translation> · eine benötigte Schnittstelle wählen · Esc bricht ab</translation>
     </message>
     <message>
         <source>%1 process</source>
@@ -2338,11 +2346,11 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>Starten oder beenden</translation>
     </message>
     <message>
-        <source>This order ends the actions of the component: hold the button for 0.4 s</source>
+        <source>This order stops what the component does: hold the button for 0.4 s</source>
         <translation>Es beendet, was die Komponente tut: den Knopf 0.4 s lang halten</translation>
     </message>
     <message>
-        <source>This order ends the actions of the component: hold the button for 0.4 s, or press Enter</source>
+        <source>This order stops what the component does: hold the button for 0.4 s, or press Enter</source>
         <translation>Es beendet, was die Komponente tut: den Knopf 0.4 s lang halten oder die Eingabetaste drücken</translation>
     </message>
     <message>
@@ -2650,12 +2658,12 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>nicht bekannt</translation>
     </message>
     <message>
-        <source>Rows per second that arrive in this window; – if there is no subscription</source>
-        <translation>Zeilen je Sekunde, die hier ankommen; – wo nichts empfangen wird</translation>
+        <source>Rows per second that arrive in this window. “–” means no subscription</source>
+        <translation>Zeilen je Sekunde, die hier ankommen. „–“ bedeutet: kein Abonnement</translation>
     </message>
     <message>
-        <source>For a value: time since its newest row was written. For a process: time since its state changed. – if unknown</source>
-        <translation>Wert: Zeit, seit seine neueste Zeile geschrieben wurde. Prozess: Zeit, seit sich sein Zustand geändert hat. – wenn unbekannt</translation>
+        <source>For a value: time since its newest row was written. For a process: time since its state changed. “–” means unknown</source>
+        <translation>Wert: Zeit, seit seine neueste Zeile geschrieben wurde. Prozess: Zeit, seit sich sein Zustand geändert hat. „–“ bedeutet: unbekannt</translation>
     </message>
     <message>
         <source>The connected interfaces; for a component, the connected components</source>

@@ -1530,28 +1530,36 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>Connecter </translation>
     </message>
     <message>
-        <source>other </source>
-        <translation>autre </translation>
+        <source> · no other provided interface fits · D disconnects · Esc cancels</source>
+        <translation> · aucune autre interface fournie ne convient · D déconnecte · Esc annule</translation>
     </message>
     <message>
-        <source> · no %1 interface fits</source>
-        <translation> · aucune interface ne convient (%1)</translation>
+        <source> · no other required interface fits · D disconnects · Esc cancels</source>
+        <translation> · aucune autre interface requise ne convient · D déconnecte · Esc annule</translation>
     </message>
     <message>
-        <source> · pick another %1 interface</source>
-        <translation> · choisir une autre interface %1</translation>
+        <source> · pick another provided interface · D disconnects · Esc cancels</source>
+        <translation> · choisir une autre interface fournie · D déconnecte · Esc annule</translation>
     </message>
     <message>
-        <source> · pick a %1 interface</source>
-        <translation> · choisir une interface %1</translation>
+        <source> · pick another required interface · D disconnects · Esc cancels</source>
+        <translation> · choisir une autre interface requise · D déconnecte · Esc annule</translation>
     </message>
     <message>
-        <source> · D disconnects · Esc</source>
-        <translation> · D déconnecte · Esc</translation>
+        <source> · no provided interface fits · Esc cancels</source>
+        <translation> · aucune interface fournie ne convient · Esc annule</translation>
     </message>
     <message>
-        <source> · Esc</source>
-        <translation> · Esc</translation>
+        <source> · no required interface fits · Esc cancels</source>
+        <translation> · aucune interface requise ne convient · Esc annule</translation>
+    </message>
+    <message>
+        <source> · pick a provided interface · Esc cancels</source>
+        <translation> · choisir une interface fournie · Esc annule</translation>
+    </message>
+    <message>
+        <source> · pick a required interface · Esc cancels</source>
+        <translation> · choisir une interface requise · Esc annule</translation>
     </message>
     <message>
         <source>%1 process</source>
@@ -2338,11 +2346,11 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>Démarrer ou arrêter</translation>
     </message>
     <message>
-        <source>This order ends the actions of the component: hold the button for 0.4 s</source>
+        <source>This order stops what the component does: hold the button for 0.4 s</source>
         <translation>Cela met fin à ce que fait le composant : maintenir le bouton 0.4 s</translation>
     </message>
     <message>
-        <source>This order ends the actions of the component: hold the button for 0.4 s, or press Enter</source>
+        <source>This order stops what the component does: hold the button for 0.4 s, or press Enter</source>
         <translation>Cela met fin à ce que fait le composant : maintenir le bouton 0.4 s ou appuyer sur Entrée</translation>
     </message>
     <message>
@@ -2650,12 +2658,12 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>inconnu</translation>
     </message>
     <message>
-        <source>Rows per second that arrive in this window; – if there is no subscription</source>
-        <translation>Lignes par seconde qui arrivent ici ; – là où rien n&apos;est écouté</translation>
+        <source>Rows per second that arrive in this window. “–” means no subscription</source>
+        <translation>Lignes par seconde qui arrivent ici. « – » : pas d&apos;abonnement</translation>
     </message>
     <message>
-        <source>For a value: time since its newest row was written. For a process: time since its state changed. – if unknown</source>
-        <translation>Valeur : temps depuis l&apos;écriture de sa dernière ligne. Processus : temps depuis le changement de son état. – si inconnu</translation>
+        <source>For a value: time since its newest row was written. For a process: time since its state changed. “–” means unknown</source>
+        <translation>Valeur : temps depuis l&apos;écriture de sa dernière ligne. Processus : temps depuis le changement de son état. « – » : inconnu</translation>
     </message>
     <message>
         <source>The connected interfaces; for a component, the connected components</source>

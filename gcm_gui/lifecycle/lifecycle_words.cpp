@@ -85,14 +85,14 @@ QString StateWithDuration(const QString& path, ComponentState state,
 
 QString ButtonAdviceOf(LifecycleVerb verb) {
   return EndsSomething(verb)
-             ? Words::tr("This order ends the actions of the component: hold the button for 0.4 s")
+             ? Words::tr("This order stops what the component does: hold the button for 0.4 s")
              : Words::tr("This order can move something: hold the button for 0.4 s");
 }
 
 QString CardAdviceOf(LifecycleVerb verb) {
   return EndsSomething(verb)
              ? Words::tr(
-                   "This order ends the actions of the component: hold the button for 0.4 s, or "
+                   "This order stops what the component does: hold the button for 0.4 s, or "
                    "press Enter")
              : Words::tr(
                    "This order can move something: hold the button for 0.4 s, or press Enter");

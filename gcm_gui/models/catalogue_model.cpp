@@ -85,11 +85,11 @@ QString ColumnTitle(int column) {
 QString ExplanationOf(int column) {
   switch (column) {
     case CatalogueModel::kRate:
-      return Words::tr("Rows per second that arrive in this window; – if there is no subscription");
+      return Words::tr("Rows per second that arrive in this window. “–” means no subscription");
     case CatalogueModel::kAge:
       return Words::tr(
           "For a value: time since its newest row was written. For a process: time since its state "
-          "changed. – if unknown");
+          "changed. “–” means unknown");
     case CatalogueModel::kConnected:
       return Words::tr("The connected interfaces; for a component, the connected components");
     default:

@@ -8,8 +8,8 @@
 
 namespace tendon::gui {
 
-/// All connections, one per row, sorted by the required interface, whose path is the path of the
-/// row.
+/// All connections, one per row. The path of a row is the path of its required interface; the rows
+/// are sorted by it.
 class ConnectionsModel : public QAbstractTableModel {
   Q_OBJECT
 

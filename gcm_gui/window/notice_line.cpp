@@ -19,6 +19,27 @@ int WidthOf(const QString& text, const QFont& font) {
   return QFontMetrics(font).horizontalAdvance(text);
 }
 
+/// Returns what the user can do while a connection is made.
+QString AdviceOf(const ConnectMode& mode) {
+  const bool is_other_provided = mode.chosen().side == Side::kRequired;
+  if (mode.former() && mode.best() == nullptr) {
+    return is_other_provided
+               ? Words::tr(" · no other provided interface fits · D disconnects · Esc cancels")
+               : Words::tr(" · no other required interface fits · D disconnects · Esc cancels");
+  }
+  if (mode.former()) {
+    return is_other_provided
+               ? Words::tr(" · pick another provided interface · D disconnects · Esc cancels")
+               : Words::tr(" · pick another required interface · D disconnects · Esc cancels");
+  }
+  if (mode.best() == nullptr) {
+    return is_other_provided ? Words::tr(" · no provided interface fits · Esc cancels")
+                             : Words::tr(" · no required interface fits · Esc cancels");
+  }
+  return is_other_provided ? Words::tr(" · pick a provided interface · Esc cancels")
+                           : Words::tr(" · pick a required interface · Esc cancels");
+}
+
 }  // namespace
 
 NoticeLine::NoticeLine(const ConnectMode& mode, const ActivityModel& activity, QWidget* parent)
@@ -75,16 +96,9 @@ void NoticeLine::onActionFinished(const Action& finished) {
 }
 
 void NoticeLine::showMode() {
-  const PortName& port = mode_.chosen();
-  const QString side =
-      port.side == Side::kRequired ? QStringLiteral("provided") : QStringLiteral("required");
   before_ = mode_.former() ? Words::tr("Replace ") : Words::tr("Connect ");
-  path_ = ToQString(ToString(mode_.former() ? *mode_.former() : port.name));
-  const QString other = mode_.former() ? Words::tr("other ") + side : side;
-  after_ = mode_.best() == nullptr ? Words::tr(" · no %1 interface fits").arg(other)
-           : mode_.former()        ? Words::tr(" · pick another %1 interface").arg(side)
-                                   : Words::tr(" · pick a %1 interface").arg(side);
-  after_ += mode_.former() ? Words::tr(" · D disconnects · Esc") : Words::tr(" · Esc");
+  path_ = ToQString(ToString(mode_.former() ? *mode_.former() : mode_.chosen().name));
+  after_ = AdviceOf(mode_);
 }
 
 void NoticeLine::refresh() {

@@ -8,8 +8,9 @@
 
 namespace tendon::gui {
 
-/// Marks missing rows. Lost rows get a tint over the whole height and their number. Another tint
-/// marks the time during which a source was restarted, did not run, or sent no rows.
+/// Marks the times without rows by coloured bands as high as the plot. A band for lost rows shows
+/// their number. Bands of another colour mark the times in which a source was restarted, did not
+/// run, or sent no rows.
 class GapBands final : public QwtPlotItem {
  public:
   /// Both arguments must outlive this item.

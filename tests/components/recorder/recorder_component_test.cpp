@@ -254,7 +254,8 @@ TEST_F(RecorderComponentTest, AnImpossibleTimeToSaveIsRefused) {
   ASSERT_TRUE(operator_->save_last(-1.0));
 
   ASSERT_TRUE(operator_->EventuallyHas("Failed"));
-  EXPECT_THAT(operator_->Texts("Failed").front(), HasSubstr("expected more than 0"));
+  EXPECT_THAT(operator_->Texts("Failed").front(),
+              HasSubstr("cannot save the last -1 s: expected more than 0"));
 }
 
 /// Chooses the steps of the counter.

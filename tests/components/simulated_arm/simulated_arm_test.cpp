@@ -274,7 +274,7 @@ TEST(SimulatedArmConfiguration, ReportsInvalidNumbers) {
   EXPECT_EQ(RefusalOf(outside),
             "configuration of 'arm': home[0] is 3.000000, outside of lower and upper");
   EXPECT_EQ(RefusalOf(frozen),
-            "configuration of 'arm': velocity[6] is 0.000000, expected 0.001 to 1000 rad/s");
+            "configuration of 'arm': velocity[6] is 0, expected 0.001 to 1000 rad/s");
   EXPECT_EQ(RefusalOf(blurred), "configuration of 'arm': noise is nan, expected 0 to 1 rad");
 }
 

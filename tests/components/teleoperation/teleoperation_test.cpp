@@ -356,7 +356,7 @@ TEST(Teleoperation, RejectsAnInvalidConfiguration) {
   EXPECT_EQ(tendon::test::Refusal([] {
               Teleoperation teleoperation("teleoperation", {.period = 12.0, .amplitude = 4.0});
             }),
-            "configuration of 'teleoperation': amplitude is 4.000000, expected 0 to 3");
+            "configuration of 'teleoperation': amplitude is 4, expected 0 to 3");
 }
 
 TEST(TeleoperationThread, StoppingItStopsTheArm) {

@@ -201,7 +201,8 @@ TEST_F(EventsTest, AResumedListenerReportsItsPauseAndReconnects) {
 
   ASSERT_TRUE(EventuallyTrue([&] { return Says(events.err(), " is available again\n"); }))
       << events.err();
-  EXPECT_THAT(events.err(), testing::ContainsRegex("gcm: this program was stopped for [0-9.]+ s"));
+  EXPECT_THAT(events.err(),
+              testing::ContainsRegex("gcm: this program was suspended for [0-9.]+ s"));
   EXPECT_THAT(events.err(), testing::Not(HasSubstr("start one with"))) << "it is there";
   EXPECT_TRUE(EventuallyTrue([&] {
     Call("Fall");

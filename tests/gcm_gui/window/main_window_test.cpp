@@ -179,7 +179,7 @@ TEST_F(MainWindowTest, ConnectModeListsTheCandidates) {
   EXPECT_TRUE(candidates.filterField().hasFocus());
   QTest::keyClicks(&candidates.filterField(), "drives");
   QTest::keyClick(&candidates.filterField(), Qt::Key_Return);
-  EXPECT_TRUE(Notice().contains("pick a provided interface"));
+  EXPECT_TRUE(Notice().contains("pick a provided interface · Esc cancels"));
   EXPECT_TRUE(actions_.asked.isEmpty());  // the port does not fit
 
   candidates.filterField().clear();

@@ -190,10 +190,10 @@ Error Explained(const std::string& words) {
   if (const auto at = words.find(kSymbol); at != words.npos) {
     std::string symbol = words.substr(at + kSymbol.size());
     symbol.resize(std::min(symbol.size(), symbol.find_first_of(" ,")));
-    return {ErrorCode::kFailed, "a library that this library needs has no symbol " +
+    return {ErrorCode::kFailed, "no library that this library needs has the symbol " +
                                     Readable(symbol) +
-                                    "; link the library that has the symbol, and build the plug-in "
-                                    "again with this version of Tendon"};
+                                    "; link the library that has it, and build the plug-in again "
+                                    "with this version of Tendon"};
   }
   if (const auto at = words.find(kMissing); at != words.npos) {
     return {ErrorCode::kFailed,

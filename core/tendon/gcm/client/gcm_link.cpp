@@ -40,11 +40,12 @@ std::vector<GcmLink::MovedProcess> Moves(const ProcessAddresses& before,
 
 Error PauseError(std::chrono::nanoseconds pause) {
   const auto tenths = std::chrono::duration_cast<std::chrono::milliseconds>(pause).count() / 100;
-  return {ErrorCode::kUnreachable,
-          "this program was stopped for " + std::to_string(tenths / 10) + "." +
-              std::to_string(tenths % 10) +
-              " s, so the other processes closed their connections to this program; this program "
-              "reconnects, but it has missed all events of that time"};
+  return {
+      ErrorCode::kUnreachable,
+      "this program was suspended for " + std::to_string(tenths / 10) + "." +
+          std::to_string(tenths % 10) +
+          " s, so the other processes closed its connections; it reconnects, but has missed the "
+          "events of that time"};
 }
 
 }  // namespace

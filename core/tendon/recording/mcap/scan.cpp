@@ -279,8 +279,8 @@ void DataScan::Count(const Message& message, MessageBlock& block) {
     if (contents_.lost_messages++ == 0) {
       problems_.Add(offset_, "the message" + Place(offset_) + " is on channel " +
                                  std::to_string(message.channel_id) +
-                                 ", but this channel is not defined before the message; messages "
-                                 "of this channel are lost");
+                                 ", which the file does not define before this message; messages "
+                                 "without a defined channel are lost");
     }
     return;
   }

@@ -131,8 +131,8 @@ TEST_F(PluginTest, NamesAMissingDependency) {
 
 TEST_F(PluginTest, NamesAMissingSymbol) {
   EXPECT_EQ(Refusal("missing_symbol"),
-            "a library that this library needs has no symbol lamp::SwitchOn(int); link the library "
-            "that has the symbol, and build the plug-in again with this version of Tendon");
+            "no library that this library needs has the symbol lamp::SwitchOn(int); link the "
+            "library that has it, and build the plug-in again with this version of Tendon");
 }
 
 TEST_F(PluginTest, RefusesALibraryWithoutEntryPoint) {

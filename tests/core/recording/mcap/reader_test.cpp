@@ -448,7 +448,7 @@ TEST(Reader, MessagesWithoutAChannelAreToldAndSkipped) {
 
   EXPECT_EQ(TimesOf(ReadAll(*reader, {}, &is_complete)), (std::vector<Timestamp>{2}));
   EXPECT_FALSE(is_complete);
-  EXPECT_THAT(Sentences(*reader), HasSubstr("channel 9, but this channel is not defined"));
+  EXPECT_THAT(Sentences(*reader), HasSubstr("channel 9, which the file does not define"));
 }
 
 TEST(Reader, AnUnknownCompressionIsNamedAndTheRestRead) {
