@@ -61,13 +61,14 @@ class LocalSystem final : public RecordedSystem {
   const std::shared_ptr<LocalAccess> process_;
   const std::shared_ptr<GcmListener> listener_;
   const std::chrono::milliseconds timeout_;
-  const std::shared_ptr<Middleware> middleware_;
   const std::shared_ptr<Worker> timer_ = std::make_shared<Worker>("rec timer");
   mutable std::mutex mutex_;  // guards the members below
   ProcessContent content_;
   Catalogue catalogue_;
   std::optional<ScopedLogSink> log_;
 
+  // Destroyed before the members above, which its threads may use until then.
+  const std::shared_ptr<Middleware> middleware_;
   std::shared_ptr<client::ProcessLinks> links_;
   std::shared_ptr<client::ProcessRequests> requests_;
   std::shared_ptr<client::EventFeed> events_;
