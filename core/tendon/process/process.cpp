@@ -333,9 +333,15 @@ Process::Process(std::string name, ProcessOptions options) {
     throw ConfigurationError("process '" + name + "' has no middleware; see Tcp() and Ice()");
   }
   parts_ = std::make_unique<Parts>(*this, name, options);
-  parts_->Open(options);
-  SetObserver([parts = parts_.get()] { parts->OnChanged(); });
-  parts_->WatchPlugins();
+  try {
+    parts_->Open(options);
+    SetObserver([parts = parts_.get()] { parts->OnChanged(); });
+    parts_->WatchPlugins();
+  } catch (...) {  // the parts have threads, which must end before the parts are destroyed
+    SetObserver(nullptr);
+    parts_->Close(SteadyClock().Now());
+    throw;
+  }
 }
 
 Process::~Process() {
