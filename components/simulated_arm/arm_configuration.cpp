@@ -12,9 +12,10 @@ void Require(bool condition, const std::string& component, const std::string& se
   }
 }
 
+std::string Text(double value) { return ToString(tendon::NumericValue(value)); }
+
 std::string Element(const char* field, std::size_t joint, double value) {
-  return std::string(field) + "[" + std::to_string(joint) + "] is " +
-         ToString(tendon::NumericValue(value));
+  return std::string(field) + "[" + std::to_string(joint) + "] is " + Text(value);
 }
 
 /// True for a valid limit of velocity or acceleration.
@@ -30,7 +31,8 @@ void RequireValid(const ArmConfiguration& configuration, const std::string& comp
     Require(low >= -kLargestAngle && low < high && high <= kLargestAngle, component,
             Element("lower", joint, low) + ", which is not below " + Element("upper", joint, high));
     Require(low <= home[joint] && home[joint] <= high, component,
-            Element("home", joint, home[joint]) + ", outside of lower and upper");
+            Element("home", joint, home[joint]) + ", expected " + Text(low) + " to " + Text(high) +
+                " rad, the lower and the upper limit of this joint");
     Require(IsLimit(velocity[joint]), component,
             Element("velocity", joint, velocity[joint]) + ", expected 0.001 to 1000 rad/s");
     Require(
@@ -38,10 +40,9 @@ void RequireValid(const ArmConfiguration& configuration, const std::string& comp
         Element("acceleration", joint, acceleration[joint]) + ", expected 0.001 to 1000 rad/s^2");
   }
   Require(bandwidth >= kLeastBandwidth && bandwidth <= kMostBandwidth, component,
-          "bandwidth is " + ToString(tendon::NumericValue(bandwidth)) +
-              ", expected 0.001 to 500 rad/s");
+          "bandwidth is " + Text(bandwidth) + ", expected 0.001 to 500 rad/s");
   Require(noise >= 0.0 && noise <= kMostNoise, component,
-          "noise is " + ToString(tendon::NumericValue(noise)) + ", expected 0 to 1 rad");
+          "noise is " + Text(noise) + ", expected 0 to 1 rad");
 }
 
 }  // namespace arm

@@ -67,7 +67,8 @@ TEST(SimulatedArmPlugin, ReportsConfigurationErrors) {
             "(rad/s), got number 0 (plug-in simulated_arm.so)");
   EXPECT_EQ(refusal(R"({"home": [3, 0, 0, -1, 0, 0, 0]})"),
             "component 'arm' (class SimulatedArm): its constructor failed: configuration of 'arm': "
-            "home[0] is 3.000000, outside of lower and upper (plug-in simulated_arm.so)");
+            "home[0] is 3, expected -2.8973 to 2.8973 rad, the lower and the upper limit of this "
+            "joint (plug-in simulated_arm.so)");
 }
 
 }  // namespace

@@ -269,10 +269,11 @@ TEST(SimulatedArmConfiguration, ReportsInvalidNumbers) {
   blurred.noise = std::nan("");
 
   EXPECT_EQ(RefusalOf(crossed),
-            "configuration of 'arm': lower[3] is 1.000000, which is not below upper[3] is "
-            "-0.069800");
+            "configuration of 'arm': lower[3] is 1, which is not below upper[3] is "
+            "-0.0698");
   EXPECT_EQ(RefusalOf(outside),
-            "configuration of 'arm': home[0] is 3.000000, outside of lower and upper");
+            "configuration of 'arm': home[0] is 3, expected -2.8973 to 2.8973 rad, the lower and "
+            "the upper limit of this joint");
   EXPECT_EQ(RefusalOf(frozen),
             "configuration of 'arm': velocity[6] is 0, expected 0.001 to 1000 rad/s");
   EXPECT_EQ(RefusalOf(blurred), "configuration of 'arm': noise is nan, expected 0 to 1 rad");

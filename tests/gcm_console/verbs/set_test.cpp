@@ -144,7 +144,7 @@ TEST_F(SetVerbTest, ExplainsEachMistake) {
       {{"bandwidth", "-1"},
        "bandwidth: expected a number from 0.001 to 500 (rad/s), got number -1",
        program::kUsage},
-      {{"home[1]", "2"}, "home[1] is 2.000000, outside of lower and upper", program::kRefused},
+      {{"home[1]", "2"}, "home[1] is 2, expected -1.7628 to 1.7628 rad", program::kRefused},
   };
   for (const Mistake& one : mistakes) {
     const Outcome outcome = Set(one.words);
