@@ -182,8 +182,10 @@ class GcmClient {
 
   /// Reads the events that a process has kept and that are not older than `last`, oldest first. The
   /// sink gets OnListening(), then OnEvent(). Then `done` is called once, in a thread of the
-  /// middleware or of the client. If the client ends first, `done` is not called. Fails with
-  /// kFailed if the history of the process is off. No process keeps past calls of commands.
+  /// middleware or of the client, or before this function returns, if the reading fails at once.
+  /// After the end of the client, neither the sink nor `done` is called. Neither of them may
+  /// destroy the client. Fails with kFailed if the history of the process is off. No process keeps
+  /// past calls of commands.
   void ReadPastEvents(const EventSubscription& events, std::chrono::nanoseconds last,
                       std::shared_ptr<EventSink> sink, std::function<void(const PastEvents&)> done);
 

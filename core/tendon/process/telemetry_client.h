@@ -111,9 +111,9 @@ class TelemetryClient {
   virtual void Unsubscribe(Id id) = 0;
   /// Reads the rows of `table` that its process still has, in its history and in the table, and
   /// that are not older than `last`, oldest first. The sink gets OnSubscribed(), then OnRows().
-  /// Then `done` is called once, in a thread of the middleware or of the client. If the client ends
-  /// first, `done` is not called. If the reading fails, the sink has received the rows before the
-  /// failure. Fails like Subscribe().
+  /// Then `done` is called once, in a thread of the middleware or of the client. After the end of
+  /// the client, neither the sink nor `done` is called. Neither of them may destroy the client. If
+  /// the reading fails, the sink has received the rows before the failure. Fails like Subscribe().
   virtual void ReadPast(const TableSubscription& table, std::chrono::nanoseconds last,
                         std::shared_ptr<RowSink> sink, std::function<void(const PastRows&)> done) {
     static_cast<void>(table);

@@ -19,6 +19,7 @@ EventFeed::Id EventFeed::Listen(EventSubscription wanted, std::shared_ptr<EventS
   const auto listener = std::make_shared<EventListener>(std::move(wanted), std::move(sink));
   std::unique_lock lock(mutex_);
   const Id id = ++last_id_;
+  if (is_stopped_) return id;
   listeners_[id] = listener;
   lock.unlock();
   Subscribe(listener);
@@ -132,6 +133,10 @@ EventFeed::SharedClock EventFeed::ClockOf(const std::shared_ptr<Channel>& channe
 
 void EventFeed::Ask(const SharedListener& listener, const std::shared_ptr<Channel>& channel,
                     const SharedClock& clock, std::uint32_t attempt) {
+  {
+    const std::scoped_lock lock(mutex_);
+    if (is_stopped_) return;
+  }
   const EventSubscription& wanted = listener->wanted();
   const auto events = look_up_(wanted);
   if (!events) return Fail(listener, attempt, events.error());

@@ -38,14 +38,14 @@ class EventFeed final : public ChannelHandler, public std::enable_shared_from_th
   void End(Id id);
   /// Reads the events that the process has kept and that are not older than `last`, oldest first.
   /// The sink gets OnListening(), then OnEvent(). Then `done` is called once, in a thread of the
-  /// middleware or of the timer. If the feed ends first, `done` is not called.
+  /// middleware or of the timer, or before this function returns, if the reading fails at once.
   void ReadPast(EventSubscription wanted, std::chrono::nanoseconds last,
                 std::shared_ptr<EventSink> sink, PastEventsReading::Done done);
   /// Requests the interrupted subscriptions to a process again at once. Must be called when the
   /// process has returned or has a new address.
   void Retry(const std::string& process);
-  /// Ends all subscriptions and readings. After this function has returned, no sink and no `done`
-  /// is called.
+  /// Ends all subscriptions and readings, and begins no new ones. After this function has returned,
+  /// no sink and no `done` is called.
   void Stop();
 
   void OnNotice(const std::shared_ptr<Channel>& channel, const FrameHeader& header,

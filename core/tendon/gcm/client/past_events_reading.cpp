@@ -19,9 +19,10 @@ bool PastEventsReading::Take(const message::ReadEventsReply& page, const SourceC
     Fail(taken.error());
     return false;
   }
-  if (next_.first < end_) return true;
   const std::scoped_lock lock(mutex_);
-  if (done_) done_(read_);
+  if (!done_) return false;
+  if (next_.first < end_) return true;
+  done_(read_);
   return false;
 }
 

@@ -30,7 +30,8 @@ class PastEventsReading {
   /// Sets the descriptions of the wanted events. Must be called before Take().
   void SetEvents(std::vector<MemberDescription> events) { events_ = std::move(events); }
   [[nodiscard]] const message::ReadEvents& NextRequest() const { return next_; }
-  /// Passes the events of a page to the sink. Returns true if another page must be requested.
+  /// Passes the events of a page to the sink. Returns true if another page must be requested, and
+  /// false after End().
   /// Before it returns false, it calls `done`. The page is untrusted.
   [[nodiscard]] bool Take(const message::ReadEventsReply& page, const SourceClock& clock);
   /// Calls `done` with this failure.
@@ -39,9 +40,10 @@ class PastEventsReading {
   void End();
 
  private:
-  /// Like Take(), but without the lock. Returns an error if the page is invalid.
+  /// Passes the events of a page to the sink. Returns an error if the page is invalid.
   [[nodiscard]] Result<void> TryTake(const message::ReadEventsReply& page,
                                      const SourceClock& clock);
+
   const EventSubscription wanted_;
   std::mutex mutex_;  // guards the next two members
   std::shared_ptr<EventSink> sink_;

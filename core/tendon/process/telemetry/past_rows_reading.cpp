@@ -23,7 +23,7 @@ bool PastRowsReading::Take(const message::ReadRowsReply& page, const ClockOffset
   }
   const bool is_last = next_.first_tick >= end_tick_;
   if (is_last) Finish();
-  return !is_last;
+  return !is_last && !has_ended();
 }
 
 void PastRowsReading::Fail(const Error& reason) {
@@ -36,10 +36,17 @@ void PastRowsReading::Finish() {
   if (done_) done_(read_);
 }
 
-void PastRowsReading::End() {
-  subscription_.End();
+bool PastRowsReading::has_ended() {
   const std::scoped_lock lock(mutex_);
-  done_ = nullptr;
+  return !done_;
+}
+
+void PastRowsReading::End() {
+  {
+    const std::scoped_lock lock(mutex_);
+    done_ = nullptr;  // first, so that it does not report rows that the sink did not get
+  }
+  subscription_.End();
 }
 
 Result<void> PastRowsReading::TryTake(const message::ReadRowsReply& page,

@@ -27,7 +27,8 @@ class PastRowsReading {
 
   [[nodiscard]] const std::string& process() const { return subscription_.wanted().process; }
   [[nodiscard]] const message::ReadRows& NextRequest() const { return next_; }
-  /// Passes the rows of a page to the sink. Returns true if another page must be requested.
+  /// Passes the rows of a page to the sink. Returns true if another page must be requested, and
+  /// false after End().
   /// Before it returns false, it calls `done`.
   [[nodiscard]] bool Take(const message::ReadRowsReply& page, const ClockOffset& clock);
   void Fail(const Error& reason);
@@ -41,6 +42,7 @@ class PastRowsReading {
 
   /// Calls `done`, unless the reading was ended.
   void Finish();
+  [[nodiscard]] bool has_ended();
 
   RowSubscription subscription_;
   std::mutex mutex_;

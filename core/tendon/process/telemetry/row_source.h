@@ -165,7 +165,7 @@ class RowSource final : public ChannelHandler, public std::enable_shared_from_th
   std::shared_ptr<RowSubscription> Take(const Channel* channel, std::uint32_t handle);
 
   const Access& access_;  // used only on the worker, because a channel may outlive it
-  const std::chrono::milliseconds past_timeout_;
+  const std::chrono::milliseconds past_timeout_;  // also used in the middleware's thread
   const std::shared_ptr<Worker> worker_;
   const std::shared_ptr<Worker> pulse_;
   const std::string process_;
