@@ -187,7 +187,7 @@ class OverIce(unittest.TestCase):
         link = self.link()
         others = [link.start(GATHER, b"", None) for _ in range(3)]
         self.assertEqual(link.request(GATHER, b"last", PATIENCE), b"last")
-        self.assertEqual([asked.answer.result(0) for asked in others], [b""] * 3)
+        self.assertEqual([asked.reply.result(0) for asked in others], [b""] * 3)
 
     def test_a_timeout_keeps_the_link_open(self):
         link = self.link()

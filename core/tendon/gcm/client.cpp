@@ -197,7 +197,7 @@ class GcmClient::Implementation {
         static_cast<int>(std::min<std::int64_t>(orders, 1'000'000)));
   }
 
-  /// One check of the catalogue replies to all calls since the previous check, so there are at most
+  /// One check of the catalogue serves all calls since the previous check, so there are at most
   /// two checks a second.
   void LearnConflictingTypes(DoneHandler handler) {
     const std::scoped_lock lock(mutex_);

@@ -19,7 +19,7 @@ void PendingCalls::Add(const Call& call) noexcept {
   } catch (const std::bad_alloc&) {
     // There is not enough memory to keep the call.
   }
-  ReplyWithNothing(*call);
+  SendEmptyReply(*call);
 }
 
 bool PendingCalls::Take(const Call& call) {
@@ -37,7 +37,7 @@ void PendingCalls::ReleaseOld(SteadyTime now) noexcept {
       one = next;
     }
   }
-  for (const auto& [call, since] : old) ReplyWithNothing(*call);
+  for (const auto& [call, since] : old) SendEmptyReply(*call);
 }
 
 void PendingCalls::Release() noexcept {
@@ -47,10 +47,10 @@ void PendingCalls::Release() noexcept {
     is_released_ = true;
     released = std::exchange(calls_, {});
   }
-  for (const auto& [call, since] : released) ReplyWithNothing(*call);
+  for (const auto& [call, since] : released) SendEmptyReply(*call);
 }
 
-void ReplyWithNothing(IceInternal::IncomingAsync& call) noexcept {
+void SendEmptyReply(IceInternal::IncomingAsync& call) noexcept {
   CallGuarded("ice", [&call] {
     call.startWriteParams()->writeSize(0);
     call.endWriteParams();
@@ -58,7 +58,7 @@ void ReplyWithNothing(IceInternal::IncomingAsync& call) noexcept {
   });
 }
 
-void ReplyWithFailure(IceInternal::IncomingAsync& call) noexcept {
+void SendFailure(IceInternal::IncomingAsync& call) noexcept {
   CallGuarded("ice", [&call] {
     call.completed(std::make_exception_ptr(std::runtime_error("the answer could not be written")));
   });

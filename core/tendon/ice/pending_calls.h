@@ -17,18 +17,17 @@ namespace tendon::ice {
 class PendingCalls {
  public:
   using Call = std::shared_ptr<IceInternal::IncomingAsync>;
-  /// A call that takes longer gets an empty reply of Ice. Then the reply frame is sent
-  /// later in a separate message.
+  /// A call that takes longer gets an empty reply of Ice. Then the reply frame is sent later in a
+  /// separate message.
   static constexpr std::chrono::milliseconds kOpenAtMost{500};
 
-  /// Adds a call. After Release(), or if memory is exhausted, replies to the call with an empty
-  /// reply instead.
+  /// Adds a call. After Release(), or if memory is exhausted, sends an empty reply instead.
   void Add(const Call& call) noexcept;
   /// Returns true if the caller now owns the reply; at most one caller gets true.
   [[nodiscard]] bool Take(const Call& call);
-  /// Replies to calls that are older than kOpenAtMost with an empty reply. Called regularly.
+  /// Sends empty replies to calls that are older than kOpenAtMost. Called regularly.
   void ReleaseOld(SteadyTime now) noexcept;
-  /// Replies to all calls with an empty reply, including calls that are added later.
+  /// Sends empty replies to all calls, including calls that are added later.
   void Release() noexcept;
 
  private:
@@ -37,10 +36,9 @@ class PendingCalls {
   std::map<Call, SteadyTime> calls_;  // open calls, with the times when they were added
 };
 
-/// Replies to a call with an empty reply. The reply frame is sent in a separate message or not at
-/// all.
-void ReplyWithNothing(IceInternal::IncomingAsync& call) noexcept;
-/// Replies to a call with a failure, because its reply frame was begun but not completed.
-void ReplyWithFailure(IceInternal::IncomingAsync& call) noexcept;
+/// Sends an empty reply. The reply frame is sent in a separate message or not at all.
+void SendEmptyReply(IceInternal::IncomingAsync& call) noexcept;
+/// Sends a failure, because the reply frame was begun but not completed.
+void SendFailure(IceInternal::IncomingAsync& call) noexcept;
 
 }  // namespace tendon::ice

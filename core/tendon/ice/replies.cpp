@@ -39,9 +39,9 @@ void DeferredReply::Take(PendingCalls::Call call) noexcept {
 DeferredReply::~DeferredReply() {
   if (is_there()) return;
   if (has_begun()) {
-    ReplyWithFailure(*call_);
+    SendFailure(*call_);
   } else if (link_->pending_calls().Take(call_)) {
-    ReplyWithNothing(*call_);
+    SendEmptyReply(*call_);
   }
 }
 

@@ -233,9 +233,9 @@ class LocalManager {
   [[nodiscard]] Result<std::shared_ptr<Component>> Require(const std::string& component) const;
   /// Called while the lock is held.
   [[nodiscard]] ComponentOrder Order() const;
+  using IsMeant = std::function<bool(const Component&)>;
   // See ComponentOrder.
   [[nodiscard]] Components InOrder() const;
-  using IsMeant = std::function<bool(const Component&)>;
   [[nodiscard]] std::vector<OrderlyShutdown::Member> InEndOrder(const IsMeant& is_meant) const;
   Result<void> StopInOrder(const IsMeant& is_meant, SteadyTime deadline);
   [[nodiscard]] bool IsAtRest(const Component& component) const;

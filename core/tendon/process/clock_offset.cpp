@@ -27,7 +27,8 @@ void ClockOffset::Add(SteadyTime sent, SteadyTime there, SteadyTime arrived) {
     if (apart > before.uncertainty + bound) count_ = 0;
   }
   const bool is_first = since_ == SteadyTime();
-  replies_[count_ % replies_.size()] = {.offset = offset, .bound = bound, .arrived = arrived};
+  measurements_[count_ % measurements_.size()] = {
+      .offset = offset, .bound = bound, .arrived = arrived};
   ++count_;
 
   offset_ = SlewedAt(there);
@@ -47,10 +48,11 @@ ClockOffset::Estimate ClockOffset::At(SteadyTime now) const {
 
 ClockOffset::Estimate ClockOffset::Best(SteadyTime now) const {
   Estimate best;
-  for (std::size_t i = 0; i < std::min(count_, replies_.size()); ++i) {
-    const Reply& reply = replies_[i];
-    const nanoseconds aged = reply.bound + std::max(now - reply.arrived, nanoseconds(0)) / kDrift;
-    if (aged < best.uncertainty) best = {.offset = reply.offset, .uncertainty = aged};
+  for (std::size_t i = 0; i < std::min(count_, measurements_.size()); ++i) {
+    const Measurement& measurement = measurements_[i];
+    const nanoseconds aged =
+        measurement.bound + std::max(now - measurement.arrived, nanoseconds(0)) / kDrift;
+    if (aged < best.uncertainty) best = {.offset = measurement.offset, .uncertainty = aged};
   }
   return best;
 }

@@ -49,7 +49,7 @@ class ClockOffset {
   [[nodiscard]] std::chrono::nanoseconds SlewedAt(SteadyTime there) const;
 
  private:
-  struct Reply {
+  struct Measurement {
     std::chrono::nanoseconds offset{0};
     std::chrono::nanoseconds bound = kUnknown;
     SteadyTime arrived;
@@ -57,8 +57,8 @@ class ClockOffset {
 
   [[nodiscard]] Estimate Best(SteadyTime now) const;
 
-  std::array<Reply, 8> replies_;
-  std::size_t count_ = 0;  // number of replies since the start or the last jump
+  std::array<Measurement, 8> measurements_;
+  std::size_t count_ = 0;  // number of measurements since the start or the last jump
   // The correction was `offset_` at the time `since_` of the other clock, and moves towards
   // target_.
   SteadyTime since_;

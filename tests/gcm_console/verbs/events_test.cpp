@@ -202,7 +202,8 @@ TEST_F(EventsTest, AResumedListenerReportsItsPauseAndReconnects) {
   ASSERT_TRUE(EventuallyTrue([&] { return Says(events.err(), " is available again\n"); }))
       << events.err();
   EXPECT_THAT(events.err(),
-              testing::ContainsRegex("gcm: this program was suspended for [0-9.]+ s"));
+              testing::ContainsRegex(
+                  "gcm: this program was stopped, or got no processor time, for [0-9.]+ s"));
   EXPECT_THAT(events.err(), testing::Not(HasSubstr("start one with"))) << "it is there";
   EXPECT_TRUE(EventuallyTrue([&] {
     Call("Fall");

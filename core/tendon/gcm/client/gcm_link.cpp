@@ -42,8 +42,8 @@ Error PauseError(std::chrono::nanoseconds pause) {
   const auto tenths = std::chrono::duration_cast<std::chrono::milliseconds>(pause).count() / 100;
   return {
       ErrorCode::kUnreachable,
-      "this program was suspended for " + std::to_string(tenths / 10) + "." +
-          std::to_string(tenths % 10) +
+      "this program was stopped, or got no processor time, for " + std::to_string(tenths / 10) +
+          "." + std::to_string(tenths % 10) +
           " s, so the other processes closed its connections; it reconnects, but has missed the "
           "events of that time"};
 }

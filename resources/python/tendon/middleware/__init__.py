@@ -1,1 +1,1 @@
-"""Communication between programs: frames on a link, the handshake, requests and their answers."""
+"""Communication between programs: frames on a link, the handshake, requests and their replies."""

@@ -18,11 +18,11 @@ MAX_BODY_SIZE = (64 << 20) + (64 << 10)
 """The largest body of a frame that is sent in parts: the largest payload plus the other fields of
 its message."""
 MAX_REPLIES = 256
-"""The largest number of answers in one message of type REPLIES."""
+"""The largest number of replies in one message of type REPLIES."""
 MAX_REPLIES_SIZE = (16 << 10) - HEADER_SIZE
 """The largest body of such a message, in bytes."""
 
-_REPLY = struct.Struct("<QI")  # before each answer of a batch: request, size
+_REPLY = struct.Struct("<QI")  # before each reply of a batch: request, size
 _HEADER = struct.Struct("<IHHQII")
 
 
@@ -30,7 +30,7 @@ class Header(NamedTuple):
     """The header of a frame."""
 
     type: int
-    request: int = 0  # 0: no answer is wanted
+    request: int = 0  # 0: no reply is wanted
     handle: int = 0  # a number that the receiver gave, such as that of a subscription
     version: int = PROTOCOL_VERSION
 
@@ -62,7 +62,7 @@ def read_frame(frame: bytes, limit: int = MAX_PIECE_SIZE) -> tuple[Header, bytes
 
 
 def read_replies(body: bytes) -> list[tuple[int, bytes]]:
-    """The answers in a message of type REPLIES: for each, the number of its request and its body.
+    """The replies in a message of type REPLIES: for each, the number of its request and its body.
     Raises Invalid if the body is malformed."""
     replies = []
     rest = memoryview(body)
@@ -75,5 +75,5 @@ def read_replies(body: bytes) -> list[tuple[int, bytes]]:
         replies.append((request, bytes(rest[_REPLY.size:_REPLY.size + size])))
         rest = rest[_REPLY.size + size:]
     if rest or not replies or len(body) > MAX_REPLIES_SIZE:
-        raise Invalid("the body is not a batch of answers")
+        raise Invalid("the body is not a batch of replies")
     return replies

@@ -1,4 +1,4 @@
-"""A link to one program of Tendon: requests with answers, and notices."""
+"""A link to one program of Tendon: requests with replies, and notices."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import queue
 import threading
 import time
 from concurrent.futures import Future
-from concurrent.futures import TimeoutError as NoAnswer
+from concurrent.futures import TimeoutError as NoReply
 from typing import Any, Callable, NamedTuple
 
 from .. import messages
@@ -29,10 +29,10 @@ _OF_HANDSHAKES = (MessageType.HELLO, MessageType.CHALLENGE, MessageType.PROOF, M
 
 
 class Asked(NamedTuple):
-    """A request that waits for its answer."""
+    """A request that waits for its reply."""
 
     request: int
-    answer: Future[Any]
+    reply: Future[Any]
     on_reply: OnReply | None
 
 
@@ -85,7 +85,7 @@ class Link:
         self._send(Header(message_type, 0, handle), b"")
 
     def start(self, message_type: MessageType, body: bytes, on_reply: OnReply | None) -> Asked:
-        """Sends a request. `on_reply` converts the answer. A thread of Ice calls it before it
+        """Sends a request. `on_reply` converts the reply. A thread of Ice calls it before it
         handles the next message of the peer."""
         with self._lock:
             if self._reason is not None:
@@ -102,11 +102,11 @@ class Link:
 
     def request(self, message_type: MessageType, body: bytes, timeout: float,
                 on_reply: OnReply | None = None) -> Any:
-        """Sends a request and waits for its answer; raises the peer's reason if it refuses."""
+        """Sends a request and waits for its reply; raises the peer's reason if it refuses."""
         asked = self.start(message_type, body, on_reply)
         try:
-            return asked.answer.result(timeout)
-        except NoAnswer:
+            return asked.reply.result(timeout)
+        except NoReply:
             self._give_up(asked)
             raise TimedOut(f"{self.peer_name} did not answer within {timeout * 1000:.0f} ms; "
                            "outcome unknown") from None
@@ -182,8 +182,8 @@ class Link:
         elif header.type == MessageType.REPLY:
             self._finish(header.request, body, None)
         elif header.type == MessageType.REPLIES:
-            for request, answer in read_replies(body):
-                self._finish(request, answer, None)
+            for request, reply in read_replies(body):
+                self._finish(request, reply, None)
         elif header.type == MessageType.REFUSAL:
             self._finish(header.request, body, messages.read_refusal(body, self.peer_name))
         elif header.request == 0 and self._on_notice is not None:
@@ -203,13 +203,13 @@ class Link:
         with self._lock:
             asked = self._pending.pop(request, None)
         if asked is None:
-            return  # the answer came too late
+            return  # the reply came too late
         try:
             if refusal is not None:
                 raise refusal
-            asked.answer.set_result(asked.on_reply(body) if asked.on_reply else body)
-        except Exception as why:  # passed on to the thread that waits for the answer
-            asked.answer.set_exception(why)
+            asked.reply.set_result(asked.on_reply(body) if asked.on_reply else body)
+        except Exception as why:  # passed on to the thread that waits for the reply
+            asked.reply.set_exception(why)
 
     def _give_up(self, asked: Asked) -> None:
         with self._lock:
@@ -227,14 +227,14 @@ class Link:
                 greeting.put_nowait(None)
         self._parts.close(reason)
         for asked in pending:
-            asked.answer.set_exception(
+            asked.reply.set_exception(
                 Unreachable(f"{self.peer_name} did not answer: {reason}; outcome unknown"))
         if self._on_closed is not None:
             self._on_closed(reason)
 
 
 def reading(name: str) -> OnReply:
-    """Returns a function that decodes an answer as the message `name`."""
+    """Returns a function that decodes a reply as the message `name`."""
     def read(body: bytes) -> Any:
         return messages.decode(name, body)
     return read
