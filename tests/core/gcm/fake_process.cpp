@@ -1,5 +1,6 @@
 #include <tendon/base/os/process.h>
 #include <tendon/payload/codec.h>
+#include <tendon/process/history/history_messages.h>
 #include <tendon/proxy/call_batch.h>
 #include <tendon/proxy/connection_messages.h>
 #include <tests/core/gcm/fake_process.h>
