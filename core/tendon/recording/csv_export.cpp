@@ -77,6 +77,62 @@ bool IsWhole(const Schema& schema, mcap::ByteView body) {
   return payload::SkipValues(schema, 1, reader) && reader.AtEnd();
 }
 
+/// The open files of an export. A recording may have more tables than a process may have files
+/// open. Therefore, when one file too many is opened, the file that was written least recently is
+/// closed.
+class OpenFiles {
+ public:
+  /// The number of files that are open at once.
+  static constexpr std::size_t kMost = 64;
+
+  void Add(const os::PartFile& part, std::unique_ptr<os::WritableFile> file) {
+    if (files_.size() == kMost) files_.erase(files_.begin());
+    files_.push_back({&part, std::move(file)});
+  }
+  /// Opens the part, which has `size` bytes, unless it is open. It stays open until the next call.
+  Result<os::WritableFile*> Open(const os::PartFile& part, std::uint64_t size) {
+    const auto found = std::ranges::find(files_, &part, &File::part);
+    if (found != files_.end()) {
+      std::rotate(found, found + 1, files_.end());
+    } else {
+      auto file = os::ReopenWritableFile(part.part(), size);
+      if (!file) return file.error();
+      Add(part, *std::move(file));
+    }
+    return files_.back().file.get();
+  }
+  /// Waits until the file that was written last is on the disk, and closes it.
+  Result<void> CloseLast() {
+    auto synced = files_.back().file->Sync();
+    files_.pop_back();
+    return synced;
+  }
+
+ private:
+  struct File {
+    const os::PartFile* part = nullptr;
+    std::unique_ptr<os::WritableFile> file;
+  };
+  std::vector<File> files_;  // the file that was written last is at the end
+};
+
+/// If too many files are open, adds what to do.
+Error WithWayOut(Error error) {
+  if (error.message.ends_with(std::generic_category().message(EMFILE))) {
+    error.message += " (the export keeps up to " + std::to_string(OpenFiles::kMost) +
+                     " files open: raise the limit with ulimit -n)";
+  }
+  return error;
+}
+
+/// Returns how much text of each file waits to be written, in bytes: 64 KiB, or less if there are
+/// so many tables that all of it would be more than 64 MiB.
+std::size_t MostWaiting(std::size_t tables) {
+  constexpr std::size_t kAll = std::size_t{64} << 20U;  // bytes
+  constexpr std::size_t kMany = 1024;
+  return kAll / std::max(kMany, tables);
+}
+
 /// One CSV file. Its rows are assembled from the messages of its channels.
 class CsvFile {
  public:
@@ -86,12 +142,12 @@ class CsvFile {
         content_(content),
         rows_(members_.size()) {}
 
-  Result<void> Create(const std::filesystem::path& folder) {
+  Result<void> Create(const std::filesystem::path& folder, OpenFiles& files) {
     auto part = os::PartFile::Create(folder / name_);
-    if (!part) return part.error();
+    if (!part) return WithWayOut(part.error());
     file_ = folder / name_;
     part_.emplace(*std::move(part));
-    out_ = part_->TakeFile();
+    files.Add(*part_, part_->TakeFile());
     text_ = "time_ns,source_time_ns,sequence,lost";
     for (const CsvMember& member : members_) {
       for (const NumericField& number : member.numbers) {
@@ -103,23 +159,32 @@ class CsvFile {
     return {};
   }
 
-  /// `clock` is the publish time minus the time on the clock of the source, ns.
-  Result<void> Add(std::size_t member, const RowKey& key, const mcap::Message& message,
-                   std::int64_t clock, CsvReport& report) {
+  /// Only adds to the text that waits to be written. `clock` is the publish time minus the time on
+  /// the clock of the source, ns.
+  void Add(std::size_t member, const RowKey& key, const mcap::Message& message, std::int64_t clock,
+           CsvReport& report) {
     if (!rows_.Accepts(member, key)) EndRow(rows_.Take(), report);
     rows_.Add(member, key, message);
     clock_ = clock;
-    constexpr std::size_t kMost = std::size_t{64} << 10U;  // bytes
-    return text_.size() < kMost ? Result<void>() : Write();
+  }
+  /// The size of the text that waits to be written, bytes.
+  [[nodiscard]] std::size_t waiting() const { return text_.size(); }
+  Result<void> Write(OpenFiles& files) {
+    const auto out = files.Open(*part_, size_);
+    if (!out) return Failure(WithWayOut(out.error()));
+    const std::array parts{mcap::ByteView(std::as_bytes(std::span(text_)))};
+    if (auto written = (*out)->WriteAt(size_, parts); !written) return Failure(written.error());
+    size_ += text_.size();
+    text_.clear();
+    return {};
   }
 
   /// Writes everything to the disk, and closes the part file.
-  Result<void> Close(CsvReport& report) {
+  Result<void> Close(OpenFiles& files, CsvReport& report) {
     if (!rows_.is_empty()) EndRow(rows_.Take(), report);
-    if (auto written = Write(); !written) return written;
-    if (auto synced = out_->Sync(); !synced) return Failure(synced.error());
-    out_.reset();
-    return {};
+    if (auto written = Write(files); !written) return written;
+    auto synced = files.CloseLast();
+    return synced ? synced : Failure(synced.error());
   }
   Result<void> Complete() { return part_->Complete(); }
   [[nodiscard]] const std::filesystem::path& file() const { return file_; }
@@ -171,14 +236,6 @@ class CsvFile {
     report.lost += missing;
   }
 
-  Result<void> Write() {
-    const std::array parts{mcap::ByteView(std::as_bytes(std::span(text_)))};
-    if (auto written = out_->WriteAt(size_, parts); !written) return Failure(written.error());
-    size_ += text_.size();
-    text_.clear();
-    return {};
-  }
-
   [[nodiscard]] Error Failure(const Error& reason) const {
     return {reason.code,
             "cannot write " + file_.string() + ": " + reason.message + "; no file was written"};
@@ -189,7 +246,6 @@ class CsvFile {
   const Content content_;
   std::filesystem::path file_;
   std::optional<os::PartFile> part_;
-  std::unique_ptr<os::WritableFile> out_;
   std::string text_;        // that is not written yet
   std::uint64_t size_ = 0;  // of the file, bytes
   RowAssembler rows_;
@@ -232,44 +288,42 @@ Result<CsvTables> CsvTablesOf(const mcap::Reader& reader, const mcap::Query& que
   return tables;
 }
 
-Result<void> CreateFiles(const CsvTables& tables, const std::filesystem::path& folder) {
-  for (const auto& file : tables.all()) {
-    auto created = file->Create(folder);
-    if (created) continue;
-    Error error = created.error();
-    if (error.message.ends_with(std::generic_category().message(EMFILE))) {
-      error.message +=
-          ". The export keeps " + std::to_string(tables.all().size()) +
-          " files open, one for each table, event, command and topic: choose a smaller part "
-          "with --paths, or raise the limit with ulimit -n";
-    }
-    return error;
-  }
-  return {};
-}
-
 Result<void> WriteFiles(mcap::Reader& reader, const mcap::Query& query, const CsvTables& tables,
                         const std::filesystem::path& folder, const os::StopRequest& stop,
-                        CsvReport& report) {
-  const auto add = [&report](const CsvTables::Destination& destination, const RowKey& key,
-                             const mcap::Message& message) {
-    return destination.table->Add(destination.column, key, message, destination.clock, report);
+                        OpenFiles& files, CsvReport& report) {
+  for (const auto& file : tables.all()) {
+    if (auto created = file->Create(folder, files); !created) return created;
+  }
+  const std::size_t most_waiting = MostWaiting(tables.all().size());
+  const auto add = [&](const CsvTables::Destination& destination, const RowKey& key,
+                       const mcap::Message& message) {
+    CsvFile& file = *destination.table;
+    file.Add(destination.column, key, message, destination.clock, report);
+    return file.waiting() < most_waiting ? Result<void>() : file.Write(files);
   };
   auto added = tables.AddMessages(reader, query, folder, stop, report, add);
   if (!added) return added;
   for (const auto& file : tables.all()) {
-    if (auto closed = file->Close(report); !closed) return closed;
+    if (auto closed = file->Close(files, report); !closed) return closed;
   }
   return {};
 }
 
 Result<CsvReport> Export(mcap::Reader& reader, const mcap::Query& query,
                          const std::filesystem::path& folder, const os::StopRequest& stop) {
+  // Both are destroyed after the tables have removed their part files.
+  std::unique_ptr<os::Descriptor> lock;
+  OpenFiles files;
   const auto tables = CsvTablesOf(reader, query, folder, stop);
   if (!tables) return tables.error();
-  if (auto created = CreateFiles(*tables, folder); !created) return created.error();
+  const bool closes_some = tables->all().size() > OpenFiles::kMost;  // before they are complete
+  lock = os::LockFolder(folder, closes_some ? os::FolderLock::kExclusive : os::FolderLock::kShared);
+  if (!lock) {
+    return Error{ErrorCode::kExists, "another program is exporting into " + folder.string() +
+                                         ": wait for its end, or choose another folder"};
+  }
   CsvReport report;
-  auto written = WriteFiles(reader, query, *tables, folder, stop, report);
+  auto written = WriteFiles(reader, query, *tables, folder, stop, files, report);
   if (!written) return written.error();
   for (const auto& file : tables->all()) {
     if (auto completed = file->Complete(); !completed) {

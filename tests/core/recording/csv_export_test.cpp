@@ -2,12 +2,16 @@
 #include <gtest/gtest.h>
 #include <support/folder.h>
 #include <sys/resource.h>
+#include <tendon/base/os/part_file.h>
 #include <tendon/gcm/text.h>
 #include <tendon/payload/codec.h>
 #include <tendon/recording/csv_export.h>
 #include <tendon/recording/recording_writer.h>
 #include <unistd.h>
 
+#include <csignal>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <limits>
@@ -329,27 +333,149 @@ TEST_F(CsvExportOfOthers, AnArrayWithMoreNumbersThanColumnsIsAlsoThereAsJson) {
   EXPECT_THAT(text, testing::EndsWith(",1,1,7]}\"\n"));
 }
 
+/// Lowers a limit of this process until the end of the scope.
+class Limit {
+ public:
+  using Resource = decltype(RLIMIT_NOFILE);
+
+  Limit(Resource resource, rlim_t value) : resource_(resource) {
+    getrlimit(resource_, &before_);
+    const rlimit tight{value, before_.rlim_max};
+    setrlimit(resource_, &tight);
+  }
+  Limit(const Limit&) = delete;
+  Limit& operator=(const Limit&) = delete;
+  ~Limit() { setrlimit(resource_, &before_); }
+
+ private:
+  const Resource resource_;
+  rlimit before_{};
+};
+
+/// Returns the limit with which this process can open `more` files.
+rlim_t OpenFiles(rlim_t more) {
+  const int lowest_free = dup(0);
+  close(lowest_free);
+  return static_cast<rlim_t>(lowest_free) + more;
+}
+
 TEST_F(CsvExportOfOthers, TooManyOpenFilesNameTheWayOut) {
   for (const char* topic : {"/a", "/b", "/c"}) {
     Write(AddChannel(topic, "uint8 x\n"), Encapsulated("1"));
   }
   ASSERT_TRUE(recording.writer->Close());
   reader = mcap::Open(recording.disk->bytes);
-  rlimit before{};
-  getrlimit(RLIMIT_NOFILE, &before);
-  const int lowest_free = dup(0);
-  close(lowest_free);
-  rlimit tight = before;
-  tight.rlim_cur = static_cast<rlim_t>(lowest_free + 2);
-  setrlimit(RLIMIT_NOFILE, &tight);
+  const Limit limit(RLIMIT_NOFILE, OpenFiles(2));
 
   const auto report = ExportCsv(*reader, {}, folder.path() / "csv");
 
-  setrlimit(RLIMIT_NOFILE, &before);
   ASSERT_FALSE(report);
-  EXPECT_THAT(report.error().message, HasSubstr("keeps 3 files open"));
-  EXPECT_THAT(report.error().message, HasSubstr("--paths"));
+  EXPECT_THAT(report.error().message, HasSubstr(".csv.part: Too many open files"));
+  EXPECT_THAT(report.error().message, HasSubstr("ulimit -n"));
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "csv"));
+}
+
+/// A recording with more topics than an export keeps files open.
+class CsvExportOfManyTables : public CsvExportOfOthers {
+ protected:
+  static constexpr std::size_t kTables = 80;
+  static constexpr std::size_t kLargeText = 70'000;  // is written to the file at once
+
+  void SetUp() override {
+    for (std::size_t i = 0; i < kTables; ++i) {
+      channels.push_back(AddChannel("/t" + std::to_string(i), "string text\n"));
+    }
+  }
+  /// Writes this text to each topic.
+  void WriteToAll(const std::string& text) {
+    const auto length = static_cast<std::uint32_t>(text.size() + 1);
+    std::string body(sizeof length, 0);
+    std::memcpy(body.data(), &length, sizeof length);
+    for (const mcap::ChannelId channel : channels) Write(channel, Encapsulated(body + text + '\0'));
+  }
+  Result<CsvReport> Export(const os::StopRequest& stop = {}) {
+    EXPECT_TRUE(recording.writer->Close());
+    reader = mcap::Open(recording.disk->bytes);
+    return ExportCsv(*reader, {}, folder.path() / "csv", stop);
+  }
+  [[nodiscard]] bool Exists(const std::string& file) const {
+    return std::filesystem::exists(folder.path() / "csv" / file);
+  }
+
+  std::vector<mcap::ChannelId> channels;
+};
+
+TEST_F(CsvExportOfManyTables, AreAllWrittenWithFewOpenFiles) {
+  const std::string letters = "abc";
+  for (const char letter : letters) WriteToAll(std::string(kLargeText, letter));
+  const Limit limit(RLIMIT_NOFILE, OpenFiles(70));
+
+  const auto report = Export();
+
+  ASSERT_TRUE(report) << report.error().message;
+  EXPECT_EQ(report->files.size(), kTables);
+  EXPECT_EQ(report->others, letters.size() * kTables);
+  EXPECT_EQ(report->incomplete, 0U);
+  for (std::size_t i = 0; i < kTables; ++i) {
+    std::string expected = "time_ns,source_time_ns,sequence,lost,value\n";
+    for (std::size_t row = 0; row < letters.size(); ++row) {
+      const std::string number = std::to_string(row * kTables + i + 1);
+      expected += number + ',' + number + ',' + number + R"(,0,"{""text"":"")" +
+                  std::string(kLargeText, letters[row]) + R"(""}")" + '\n';
+    }
+    EXPECT_TRUE(folder.Read("csv/t" + std::to_string(i) + ".csv") == expected) << i;
+    EXPECT_FALSE(Exists("t" + std::to_string(i) + ".csv.part"));
+  }
+}
+
+TEST_F(CsvExportOfManyTables, AFullDiskNamesTheFileAndLeavesNone) {
+  for (const char letter : {'a', 'b', 'c'}) WriteToAll(std::string(kLargeText, letter));
+  std::signal(SIGXFSZ, SIG_IGN);
+  const Limit limit(RLIMIT_FSIZE, kLargeText + 1000);
+
+  const auto report = Export();
+
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().message, "cannot write " + (folder.path() / "csv/t0.csv").string() +
+                                        ": File too large; no file was written");
+  EXPECT_FALSE(Exists(""));
+}
+
+TEST_F(CsvExportOfManyTables, AFileThatAnotherProgramChangesMeanwhileIsNamed) {
+  for (int i = 0; i < 20; ++i) WriteToAll("short");
+  const auto change = [&] {
+    if (Exists("t79.csv.part")) folder.Write("csv/t3.csv.part", "of somebody else");
+    return false;
+  };
+
+  const auto report = Export(change);
+
+  ASSERT_FALSE(report);
+  EXPECT_THAT(report.error().message, HasSubstr("cannot write " + folder.path().string()));
+  EXPECT_THAT(report.error().message, HasSubstr("t3.csv.part: another program has changed it"));
+  EXPECT_FALSE(Exists(""));
+}
+
+TEST_F(CsvExportOfManyTables, AnotherExportLeavesTheClosedFilesOfThisExport) {
+  for (int i = 0; i < 20; ++i) WriteToAll("short");
+  Result<CsvReport> other{CsvReport{}};
+  const auto export_meanwhile = [&] {
+    if (Exists("t79.csv.part")) {
+      const auto same = mcap::Open(recording.disk->bytes);
+      other = ExportCsv(*same, {.channels = {channels[0]}}, folder.path() / "csv");
+    }
+    return false;
+  };
+
+  const auto report = Export(export_meanwhile);
+
+  ASSERT_FALSE(other);
+  EXPECT_EQ(other.error().code, ErrorCode::kExists);
+  EXPECT_EQ(other.error().message, "another program is exporting into " +
+                                       (folder.path() / "csv").string() +
+                                       ": wait for its end, or choose another folder");
+  ASSERT_TRUE(report) << report.error().message;
+  EXPECT_EQ(report->files.size(), kTables);
 }
 
 TEST_F(CsvExportOfOthers, AFailureWhenTheFilesGetTheirNamesLeavesNoneOfThem) {

@@ -1,5 +1,8 @@
+#include <fcntl.h>
+#include <sys/file.h>
 #include <tendon/base/os/part_file.h>
 
+#include <cerrno>
 #include <system_error>
 #include <utility>
 
@@ -61,6 +64,14 @@ Result<void> PartFile::Complete() {
   part_.clear();
   SyncName(file_);
   return {};
+}
+
+std::unique_ptr<Descriptor> LockFolder(const std::filesystem::path& folder, FolderLock lock) {
+  auto opened =
+      std::make_unique<Descriptor>(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  const int operation = lock == FolderLock::kShared ? LOCK_SH : LOCK_EX;
+  const bool is_refused = flock(opened->get(), operation | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  return is_refused ? nullptr : std::move(opened);
 }
 
 }  // namespace tendon::os

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <tendon/base/os/file.h>
 #include <tendon/base/os/random_access_file.h>
 #include <tendon/base/result.h>
 
@@ -52,5 +53,15 @@ class PartFile {
   std::filesystem::path part_;  // empty after Complete()
   std::unique_ptr<WritableFile> opened_;
 };
+
+/// Either one program has the exclusive lock of a folder, or any number of programs share it.
+enum class FolderLock { kShared, kExclusive };
+
+/// Locks a folder until the result is destroyed. A program needs the exclusive lock if it closes
+/// part files before they are complete, because other programs replace part files that are not
+/// locked. Returns null if another program has a lock that excludes this one. Does nothing if the
+/// file system cannot lock folders.
+[[nodiscard]] std::unique_ptr<Descriptor> LockFolder(const std::filesystem::path& folder,
+                                                     FolderLock lock);
 
 }  // namespace tendon::os

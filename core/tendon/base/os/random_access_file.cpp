@@ -123,6 +123,12 @@ class PosixWritableFile final : public WritableFile {
   const Descriptor descriptor_;
 };
 
+std::unique_ptr<WritableFile> LockedFile(const fs::path& file, int descriptor) {
+  auto made = std::make_unique<PosixWritableFile>(file.string(), descriptor);
+  flock(descriptor, LOCK_EX | LOCK_NB);  // is_being_written() checks this lock
+  return made;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<RandomAccessFile>> OpenRandomAccessFile(const fs::path& file) {
@@ -148,10 +154,26 @@ Result<std::unique_ptr<WritableFile>> CreateWritableFile(const fs::path& file) {
     return Error{errno == EEXIST ? ErrorCode::kExists : ErrorCode::kFailed,
                  "cannot create " + file.string() + ": " + SystemReason()};
   }
-  auto made = std::make_unique<PosixWritableFile>(file.string(), opened);
-  flock(opened, LOCK_EX | LOCK_NB);  // is_being_written() checks this lock
+  auto made = LockedFile(file, opened);
   SyncName(file);
-  return std::unique_ptr<WritableFile>(std::move(made));
+  return made;
+}
+
+Result<std::unique_ptr<WritableFile>> ReopenWritableFile(const fs::path& file, std::uint64_t size) {
+  const auto failure = [&](const std::string& reason) {
+    return Error{ErrorCode::kFailed, "cannot open " + file.string() + ": " + reason};
+  };
+  const int opened = open(file.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (opened < 0) return failure(SystemReason());
+  auto made = LockedFile(file, opened);
+  struct stat status {};
+  if (fstat(opened, &status) != 0) return failure(SystemReason());
+  const auto found = static_cast<std::uint64_t>(status.st_size);
+  if (!S_ISREG(status.st_mode) || found != size) {
+    return failure("another program has changed it: it has " + std::to_string(found) +
+                   " bytes, and " + std::to_string(size) + " were written");
+  }
+  return made;
 }
 
 Result<void> SyncContent(const fs::path& file) {

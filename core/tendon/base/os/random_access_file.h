@@ -64,6 +64,11 @@ Result<std::unique_ptr<RandomAccessFile>> OpenRandomAccessFile(const std::filesy
 /// lock to readers. Errors: kExists if the file exists (it is not changed), kFailed if it cannot be
 /// created.
 Result<std::unique_ptr<WritableFile>> CreateWritableFile(const std::filesystem::path& file);
+/// Opens a file that CreateWritableFile() has created and whose `size` bytes were written, and
+/// locks it again. Fails with kFailed if it cannot be opened, or if another program has changed its
+/// size.
+Result<std::unique_ptr<WritableFile>> ReopenWritableFile(const std::filesystem::path& file,
+                                                         std::uint64_t size);
 
 /// Waits until the content of a closed file is on the disk. Fails with kFailed if the disk fails.
 Result<void> SyncContent(const std::filesystem::path& file);

@@ -102,6 +102,18 @@ TEST_F(PartFileTest, LeavesThePartOfAProgramThatIsStillWriting) {
   EXPECT_TRUE(HasPart());
 }
 
+TEST_F(PartFileTest, AFolderIsLockedByOneProgramOrSharedByMany) {
+  {
+    const auto one = LockFolder(folder.path(), FolderLock::kShared);
+    ASSERT_TRUE(one);
+    EXPECT_TRUE(LockFolder(folder.path(), FolderLock::kShared));
+    EXPECT_FALSE(LockFolder(folder.path(), FolderLock::kExclusive));
+  }
+  const auto alone = LockFolder(folder.path(), FolderLock::kExclusive);
+  ASSERT_TRUE(alone);
+  EXPECT_FALSE(LockFolder(folder.path(), FolderLock::kShared));
+}
+
 TEST_F(PartFileTest, NamesTheReasonIfItCannotBeCreated) {
   const auto part = PartFile::Create(folder.path() / "none" / "run.h5");
 

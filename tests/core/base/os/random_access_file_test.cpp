@@ -79,6 +79,35 @@ TEST_F(RandomAccessFileTest, ShowsWhetherTheFileIsBeingWritten) {
   EXPECT_FALSE((*reader)->is_being_written());
 }
 
+TEST_F(RandomAccessFileTest, AFileIsOpenedAgainForWriting) {
+  folder_.Write("file", "one ");
+
+  const auto file = os::ReopenWritableFile(file_, 4);
+
+  ASSERT_TRUE(file) << file.error().message;
+  ASSERT_TRUE((*file)->WriteAt(4, std::array{BytesOf("two")}));
+  EXPECT_EQ(folder_.Read("file"), "one two");
+  EXPECT_TRUE((*os::OpenRandomAccessFile(file_))->is_being_written());
+}
+
+TEST_F(RandomAccessFileTest, AFileThatHasChangedIsNotOpenedAgain) {
+  folder_.Write("file", "other");
+  std::filesystem::create_symlink(file_, folder_.path() / "link");
+
+  const auto changed = os::ReopenWritableFile(file_, 4);
+  const auto linked = os::ReopenWritableFile(folder_.path() / "link", 5);
+  const auto none = os::ReopenWritableFile(folder_.path() / "none", 4);
+
+  ASSERT_FALSE(changed);
+  EXPECT_EQ(changed.error().message,
+            "cannot open " + file_.string() +
+                ": another program has changed it: it has 5 bytes, and 4 were written");
+  EXPECT_FALSE(linked);
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().message,
+            "cannot open " + (folder_.path() / "none").string() + ": No such file or directory");
+}
+
 TEST_F(RandomAccessFileTest, AFolderIsNoFile) {
   const auto folder = os::OpenRandomAccessFile(folder_.path());
   const auto none = os::OpenRandomAccessFile(folder_.path() / "none");
