@@ -172,7 +172,10 @@ Verb::Run PrepareSaveLast(CLI::App& app) {
                      "processes, components, interfaces or columns, or patterns with * and **"),
       WordKind::kPath)
       ->required();
-  WithKind(app.add_option("-o,--output", words->file, "the file, such as last.mcap"),
+  WithKind(app.add_option("-o,--output", words->file,
+                          "the file, such as last.mcap; Ctrl+C completes it with the data that has "
+                          "arrived, which takes up to about the time of --timeout if a process "
+                          "does not answer"),
            WordKind::kFile)
       ->required();
   AddCompression(app, words->compression);
