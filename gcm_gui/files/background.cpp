@@ -1,49 +1,102 @@
 #include <gcm_gui/files/background.h>
 #include <gcm_gui/guard/exception_guard.h>
 
+#include <QCoreApplication>
+#include <QObject>
+#include <QPointer>
 #include <condition_variable>
 #include <deque>
 #include <iostream>
 #include <mutex>
+#include <new>
 #include <utility>
+#include <vector>
 
 namespace tendon::gui {
 
 struct Background::Queue {
+  explicit Queue(const char* the_what) : what(the_what) {}
+
+  void close() {
+    const std::lock_guard lock(mutex);
+    is_closed = true;
+    changed.notify_all();
+  }
+  [[nodiscard]] bool isDone() {
+    const std::lock_guard lock(mutex);
+    return is_done;
+  }
+
+  const char* const what;
   std::mutex mutex;
   std::condition_variable changed;
-  std::deque<Task> tasks;  // guarded by mutex, as are all members below
-  bool is_closed = false;  // no more tasks will be added
-  bool is_done = false;    // the thread has ended
+  std::deque<Task> tasks;                  // guarded by mutex, as are the next two members
+  bool is_closed = false;                  // no more tasks will be added
+  bool is_done = false;                    // the thread has ended
+  std::shared_ptr<const void> belongings;  // set before close(); then used by the thread alone
+};
+
+/// The threads that were handed over. The application owns this object, so it is destroyed when the
+/// program ends.
+class Background::HandedOver : public QObject {
+ public:
+  static HandedOver& instance() {
+    static QPointer<HandedOver> threads;
+    if (threads == nullptr) threads = new HandedOver;
+    return *threads;
+  }
+  ~HandedOver() override {
+    const auto begin = std::chrono::steady_clock::now();
+    for (auto& [queue, thread] : threads_) {
+      finish(*queue, std::move(thread), begin, kPatienceAtEnd);
+    }
+  }
+
+  void add(const std::shared_ptr<Queue>& queue, std::thread& thread) {
+    for (auto& [former_queue, former] : threads_) {
+      if (former_queue->isDone()) former.join();
+    }
+    std::erase_if(threads_, [](const auto& former) { return !former.second.joinable(); });
+    threads_.emplace_back(queue, std::move(thread));
+  }
+
+ private:
+  HandedOver() : QObject(QCoreApplication::instance()) {}
+
+  std::vector<std::pair<std::shared_ptr<Queue>, std::thread>> threads_;
 };
 
 Background::Background(const char* what, std::chrono::milliseconds patience)
-    : what_(what), patience_(patience), queue_(std::make_shared<Queue>()) {}
+    : patience_(patience), queue_(std::make_shared<Queue>(what)) {}
 
 Background::~Background() {
   if (!thread_.joinable()) return;
-  std::unique_lock lock(queue_->mutex);
-  queue_->is_closed = true;
-  queue_->changed.notify_all();
+  queue_->close();
+  finish(*queue_, std::move(thread_), std::chrono::steady_clock::now(), patience_);
+}
+
+void Background::finish(Queue& queue, std::thread thread,
+                        std::chrono::steady_clock::time_point begin,
+                        std::chrono::milliseconds patience) {
+  std::unique_lock lock(queue.mutex);
   const bool is_done =
-      queue_->changed.wait_for(lock, patience_, [this] { return queue_->is_done; });
+      queue.changed.wait_until(lock, begin + patience, [&] { return queue.is_done; });
   if (is_done) {
     lock.unlock();
-    thread_.join();
+    thread.join();
     return;
   }
-  std::cerr << "gcm-gui: " << what_ << " was not finished: it took longer than "
-            << patience_.count() << " ms\n";
-  queue_->tasks.clear();
-  thread_.detach();
+  std::cerr << "gcm-gui: " << queue.what << " was not finished: it took longer than "
+            << patience.count() << " ms\n";
+  queue.tasks.clear();
+  thread.detach();
 }
 
 void Background::start(Task task) {
   const std::lock_guard lock(queue_->mutex);
   queue_->tasks.push_back(std::move(task));
   queue_->changed.notify_all();
-  if (!thread_.joinable())
-    thread_ = std::thread([what = what_, queue = queue_] { work(what, queue); });
+  if (!thread_.joinable()) thread_ = std::thread([queue = queue_] { work(queue); });
 }
 
 void Background::dropWaiting() {
@@ -52,7 +105,18 @@ void Background::dropWaiting() {
   dropped.swap(queue_->tasks);
 }
 
-void Background::work(const char* what, const std::shared_ptr<Queue>& queue) {
+void Background::handOver(std::shared_ptr<const void> belongings) {
+  if (!thread_.joinable()) return;
+  queue_->belongings = std::move(belongings);  // close() publishes it to the thread
+  queue_->close();
+  try {
+    HandedOver::instance().add(queue_, thread_);
+  } catch (const std::bad_alloc&) {
+    thread_.detach();
+  }
+}
+
+void Background::work(const std::shared_ptr<Queue>& queue) {
   std::unique_lock lock(queue->mutex);
   while (true) {
     queue->changed.wait(lock, [&] { return queue->is_closed || !queue->tasks.empty(); });
@@ -60,10 +124,13 @@ void Background::work(const char* what, const std::shared_ptr<Queue>& queue) {
     Task task = std::move(queue->tasks.front());
     queue->tasks.pop_front();
     lock.unlock();
-    ExceptionGuard::run(what, task);
+    ExceptionGuard::run(queue->what, task);
     task = nullptr;
     lock.lock();
   }
+  lock.unlock();
+  queue->belongings = nullptr;
+  lock.lock();
   queue->is_done = true;
   queue->changed.notify_all();
 }

@@ -22,7 +22,11 @@ QString Read(const QString& name, QByteArray& content) try {
 FileReader::FileReader(QObject* parent)
     : QObject(parent), poster_(std::make_shared<GuiPoster>(this)) {}
 
-FileReader::~FileReader() { poster_->detach(); }
+FileReader::~FileReader() {
+  poster_->detach();
+  thread_.dropWaiting();
+  thread_.handOver();
+}
 
 void FileReader::read(const QString& name, Done done) {
   thread_.start([poster = poster_, name, done = std::move(done)] {

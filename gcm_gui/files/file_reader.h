@@ -23,6 +23,7 @@ class FileReader : public QObject {
   explicit FileReader(QObject* parent = nullptr);
   FileReader(const FileReader&) = delete;
   FileReader& operator=(const FileReader&) = delete;
+  /// Does not wait for the file that is being read.
   ~FileReader() override;
 
   /// Reads a file and then calls `done`, unless the reader was destroyed before.

@@ -3,7 +3,6 @@
 #include <gcm_gui/plot/series/signal_path.h>
 #include <gcm_gui/plot/series/time_shift.h>
 #include <gcm_gui/replay/recorded_signals.h>
-#include <gcm_gui/replay/replay_reader.h>
 #include <gcm_gui/replay/replay_signals.h>
 
 #include <QFileInfo>
@@ -24,7 +23,10 @@ constexpr std::int64_t kMostMargin = 60'000'000'000;      // ns, before and afte
 /// One open recording. Its times are in ns since 1970, except the times of samples.
 class RecordedSignals::File : public QObject {
  public:
-  File(RecordedSignals& owner, QString path) : owner_(owner), path_(std::move(path)) {
+  File(RecordedSignals& owner, QString path)
+      : owner_(owner),
+        path_(std::move(path)),
+        reader_(ReplayReader::Content::kRows, owner.open_file_) {
     connect(&reader_, &ReplayReader::opened, this, &File::onOpened);
     connect(&reader_, &ReplayReader::refused, this, &File::fail);
     connect(&reader_, &ReplayReader::stepped, this, &File::onStep);
@@ -49,8 +51,7 @@ class RecordedSignals::File : public QObject {
     tell(signal, failure_.isEmpty() ? Words::tr("is being read") : failure_);
   }
   void release(const QString& signal) { signals_.release(signal); }
-  /// True if the file can be closed without waiting.
-  [[nodiscard]] bool isUnused() const { return !is_busy_ && signals_.subscribed().isEmpty(); }
+  [[nodiscard]] bool isUnused() const { return signals_.subscribed().isEmpty(); }
 
   void follow(std::optional<TimeSpan> seen) {
     if (is_busy_ || !seen || !failure_.isEmpty()) return;
@@ -130,7 +131,7 @@ class RecordedSignals::File : public QObject {
 
   RecordedSignals& owner_;
   const QString path_;
-  ReplayReader reader_{ReplayReader::Content::kRows};
+  ReplayReader reader_;
   ReplaySignals signals_;
   RecordingFacts facts_;
   std::optional<TimeSpan> read_;
@@ -140,8 +141,8 @@ class RecordedSignals::File : public QObject {
   bool is_past_wanted_ = false;
 };
 
-RecordedSignals::RecordedSignals(Seen seen, QObject* parent)
-    : SignalSource(parent), seen_(std::move(seen)) {
+RecordedSignals::RecordedSignals(Seen seen, ReplayReader::OpenFile open_file)
+    : seen_(std::move(seen)), open_file_(std::move(open_file)) {
   connect(&timer_, &QTimer::timeout, this, &RecordedSignals::follow);
 }
 

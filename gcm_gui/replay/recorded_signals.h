@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gcm_gui/plot/series/time_window.h>
+#include <gcm_gui/replay/replay_reader.h>
 #include <gcm_gui/session/signal_source.h>
 
 #include <QString>
@@ -27,7 +28,7 @@ class RecordedSignals final : public SignalSource {
   /// if no part is visible.
   using Seen = std::function<std::optional<TimeSpan>(const QString& recording)>;
 
-  explicit RecordedSignals(Seen seen, QObject* parent = nullptr);
+  explicit RecordedSignals(Seen seen, ReplayReader::OpenFile open_file = os::OpenRandomAccessFile);
   ~RecordedSignals() override;
 
   void subscribe(const QString& signal) override;
@@ -52,6 +53,7 @@ class RecordedSignals final : public SignalSource {
   class File;
 
   Seen seen_;
+  const ReplayReader::OpenFile open_file_;
   std::map<QString, std::unique_ptr<File>> files_;  // by path
   QTimer timer_;
 };

@@ -2,6 +2,7 @@
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/replay/replay_reader.h>
 #include <tendon/base/path.h>
+#include <tendon/lockfree/flag.h>
 #include <tendon/payload/json.h>
 
 #include <QFileInfo>
@@ -132,15 +133,43 @@ class RowCollector {
   std::vector<std::byte> bytes_;
 };
 
+/// A file from which nothing is read any more after the flag is set.
+class CancellableFile final : public os::RandomAccessFile {
+ public:
+  CancellableFile(std::unique_ptr<os::RandomAccessFile> file, const Flag& is_cancelled)
+      : file_(std::move(file)), is_cancelled_(is_cancelled) {}
+
+  [[nodiscard]] const std::string& name() const noexcept override { return file_->name(); }
+  [[nodiscard]] std::uint64_t size() const noexcept override { return file_->size(); }
+  Result<void> ReadAt(std::uint64_t offset, std::span<std::byte> bytes) override {
+    if (is_cancelled_.Get()) return Error{ErrorCode::kFailed, "the reading was cancelled"};
+    return file_->ReadAt(offset, bytes);
+  }
+  [[nodiscard]] bool is_being_written() const noexcept override {
+    return file_->is_being_written();
+  }
+
+ private:
+  const std::unique_ptr<os::RandomAccessFile> file_;
+  const Flag& is_cancelled_;
+};
+
 }  // namespace
 
-/// The open file. Used only by the thread of the reader.
+/// The open file. Used only by the thread of the reader, except cancel().
 class ReplayReader::Reel {
  public:
-  explicit Reel(Content content) : content_(content) {}
+  Reel(Content content, OpenFile open_file) : content_(content), open_file_(std::move(open_file)) {}
+
+  /// After this call, the reading ends as soon as possible, and passes no more rows to the feeds.
+  /// Called by another thread.
+  void cancel() { is_cancelled_.Set(true); }
 
   Result<RecordingFacts> open(const QString& file) {
-    auto reader = mcap::Reader::Open(file.toStdString());
+    auto opened = open_file_(file.toStdString());
+    if (!opened) return opened.error();
+    auto reader =
+        mcap::Reader::Open(std::make_unique<CancellableFile>(*std::move(opened), is_cancelled_));
     if (!reader) return reader.error();
     auto playback = Playback::Open(*std::move(reader));
     if (!playback) return playback.error();
@@ -265,6 +294,7 @@ class ReplayReader::Reel {
   }
 
   void take(const PlayedItem& item, ReplayStep& step) {
+    if (is_cancelled_.Get()) return;
     if (const auto* value = std::get_if<recording::PlayedValue>(&item.content)) {
       const auto found = columns_.find(value->channel->path);
       if (found != columns_.end()) found->second.add(*value, item.time);
@@ -284,6 +314,7 @@ class ReplayReader::Reel {
   }
 
   void end(ReplayStep& step) {
+    if (is_cancelled_.Get()) return;
     for (auto& [path, collector] : columns_) collector.flush();
     if (step.events.size() > kListed) {
       step.events.erase(step.events.begin(),
@@ -294,19 +325,22 @@ class ReplayReader::Reel {
   }
 
   const Content content_;
+  const OpenFile open_file_;
+  Flag is_cancelled_;  // the open file refers to it
   QString file_;
   std::unique_ptr<Playback> playback_;
   std::map<std::string, RowCollector> columns_;
 };
 
-ReplayReader::ReplayReader(Content content, QObject* parent)
-    : QObject(parent),
-      poster_(std::make_shared<GuiPoster>(this)),
-      reel_(std::make_shared<Reel>(content)) {}
+ReplayReader::ReplayReader(Content content, OpenFile open_file)
+    : poster_(std::make_shared<GuiPoster>(this)),
+      reel_(std::make_shared<Reel>(content, std::move(open_file))) {}
 
 ReplayReader::~ReplayReader() {
   poster_->detach();
+  reel_->cancel();
   thread_.dropWaiting();
+  thread_.handOver(std::move(reel_));  // closing a file can take as long as reading it
 }
 
 std::int64_t ReplayReader::SampleTime(std::int64_t time, std::int64_t first) {

@@ -4,14 +4,15 @@
 #include <gcm_gui/files/gui_poster.h>
 #include <gcm_gui/session/column_feed.h>
 #include <gcm_gui/session/system_reports.h>
+#include <tendon/base/os/random_access_file.h>
 #include <tendon/gcm/catalogue.h>
 #include <tendon/recording/playback.h>
 
 #include <QObject>
 #include <QString>
 #include <QStringList>
-#include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -67,6 +68,9 @@ enum class ReplayTarget {
 /// Reads a recording in its own thread. Each function returns at once. Its result arrives as a
 /// signal; the signals are in the order of the calls. The rows of columns are passed to their feeds
 /// before stepped() is emitted. GUI thread.
+///
+/// The destructor cancels the reading and does not wait for it, however slow the disk is. The
+/// thread ends after its present read from the disk; the results are dropped.
 class ReplayReader : public QObject {
   Q_OBJECT
 
@@ -76,8 +80,12 @@ class ReplayReader : public QObject {
 
   /// The content to read: everything, or only the rows of columns and their losses.
   enum class Content { kAll, kRows };
+  /// Opens a file; called in the thread. Tests use it to simulate a slow disk.
+  using OpenFile = std::function<Result<std::unique_ptr<os::RandomAccessFile>>(
+      const std::filesystem::path& file)>;
 
-  explicit ReplayReader(Content content = Content::kAll, QObject* parent = nullptr);
+  explicit ReplayReader(Content content = Content::kAll,
+                        OpenFile open_file = os::OpenRandomAccessFile);
   ~ReplayReader() override;
 
   /// The result is opened() or refused(). Other functions must not be called before opened() or
@@ -110,9 +118,8 @@ class ReplayReader : public QObject {
   void start(std::function<void(Reel&)> task);
 
   std::shared_ptr<GuiPoster> poster_;
-  std::shared_ptr<Reel> reel_;  // used by the thread alone
-  Background thread_{QT_TRANSLATE_NOOP("Words", "the reading of a recording"),
-                     std::chrono::seconds(2)};
+  std::shared_ptr<Reel> reel_;  // used by the thread alone, except cancel()
+  Background thread_{QT_TRANSLATE_NOOP("Words", "the reading of a recording")};
 };
 
 }  // namespace tendon::gui

@@ -22,8 +22,9 @@ constexpr std::int64_t kSameMark = 1'000'000;             // ns
 
 }  // namespace
 
-ReplaySession::ReplaySession(const QString& file)
+ReplaySession::ReplaySession(const QString& file, ReplayReader::OpenFile open_file)
     : file_(QFileInfo(file).absoluteFilePath()),
+      open_file_(std::move(open_file)),
       reason_(ReplayRefusal(file)),
       reports_(reason_),
       refusals_(reason_, store_),
@@ -64,7 +65,7 @@ void ReplaySession::reload() {
   finds_awaited_ = 0;
   is_jumping_ = false;
   wanted_.reset();
-  reader_ = std::make_unique<ReplayReader>();
+  reader_ = std::make_unique<ReplayReader>(ReplayReader::Content::kAll, open_file_);
   connect(reader_.get(), &ReplayReader::opened, this, &ReplaySession::onOpened);
   connect(reader_.get(), &ReplayReader::refused, this, &ReplaySession::onRefused);
   connect(reader_.get(), &ReplayReader::stepped, this, &ReplaySession::onStep);

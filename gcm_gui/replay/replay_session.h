@@ -29,7 +29,8 @@ class ReplaySession : public QObject {
   enum class State { kOpening, kOpen, kRefused };
 
   /// Opens the file in the background.
-  explicit ReplaySession(const QString& file);
+  explicit ReplaySession(const QString& file,
+                         ReplayReader::OpenFile open_file = os::OpenRandomAccessFile);
   ~ReplaySession() override;
 
   [[nodiscard]] CatalogueStore& store() { return store_; }
@@ -99,6 +100,7 @@ class ReplaySession : public QObject {
   [[nodiscard]] std::int64_t past() const;
 
   const QString file_;
+  const ReplayReader::OpenFile open_file_;
   const QString reason_;
   CatalogueStore store_;
   LinkState link_;

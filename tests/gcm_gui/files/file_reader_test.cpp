@@ -4,9 +4,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <QCoreApplication>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+#include <memory>
 #include <optional>
 
 namespace tendon::gui {
@@ -76,6 +78,28 @@ TEST_F(FileReaderTest, ASlowFileDoesNotBlockTheCaller) {
   ::close(end);
   ASSERT_TRUE(QTest::qWaitFor([this] { return read_.has_value(); }, kReaderPatience));
   EXPECT_EQ(read_->content, "late");
+}
+
+TEST_F(FileReaderTest, TheDestructorDoesNotWaitForASlowFile) {
+  const QString pipe = folder_.filePath("pipe");
+  ASSERT_EQ(::mkfifo(pipe.toLocal8Bit().constData(), 0600), 0);
+  auto reader = std::make_unique<FileReader>();
+  reader->read(pipe, Keep());
+  int end = -1;  // opening fails until the reader has opened the pipe
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        end = ::open(pipe.toLocal8Bit().constData(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+        return end >= 0;
+      },
+      kReaderPatience));
+
+  testing::internal::CaptureStderr();
+  reader.reset();
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "it gave up a reading";
+
+  ::close(end);  // the thread was still reading until now
+  QCoreApplication::processEvents();
+  EXPECT_FALSE(read_);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "replay/recorded_file.h"
+#include "replay/stoppable_disk.h"
 
 namespace tendon::gui {
 namespace {
@@ -224,6 +225,30 @@ TEST_F(RecordedSignalsTest, AReleasedSignalIsNotReadAndTheFileCanBeReadAgain) {
   ASSERT_TRUE(Eventually([this] { return Covers(kWaveSignal, 0, 2); }));
   EXPECT_EQ(opened.count(), 1);
   EXPECT_TRUE(samples_[kTimeSignal].empty());
+}
+
+TEST_F(RecordedSignalsTest, AFileIsClosedAndOpenedAgainWhileTheDiskDoesNotRespond) {
+  WriteRun(file_);
+  See(0, 2);
+  StoppableDisk disk;
+  RecordedSignals signals_of_disk([this](const QString&) { return std::optional(seen_); },
+                                  disk.opener());
+  QSignalSpy opened(&signals_of_disk, &RecordedSignals::opened);
+  const QString signal = RecordedPath(file_, kTimeSignal);
+  disk.stop();
+  signals_of_disk.subscribe(signal);
+  ASSERT_TRUE(Eventually([&] { return disk.counts().waiting == 1; }));
+
+  testing::internal::CaptureStderr();
+  signals_of_disk.release(signal);
+  signals_of_disk.follow();
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "it waited for the reading";
+  signals_of_disk.subscribe(signal);
+
+  ASSERT_TRUE(Eventually([&] { return disk.counts().waiting == 2; }));
+  disk.go();
+  ASSERT_TRUE(Eventually([&] { return disk.counts().open_files == 1 && opened.count() > 0; }));
+  EXPECT_EQ(opened.count(), 1);
 }
 
 }  // namespace

@@ -1,12 +1,16 @@
 #include <gcm_gui/replay/replay_reader.h>
 #include <gmock/gmock.h>
+#include <tendon/base/os/thread.h>
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
+#include <QTest>
+#include <functional>
 #include <memory>
 #include <vector>
 
 #include "replay/recorded_file.h"
+#include "replay/stoppable_disk.h"
 
 namespace tendon::gui {
 namespace {
@@ -40,6 +44,10 @@ class ReplayReading : public ::testing::Test {
     QSignalSpy stepped(&reader_, &ReplayReader::stepped);
     reader_.jump(time, 20 * kSecond, columns);
     ASSERT_TRUE(stepped.wait(kReaderPatience));
+  }
+
+  static bool Eventually(const std::function<bool()>& holds) {
+    return QTest::qWaitFor(holds, kReaderPatience);
   }
 
   QTemporaryDir folder_;
@@ -104,6 +112,60 @@ TEST_F(ReplayReading, OnlyRowsAreReadForAPlotOfAnotherSystem) {
   }
   EXPECT_EQ(feed->losses().table, 50U);
   EXPECT_FALSE(feed->take(kField).runs.empty());
+}
+
+TEST_F(ReplayReading, TheDestructorDoesNotWaitForTheDisk) {
+  WriteRun(file_);
+  StoppableDisk disk;
+  disk.stop();
+  auto reader = std::make_unique<ReplayReader>(ReplayReader::Content::kAll, disk.opener());
+  reader->open(file_);
+  ASSERT_TRUE(Eventually([&] { return disk.counts().waiting == 1; }));
+
+  testing::internal::CaptureStderr();
+  const std::int64_t waits = os::ThreadWaits();
+  reader.reset();
+  EXPECT_EQ(os::ThreadWaits() - waits, 0);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "it gave up a reading";
+
+  EXPECT_EQ(disk.counts().waiting, 1);
+}
+
+TEST_F(ReplayReading, ACancelledReadingReadsNoFurtherAndDropsItsRows) {
+  WriteRun(file_);
+  StoppableDisk disk;
+  auto reader = std::make_unique<ReplayReader>(ReplayReader::Content::kRows, disk.opener());
+  QSignalSpy opened(reader.get(), &ReplayReader::opened);
+  reader->open(file_);
+  ASSERT_TRUE(opened.wait(kReaderPatience));
+  const auto feed = Feed();
+  disk.stop();
+  reader->jump(kRunBegin + 20 * kSecond, 20 * kSecond, {{kColumn, {feed, true}}});
+  ASSERT_TRUE(Eventually([&] { return disk.counts().waiting == 1; }));
+  const int reads = disk.counts().reads;
+
+  reader.reset();
+  disk.go();
+
+  ASSERT_TRUE(Eventually([&] { return disk.counts().open_files == 0; }));
+  EXPECT_EQ(disk.counts().reads, reads);
+  EXPECT_TRUE(feed->take(kField).runs.empty());
+}
+
+TEST_F(ReplayReading, TheDestructorDoesNotWaitUntilTheFileIsClosed) {
+  WriteRun(file_);
+  StoppableDisk disk;
+  auto reader = std::make_unique<ReplayReader>(ReplayReader::Content::kAll, disk.opener());
+  QSignalSpy opened(reader.get(), &ReplayReader::opened);
+  reader->open(file_);
+  ASSERT_TRUE(opened.wait(kReaderPatience));
+  disk.stop();
+
+  reader.reset();
+
+  EXPECT_EQ(disk.counts().open_files, 1);
+  disk.go();
+  EXPECT_TRUE(Eventually([&] { return disk.counts().open_files == 0; }));
 }
 
 }  // namespace
