@@ -19,7 +19,7 @@ namespace tendon::gui {
 ///
 /// Each file is read by its index, in its own thread. Only the visible part is read, at most an
 /// hour, and some time before and after it, so that a small move shows no gap. The file is closed
-/// some time after its last signal was released.
+/// some time after its last signal was released, even if it is still being read.
 class RecordedSignals final : public SignalSource {
   Q_OBJECT
 

@@ -13,7 +13,7 @@ QString PathOf(const QString& file) {
   return path.isEmpty() ? info.absoluteFilePath() : path;
 }
 
-QString MarksOf(const QString& file) { return QStringLiteral("marks of ") + PathOf(file); }
+QString MarksOf(const QString& file) { return QStringLiteral("marks of ") + file; }
 
 QStringList Lines(const QByteArray& value) {
   return QString::fromUtf8(value).split('\n', Qt::SkipEmptyParts);
@@ -33,7 +33,7 @@ QStringList RecordingNotes::recent() const {
 
 void RecordingNotes::addRecent(const QString& file) {
   if (!kept_) return;
-  QStringList files = recent();
+  QStringList files = Lines(kept_->value(NameOfRecent()));
   files.removeAll(PathOf(file));
   files.prepend(PathOf(file));
   kept_->set(NameOfRecent(), files.mid(0, kMostRecent).join('\n').toUtf8());

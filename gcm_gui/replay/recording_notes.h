@@ -11,7 +11,8 @@
 namespace tendon::gui {
 
 /// The user's notes about recordings: the files that were opened recently, and the marks in each
-/// file. GUI thread.
+/// file. To find the marks of a file, pass its path without symbolic links, as in RecordingFacts.
+/// GUI thread.
 class RecordingNotes {
  public:
   static constexpr qsizetype kMostRecent = 8;
@@ -19,7 +20,7 @@ class RecordingNotes {
   /// `folder` is the folder of the window's saved state; if it is empty, nothing is saved.
   explicit RecordingNotes(const QString& folder);
 
-  /// Returns the files that still exist, latest first.
+  /// Returns those of the latest kMostRecent files that still exist, latest first.
   [[nodiscard]] QStringList recent() const;
   void addRecent(const QString& file);
   /// The times of the marks, in ns since 1970.

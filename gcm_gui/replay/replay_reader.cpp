@@ -175,7 +175,8 @@ class ReplayReader::Reel {
     if (!playback) return playback.error();
     playback_ = *std::move(playback);
     RecordingFacts facts;
-    facts.file = file;
+    const QString path = QFileInfo(file).canonicalFilePath();
+    facts.file = path.isEmpty() ? file : path;
     facts.first = static_cast<std::int64_t>(playback_->first_time());
     facts.last = static_cast<std::int64_t>(playback_->last_time());
     facts.has_no_end = playback_->reader().was_scanned();

@@ -24,7 +24,7 @@ namespace tendon::gui {
 
 /// The properties of a whole recording. Times are in ns since 1970.
 struct RecordingFacts {
-  QString file;  ///< its path
+  QString file;  ///< its path, without symbolic links
   std::int64_t first = 0;
   std::int64_t last = 0;
   QStringList problems;                        ///< sentences about damaged or missing parts

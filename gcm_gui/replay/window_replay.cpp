@@ -61,16 +61,15 @@ void WindowReplay::showMoment() {
 
 void WindowReplay::keep() {
   if (session_.state() != ReplaySession::State::kOpen) return;
+  const QString& file = session_.facts().file;
+  const auto marks = notes_.marks(file);
   if (!is_known_) {
     is_known_ = true;
-    notes_.addRecent(session_.file());
-    const auto marks = notes_.marks(session_.file());
+    notes_.addRecent(file);
     if (!marks.isEmpty()) session_.setMarks(marks);
     return;
   }
-  if (session_.marks() != notes_.marks(session_.file())) {
-    notes_.setMarks(session_.file(), session_.marks());
-  }
+  if (session_.marks() != marks) notes_.setMarks(file, session_.marks());
 }
 
 void WindowReplay::addCommands(Commands& commands) {

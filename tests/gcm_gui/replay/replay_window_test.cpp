@@ -25,6 +25,7 @@
 #include <QComboBox>
 #include <QDropEvent>
 #include <QFile>
+#include <QFileInfo>
 #include <QMimeData>
 #include <QScrollBar>
 #include <QSignalSpy>
@@ -53,7 +54,7 @@ class ReplayWindow : public ::testing::Test {
  protected:
   void SetUp() override {
     ASSERT_TRUE(folder_.isValid());
-    file_ = folder_.filePath("run.mcap");
+    file_ = QFileInfo(folder_.path()).canonicalFilePath() + QStringLiteral("/run.mcap");
   }
   void TearDown() override {
     window_.reset();
@@ -328,6 +329,21 @@ TEST_F(ReplayWindow, AMarkOfTheUserIsKeptForTheNextTime) {
   Open();
   EXPECT_TRUE(Eventually([this] { return session_->marks().size() == 1; }));
   EXPECT_EQ(window_->opener().notes().recent(), QStringList{file_});
+}
+
+TEST_F(ReplayWindow, AMarkBelongsToTheFileUnderEachOfItsNames) {
+  OpenRun();
+  Key(Qt::Key_M);
+  ASSERT_TRUE(Eventually(
+      [this] { return RecordingNotes(folder_.filePath("kept")).marks(file_).size() == 1; }));
+  TearDown();
+  const QString link = folder_.filePath("link.mcap");
+  ASSERT_TRUE(QFile::link(file_, link));
+
+  file_ = link;
+  Open();
+
+  EXPECT_TRUE(Eventually([this] { return session_->marks().size() == 1; }));
 }
 
 TEST_F(ReplayWindow, TheChosenSpeedAndTheLoopAreThoseOfTheClock) {
