@@ -1,13 +1,27 @@
 #pragma once
 
 #include <benchmarks/case.h>
+#include <tendon/base/result.h>
 
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <stdexcept>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace tendon::benchmark {
+
+/// Throws if the operation has failed, because there is then nothing to measure.
+inline void RequireDone(const Result<void>& done) {
+  if (!done) throw std::runtime_error(done.error().message);
+}
+template <typename T>
+T Required(Result<T> result) {
+  if (!result) throw std::runtime_error(result.error().message);
+  return *std::move(result);
+}
 
 template <typename Action>
 double NanosecondsEach(std::uint64_t times, Action action) {

@@ -1,36 +1,38 @@
 #include <benchmarks/measurement.h>
+#include <benchmarks/memory.h>
 #include <benchmarks/ram_folder.h>
 #include <benchmarks/seat.h>
+#include <fcntl.h>
 #include <malloc.h>
+#include <support/folder.h>
+#include <tendon/payload/schema.h>
 #include <tendon/recording/mcap/compression.h>
 #include <tendon/recording/mcap/reader.h>
 #include <tendon/recording/mcap/writer.h>
+#include <tendon/recording/playback.h>
+#include <tendon/recording/recording_format.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <optional>
+#include <random>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace tendon::benchmark {
 namespace {
 
 constexpr double kMega = 1e6;
-
-/// Throws if the operation has failed, because there is then nothing to measure.
-void RequireDone(const Result<void>& done) {
-  if (!done) throw std::runtime_error(done.error().message);
-}
-template <typename T>
-T Required(Result<T> result) {
-  if (!result) throw std::runtime_error(result.error().message);
-  return *std::move(result);
-}
 
 /// The rows of an arm: seven positions and seven velocities that change as in a real robot.
 class ArmRows {
@@ -66,55 +68,69 @@ class ArmRows {
   mcap::Buffer bytes_;
 };
 
-/// Makes a sparse file of this size with chunks of 1 MiB. Only the beginning and the end of the
-/// file are on the disk; Open() reads nothing else.
-std::filesystem::path MakeLargeFile(const RamFolder& folder, std::uint64_t size) {
-  constexpr std::uint64_t kChunk = std::uint64_t{1} << 20U;
-  constexpr mcap::ChannelId kChannels = 100;
-  constexpr std::uint64_t kMessages = 80;  // of each channel in each chunk
-  const std::filesystem::path path = folder.path() / "large.mcap";
-  const auto file = Required(os::CreateWritableFile(path));
-  mcap::Buffer begin(mcap::Magic().begin(), mcap::Magic().end());
-  Append(begin, mcap::Header{"ros2", "report"});
-  RequireDone(file->WriteAt(0, std::array{mcap::ByteView(begin)}));
-
-  const std::uint64_t chunks = size / kChunk;
-  const std::uint64_t data_end = begin.size() + chunks * kChunk;
-  mcap::Buffer end;
-  Append(end, mcap::DataEnd{});
-  const std::size_t summary = end.size();
-  mcap::Statistics statistics{.message_count = chunks * kChannels * kMessages,
-                              .channel_count = kChannels,
-                              .chunk_count = static_cast<std::uint32_t>(chunks),
-                              .message_end_time = chunks};
-  for (mcap::ChannelId id = 1; id <= kChannels; ++id) {
-    Append(end, mcap::Channel{id, 0, "robot/arm/state/Signal" + std::to_string(id), "cdr", {}});
-    statistics.channel_message_counts[id] = chunks * kMessages;
-  }
-  Append(end, statistics);
-  for (std::uint64_t i = 0; i < chunks; ++i) {
-    constexpr std::uint64_t kIndexes = kChannels * (15 + 16 * kMessages);  // bytes
-    mcap::ChunkIndex index{.message_start_time = i,
-                           .message_end_time = i + 1,
-                           .chunk_start_offset = begin.size() + i * kChunk,
-                           .chunk_length = kChunk - kIndexes,
-                           .message_index_length = kIndexes,
-                           .compressed_size = kChunk - kIndexes - 100,
-                           .uncompressed_size = kChunk - kIndexes - 100};
-    for (mcap::ChannelId id = 1; id <= kChannels; ++id) {
-      index.message_index_offsets.emplace_back(
-          id, index.chunk_start_offset + index.chunk_length + (id - 1U) * (15 + 16 * kMessages));
+/// An uncompressed recording of 100 signals at 1 kHz, of about this size. It is on a disk, and the
+/// kernel does not have it in memory, as when a user opens it days later.
+class LargeRecording {
+ public:
+  explicit LargeRecording(std::uint64_t size) {
+    const auto writer = Required(mcap::Writer::Create(
+        path_, {.profile = recording::kProfile, .compression = mcap::Compression::kNone}));
+    const std::string type = SchemaOf<double>().TextWithHelp();
+    for (mcap::ChannelId id = 1; id <= kSignals; ++id) {
+      const std::string name = "Signal" + std::to_string(id);
+      (void)Required(writer->AddChannel(0, recording::TopicOf({"robot", "arm", "state"}, name),
+                                        recording::kMessageEncoding,
+                                        {{recording::kKindKey, recording::kColumnKind},
+                                         {recording::kPathKey, "robot/arm/state." + name},
+                                         {recording::kSchemaKey, type}}));
     }
-    Append(end, index);
+    mcap::Buffer data;
+    for (; writer->written().bytes < size; ++rows_) {
+      const double value = rows_;
+      recording::Encapsulate(std::as_bytes(std::span(&value, 1)), data);
+      for (mcap::ChannelId id = 1; id <= kSignals; ++id) {
+        RequireDone(writer->Write({id, rows_, TimeOf(rows_), TimeOf(rows_), data}));
+      }
+    }
+    RequireDone(writer->Close());
+    const int file = open(path_.c_str(), O_RDONLY | O_CLOEXEC);
+    posix_fadvise(file, 0, 0, POSIX_FADV_DONTNEED);
+    close(file);
   }
-  Append(end, mcap::Footer{data_end + summary, 0, 0});
-  constexpr std::size_t kCrcSize = 4;
-  end.resize(end.size() - kCrcSize);
-  mcap::AppendNumber(end, mcap::Crc32(mcap::ByteView(end).subspan(summary)), kCrcSize);
-  end.insert(end.end(), mcap::Magic().begin(), mcap::Magic().end());
-  RequireDone(file->WriteAt(data_end, std::array{mcap::ByteView(end)}));
-  return path;
-}
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] std::uint32_t rows() const { return rows_; }
+
+  /// Moves to the time of a row and reads the row. Throws if a value is missing or wrong.
+  void ReadRow(recording::Playback& playback, std::uint32_t row) const {
+    const auto value = static_cast<double>(row);
+    mcap::ChannelId right = 0;
+    playback.Seek(TimeOf(row));
+    playback.Past(playback.columns(), TimeOf(row), recording::Playback::WithLosses::kNo,
+                  [&](const recording::PlayedItem& item) {
+                    const auto& read = std::get<recording::PlayedValue>(item.content);
+                    const bool is_right =
+                        std::ranges::equal(read.body, std::as_bytes(std::span(&value, 1)));
+                    if (is_right && read.tick == row && item.time == TimeOf(row)) ++right;
+                  });
+    if (right != kSignals) {
+      throw std::runtime_error("row " + std::to_string(row) + " of the large recording has " +
+                               std::to_string(right) + " right values; it must have " +
+                               std::to_string(kSignals));
+    }
+  }
+
+ private:
+  static constexpr mcap::ChannelId kSignals = 100;
+
+  static mcap::Timestamp TimeOf(std::uint32_t row) {
+    return (row + mcap::Timestamp{1}) * 1'000'000;
+  }
+
+  const test::Folder folder_;
+  const std::filesystem::path path_ = folder_.path() / "large.mcap";
+  std::uint32_t rows_ = 0;
+};
 
 /// The rows that are recorded repeatedly.
 class Material {
@@ -154,51 +170,59 @@ class Material {
   mcap::Compressor zstd_{mcap::Compression::kZstd, 1};
 };
 
-/// Returns a value from /proc/self/status in bytes.
-double MemoryFigure(const std::string& name) {
-  constexpr double kKibibyte = 1024;
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;) {
-    double kibibytes = 0;
-    if (word == name + ":" && status >> kibibytes) return kibibytes * kKibibyte;
-  }
-  return 0;
-}
-
-/// The time to open a file, and the peak memory in megabytes during this time.
-struct OpenCost {
-  double milliseconds = 0;
-  double megabytes = 0;
+/// The cost to use a large recording.
+struct AccessCost {
+  double opening = 0;  // ms
+  double seeking = 0;  // ms, to move to a time and read the row there; the slowest of several times
+  double memory = 0;   // MB, the peak during all of this
 };
 
-OpenCost MeasureOpen(const std::filesystem::path& path) {
+AccessCost MeasureAccess(const LargeRecording& large) {
+  constexpr int kSeeks = 20;
   malloc_trim(0);                               // returns the freed memory that this program keeps
   std::ofstream("/proc/self/clear_refs") << 5;  // the peak begins anew
-  const double before = MemoryFigure("VmRSS");
-  OpenCost cost;
-  cost.milliseconds = NanosecondsEach(1,
-                                      [&](std::uint64_t) {
-                                        const auto reader = Required(mcap::Reader::Open(path));
-                                        if (reader->was_scanned())
-                                          throw std::runtime_error("there is no index");
-                                        cost.megabytes = (MemoryFigure("VmHWM") - before) / kMega;
-                                      }) /
-                      kMega;
+  const double before = MemoryFigure("self", "VmRSS");
+  AccessCost cost;
+  std::unique_ptr<recording::Playback> playback;
+  cost.opening = NanosecondsEach(1, [&](std::uint64_t) {
+    auto reader = Required(mcap::Reader::Open(large.path()));
+    if (reader->was_scanned()) throw std::runtime_error("the large recording has no index");
+    playback = Required(recording::Playback::Open(std::move(reader)));
+  });
+  std::mt19937 random(22);
+  std::uniform_int_distribution<std::uint32_t> any(0, large.rows() - 1);
+  for (int i = 0; i < kSeeks; ++i) {
+    cost.seeking =
+        std::max(cost.seeking,
+                 NanosecondsEach(1, [&](std::uint64_t) { large.ReadRow(*playback, any(random)); }));
+  }
+  cost.opening /= kMega;
+  cost.seeking /= kMega;
+  cost.memory = (MemoryFigure("self", "VmHWM") - before) / kMega;
   return cost;
+}
+
+/// Returns the size of the large recording: 10 GB, or half of the disk's room if this is less.
+std::uint64_t LargeSize(const Effort& effort) {
+  constexpr std::uint64_t kLarge = 10'000'000'000;
+  std::error_code unknown;
+  const auto room =
+      std::filesystem::space(std::filesystem::temp_directory_path(), unknown).available;
+  return effort.Times(std::min<std::uint64_t>(kLarge, room / 2));
 }
 
 }  // namespace
 
 std::vector<Case> RecordingCases(const Effort& effort) {
-  constexpr std::uint64_t kLargeFile = 10'000'000'000;
   const auto material = [count = effort.Times(200'000),
                          made = std::make_shared<std::unique_ptr<Material>>()]() -> Material& {
     if (!*made) *made = std::make_unique<Material>(count);
     return **made;
   };
-  const auto open = [size = effort.Times(kLargeFile)] {
-    const RamFolder folder;
-    return MeasureOpen(MakeLargeFile(folder, size));
+  const std::uint64_t size = LargeSize(effort);
+  const auto access = [size, cost = std::make_shared<std::optional<AccessCost>>()] {
+    if (!*cost) *cost = MeasureAccess(LargeRecording(size));
+    return **cost;
   };
   return {
       {.id = "W-rec",
@@ -221,18 +245,25 @@ std::vector<Case> RecordingCases(const Effort& effort) {
        .repetition = SideBySide({[=] { return material().Record(mcap::Compression::kZstd); }},
                                 {[=] { return material().CompressInOneCall(); }})},
       {.id = "W-open",
-       .what = "opening a recording of 10 GB",
+       .what = "opening a recording of " + std::to_string(size / 1'000'000) + " MB",
        .unit = "ms",
        .gate = 1000,
        .stretch = 100,
-       .repetition = [=] { return std::optional(Pair{.ours = open().milliseconds}); },
+       .repetition = [=] { return std::optional(Pair{.ours = access().opening}); },
+       .runs_once = true},
+      {.id = "W-seek",
+       .what = "reading the row at a random time, the slowest of 20",
+       .unit = "ms",
+       .gate = 1000,
+       .stretch = 100,
+       .repetition = [=] { return std::optional(Pair{.ours = access().seeking}); },
        .runs_once = true},
       {.id = "W-mem",
-       .what = "the memory that it takes",
+       .what = "the peak memory of both",
        .unit = "MB",
        .gate = 100,
        .stretch = 50,
-       .repetition = [=] { return std::optional(Pair{.ours = open().megabytes}); },
+       .repetition = [=] { return std::optional(Pair{.ours = access().memory}); },
        .runs_once = true},
   };
 }

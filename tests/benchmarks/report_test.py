@@ -9,9 +9,10 @@ import unittest
 
 PROGRAM = ""
 IDS = ["Q1", "D1", "D3", "D4", "D5", "S1", "S2", "S3", "S4", "P1", "P1-p99", "P4",
-       "W-rec", "W-zstd", "W-open", "W-mem"]
+       "W-rec", "W-zstd", "W-open", "W-seek", "W-mem"]
 NETWORK_IDS = ["R1", "R1-one", "R7", "R7-filled", "R7-copy", "R3", "R4", "R2", "R5", "R8-zmq", "R8-dds", "R6",
-               "R6-row", "R9", "R9-con", "T1", "T1-con", "G1", "G2", "G3", "W-load", "W-lost"]
+               "R6-row", "R9", "R9-con", "T1", "T1-con", "G1", "G2", "G3", "W-load", "W-lost",
+               "W-flat", "W-size"]
 WINDOW_IDS = ["V1", "V2", "V1-noi", "V2-noi", "V1-new", "V2-new", "V1-nn", "V2-nn", "W1", "W2", "W3"]
 PATIENCE = 240  # s, for a sanitizer on a busy machine
 KEYS = {"id", "ours", "floor", "ratio", "gate", "stretch", "holds"}

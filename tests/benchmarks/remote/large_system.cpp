@@ -1,3 +1,4 @@
+#include <benchmarks/memory.h>
 #include <benchmarks/remote/large_system.h>
 #include <support/wait.h>
 #include <tendon/base/os/process.h>
@@ -9,16 +10,13 @@
 namespace tendon::benchmark {
 namespace {
 
-/// Returns the line that begins with `name` in a file of the process in /proc.
-std::string LineOf(int pid, const std::string& file, const std::string& name) {
-  std::ifstream lines("/proc/" + std::to_string(pid) + "/" + file);
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with(name)) return line.substr(name.size());
+bool IsStopped(int pid) {
+  std::ifstream status("/proc/" + std::to_string(pid) + "/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("State:")) return line.find('T') != std::string::npos;
   }
-  return {};
+  return false;
 }
-
-bool IsStopped(int pid) { return LineOf(pid, "status", "State:").find('T') != std::string::npos; }
 
 }  // namespace
 
@@ -39,8 +37,7 @@ LargeSystem::LargeSystem(const RemoteSystem& system, int processes, int componen
 }
 
 double LargeSystem::MemoryOfGcm() const {
-  constexpr double kKiB = 1024;
-  return kKiB * std::stod(LineOf(gcm_.pid(), "status", "VmRSS:"));
+  return MemoryFigure(std::to_string(gcm_.pid()), "VmRSS");
 }
 
 void LargeSystem::Join() {

@@ -1,13 +1,13 @@
 // One of the processes whose signals are recorded: signals NAME GCM COLUMNS. Its task writes a row
-// of COLUMNS doubles each millisecond. At each SIGUSR1, it prints the 99th percentile of the task's
-// lateness since the previous SIGUSR1, in nanoseconds. Runs until it is killed.
+// of COLUMNS doubles each millisecond. It prints an empty line when it has joined the GCM. At each
+// SIGUSR1, it prints a line with the lateness of all cycles since the previous SIGUSR1, in
+// nanoseconds. Runs until it is killed.
 
 #include <tendon/base/log.h>
 #include <tendon/ice/ice_middleware.h>
 #include <tendon/process/process.h>
 #include <tendon/task/periodic_task.h>
 
-#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdint>
@@ -54,13 +54,6 @@ class Source final : public tendon::PeriodicTask {
   std::uint64_t next_ = 0;
 };
 
-double Percentile99(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 99 / 100);
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
-
 }  // namespace
 
 int main(int /*count*/, char** words) {
@@ -73,7 +66,8 @@ int main(int /*count*/, char** words) {
   Process process(words[1],
                   {.middleware = MakeIceMiddleware(Exposure::kLoopbackOnly), .gcm = words[2]});
   Source& source = process.Add<Source>("source", std::stoi(words[3]));
-  if (!process.StartAll()) return 1;
+  if (!process.StartAll() || !process.WaitUntilJoined(30s)) return 1;
+  std::cout << std::endl;
   std::vector<double> lateness;
   while (true) {
     // Often enough, because the table holds only the last second.
@@ -81,6 +75,7 @@ int main(int /*count*/, char** words) {
     const bool is_asked = sigtimedwait(&ask, nullptr, &often) == SIGUSR1;
     source.TakeLateness(lateness);
     if (!is_asked) continue;
-    std::cout << Percentile99(std::exchange(lateness, {})) << std::endl;
+    for (const double one : std::exchange(lateness, {})) std::cout << one << ' ';
+    std::cout << std::endl;
   }
 }
