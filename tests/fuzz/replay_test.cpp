@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "targets.h"
-#include "use_recording.h"
 
 /// Every test run feeds the decoders with the corpus and with random changes of it. The fuzzer
 /// itself (target `fuzz`) searches longer.
@@ -83,9 +82,6 @@ std::string NameOf(const testing::TestParamInfo<Target>& target) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, Replay, testing::ValuesIn(Targets().begin(), Targets().end()), NameOf);
-INSTANTIATE_TEST_SUITE_P(Of, Replay,
-                         testing::ValuesIn(RecordingTargets().begin(), RecordingTargets().end()),
-                         NameOf);
 
 TEST_P(Replay, HandlesTheCorpus) {
   const auto corpus = Corpus(GetParam().corpus);

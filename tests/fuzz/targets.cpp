@@ -16,6 +16,7 @@
 #include "promise.h"
 #include "read_recording.h"
 #include "typed_decode.h"
+#include "use_recording.h"
 
 namespace fuzz {
 namespace {
@@ -114,8 +115,10 @@ std::span<const Target> Targets() {
   static constexpr std::array kTargets{
       Target{.name = "csv_export", .run = ExportAsCsv, .corpus = "recorded", .rounds = 1000},
       Target{"frame", ReadFrames},
+      Target{.name = "hdf5_export", .run = ExportAsHdf5, .corpus = "recorded", .rounds = 600},
       Target{"json", ReadJson},
       Target{"recording", ReadRecording},
+      Target{.name = "replay", .run = ReplayRecording, .corpus = "recorded", .rounds = 600},
       Target{"ros_text", ReadRosMessage},
       Target{"schema_decode", DecodeBySchema},
       Target{"schema_text", ReadSchema},

@@ -18,8 +18,6 @@ struct Target {
   int rounds = 2500;               ///< of random mutations in every test run
 };
 
-/// The targets that need only the layers up to the middleware, and are also in the program for
-/// libFuzzer.
 [[nodiscard]] std::span<const Target> Targets();
 
 }  // namespace fuzz

@@ -6,7 +6,6 @@
 #include <tendon/recording/replay.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -58,6 +57,8 @@ void ReadItems(mcap::Reader& reader) {
           "each pass has the same items");
 }
 
+}  // namespace
+
 void ReplayRecording(Bytes bytes) {
   auto reader = OpenRecording(bytes);
   if (!reader) return;
@@ -92,15 +93,6 @@ void ExportAsHdf5(Bytes bytes) {
   Require(report.ok() == fs::exists(file), "a file is there if the export says so");
   Require(!fs::exists(file.string() + ".part"), "no part of a file is left");
   fs::remove(file);
-}
-
-}  // namespace
-
-std::span<const Target> RecordingTargets() {
-  static constexpr std::array kTargets{
-      Target{.name = "replay", .run = ReplayRecording, .corpus = "recorded", .rounds = 600},
-      Target{.name = "hdf5_export", .run = ExportAsHdf5, .corpus = "recorded", .rounds = 600}};
-  return kTargets;
 }
 
 }  // namespace fuzz

@@ -4,8 +4,9 @@
 
 namespace fuzz {
 
-/// The targets that need all layers, so they are not in the program for libFuzzer: a recording that
-/// is replayed, and one that is exported as HDF5.
-[[nodiscard]] std::span<const Target> RecordingTargets();
+/// Replays the bytes as a recording: reads its items, and plays them in processes.
+void ReplayRecording(Bytes bytes);
+/// Exports the bytes as a recording into an HDF5 file.
+void ExportAsHdf5(Bytes bytes);
 
 }  // namespace fuzz
