@@ -31,9 +31,7 @@ Result<void> CheckFree(const FileOptions& options) {
   const std::filesystem::path file = FileName(options, 1);
   const std::filesystem::path folder = file.parent_path();
   std::error_code ignored;
-  if (std::filesystem::exists(file, ignored)) {
-    return Error{ErrorCode::kExists, file.string() + " already exists; choose another name"};
-  }
+  if (std::filesystem::exists(file, ignored)) return mcap::FileExistsError(file);
   if (folder.empty() || std::filesystem::is_directory(folder, ignored)) return {};
   return Error{ErrorCode::kFailed,
                "cannot write " + file.string() + ": " + folder.string() +

@@ -140,6 +140,24 @@ TEST_F(RecordTest, HoldsEachRowOnceWithConsecutiveTicks) {
   }
 }
 
+TEST_F(RecordTest, ASecondRecorderOfAFileIsRefusedAndTheFirstGoesOn) {
+  const auto record = Record({"robot/odometer"});
+  ASSERT_TRUE(EventuallyRows(*record, 1)) << record->err();
+
+  const Outcome second = Gcm({"record", "**", "-o", file, "--for", "1s"});
+  const Outcome saved = Gcm({"save-last", "1s", "robot", "-o", file});
+
+  EXPECT_EQ(second.exit_code, program::kRefused);
+  EXPECT_THAT(second.err, HasSubstr(file + " is being recorded by another program: choose another "
+                                           "name, or stop that recording first"));
+  EXPECT_EQ(saved.exit_code, program::kRefused);
+  EXPECT_THAT(saved.err, HasSubstr("is being recorded by another program"));
+  const auto before = LastLine(*record)["rows"].get<std::uint64_t>();
+  EXPECT_TRUE(EventuallyRows(*record, before + 30)) << record->err();
+  EXPECT_EQ(Interrupt(*record), program::kInterrupted) << record->err();
+  EXPECT_GT(Read(file)["robot/odometer/state/Count"].size(), 30U);
+}
+
 TEST_F(RecordTest, EndsByItselfAfterItsTime) {
   const Outcome recorded = Gcm({"record", "robot/**", "-o", file, "--for", "1500ms", "--json"});
 
@@ -335,7 +353,7 @@ TEST_F(RecordTest, RefusalsNameTheCause) {
   home.Write("run.mcap", "");
   const Outcome exists = Gcm({"record", "**", "-o", file, "--for", "1s"});
   EXPECT_EQ(exists.exit_code, program::kRefused);
-  EXPECT_THAT(exists.err, HasSubstr("choose another name"));
+  EXPECT_THAT(exists.err, HasSubstr(" already exists, and a recording never replaces a file"));
 
   const Outcome nowhere = Gcm({"record", "**", "-o", Path("none/run.mcap"), "--for", "1s"});
   EXPECT_EQ(nowhere.exit_code, program::kRefused);

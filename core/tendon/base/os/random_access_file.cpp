@@ -11,6 +11,7 @@
 #include <array>
 #include <cerrno>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 namespace tendon::os {
@@ -123,9 +124,16 @@ class PosixWritableFile final : public WritableFile {
   const Descriptor descriptor_;
 };
 
+/// Returns the file with the lock that is_being_written() checks. A reader that checks it at this
+/// moment holds it for a few microseconds. Network shares may have no locks; their files are not
+/// locked.
 std::unique_ptr<WritableFile> LockedFile(const fs::path& file, int descriptor) {
+  constexpr int kMostTries = 1000;
   auto made = std::make_unique<PosixWritableFile>(file.string(), descriptor);
-  flock(descriptor, LOCK_EX | LOCK_NB);  // is_being_written() checks this lock
+  for (int i = 0; i < kMostTries; ++i) {
+    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) break;
+    std::this_thread::yield();
+  }
   return made;
 }
 

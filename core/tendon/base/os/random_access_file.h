@@ -61,7 +61,8 @@ class WritableFile {
 Result<std::unique_ptr<RandomAccessFile>> OpenRandomAccessFile(const std::filesystem::path& file);
 
 /// Creates a file and locks it until it is closed; RandomAccessFile::is_being_written() shows the
-/// lock to readers. Errors: kExists if the file exists (it is not changed), kFailed if it cannot be
+/// lock to readers. On a disk without locks, such as some network shares, the file is not locked.
+/// Errors: kExists if the file exists (it is not changed), kFailed if it cannot be
 /// created.
 Result<std::unique_ptr<WritableFile>> CreateWritableFile(const std::filesystem::path& file);
 /// Opens a file that CreateWritableFile() has created and whose `size` bytes were written, and

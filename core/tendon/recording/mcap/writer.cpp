@@ -40,6 +40,17 @@ void AppendBytes(Buffer& out, ByteView bytes) { out.insert(out.end(), bytes.begi
 
 }  // namespace
 
+Error FileExistsError(const std::filesystem::path& file) {
+  const auto existing = os::OpenRandomAccessFile(file);
+  const bool is_being_written = existing && (*existing)->is_being_written();
+  return {ErrorCode::kExists,
+          file.string() + (is_being_written
+                               ? " is being recorded by another program: choose another name, or "
+                                 "stop that recording first"
+                               : " already exists, and a recording never replaces a file, because "
+                                 "another program may still be writing it: choose another name")};
+}
+
 Writer::Writer(std::unique_ptr<os::WritableFile> file, const WriterOptions& options)
     : file_(std::move(file)),
       options_(Limited(options)),
@@ -65,11 +76,7 @@ auto Writer::Guarded(const Call& call) -> decltype(call()) {
 Result<std::unique_ptr<Writer>> Writer::Create(const std::filesystem::path& file,
                                                const WriterOptions& options) {
   auto made = os::CreateWritableFile(file);
-  if (!made && made.error().code == ErrorCode::kExists) {
-    return Error{ErrorCode::kExists, made.error().message +
-                                         "; a recording never replaces a file, because another "
-                                         "program may still be writing it: choose another name"};
-  }
+  if (!made && made.error().code == ErrorCode::kExists) return FileExistsError(file);
   if (!made) return made.error();
   return Create(*std::move(made), options);
 }

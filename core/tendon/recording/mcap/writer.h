@@ -39,6 +39,10 @@ struct Progress {
   bool operator==(const Progress&) const = default;
 };
 
+/// Returns kExists, and whether another program is recording into the file: "run.mcap is being
+/// recorded by another program: ...". On a disk without locks this cannot be seen.
+Error FileExistsError(const std::filesystem::path& file);
+
 /// Writes an MCAP file, chunk by chunk, and its index and summary at the end.
 ///
 /// A chunk begins with the schemas and channels that were new in the previous chunk; some chunks
@@ -75,8 +79,8 @@ class Writer {
   /// The maximum size of the metadata that Close() can write to a full disk, in bytes.
   static constexpr std::size_t kLastMetadata = std::size_t{4} << 10U;
 
-  /// Creates the file and writes its beginning. Fails with kExists if there is a file with this
-  /// name, even if another writer is writing it.
+  /// Creates the file and writes its beginning. Fails with FileExistsError() if there is a file
+  /// with this name.
   static Result<std::unique_ptr<Writer>> Create(const std::filesystem::path& file,
                                                 const WriterOptions& options = {});
   /// Writes into an empty file that the caller has opened.

@@ -5,13 +5,46 @@
 #include <support/folder.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <tendon/recording/mcap/writer.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <filesystem>
+#include <limits>
+
+namespace tendon::mcap {
+namespace {
+
+int lock_failure = 0;   // a value of errno
+int failing_locks = 0;  // the next calls of flock() that fail
+
+/// While this object exists, flock() fails, as on a network share without locks. With `calls`, only
+/// its next calls fail.
+struct FailingLocks {
+  explicit FailingLocks(int reason, int calls = std::numeric_limits<int>::max()) {
+    lock_failure = reason;
+    failing_locks = calls;
+  }
+  FailingLocks(const FailingLocks&) = delete;
+  FailingLocks& operator=(const FailingLocks&) = delete;
+  ~FailingLocks() { failing_locks = 0; }
+};
+
+}  // namespace
+}  // namespace tendon::mcap
+
+/// Replaces the function of the C library for the whole program.
+extern "C" int flock(int descriptor, int operation) noexcept {
+  using namespace tendon::mcap;
+  if (failing_locks == 0) return static_cast<int>(syscall(SYS_flock, descriptor, operation));
+  --failing_locks;
+  errno = lock_failure;
+  return -1;
+}
 
 namespace tendon::mcap {
 namespace {
@@ -290,8 +323,69 @@ TEST(WriterOnDisk, NeverReplacesAFile) {
 
   ASSERT_FALSE(writer);
   EXPECT_EQ(writer.error().code, ErrorCode::kExists);
-  EXPECT_THAT(writer.error().message, testing::HasSubstr("choose another name"));
+  EXPECT_EQ(writer.error().message,
+            (folder.path() / "run.mcap").string() +
+                " already exists, and a recording never replaces a file, because another program "
+                "may still be writing it: choose another name");
   EXPECT_EQ(folder.Read("run.mcap"), "precious");
+}
+
+TEST(WriterOnDisk, SaysThatAnotherProgramIsRecordingIntoTheFile) {
+  const test::Folder folder;
+  const fs::path file = folder.path() / "run.mcap";
+  auto first = Writer::Create(file);
+  ASSERT_TRUE(first) << first.error().message;
+
+  const auto during = Writer::Create(file);
+  first->reset();
+  const auto after = Writer::Create(file);
+
+  ASSERT_FALSE(during);
+  EXPECT_EQ(during.error().code, ErrorCode::kExists);
+  EXPECT_EQ(during.error().message,
+            file.string() +
+                " is being recorded by another program: choose another name, or stop "
+                "that recording first");
+  ASSERT_FALSE(after);
+  EXPECT_THAT(after.error().message, testing::HasSubstr(" already exists, and a recording never"));
+}
+
+TEST(WriterOnDisk, RecordsOnANetworkShareWithoutLocks) {
+  for (const int reason : {ENOLCK, EOPNOTSUPP, EINTR}) {
+    SCOPED_TRACE(reason);
+    const test::Folder folder;
+    const fs::path file = folder.path() / "run.mcap";
+    const FailingLocks share(reason);
+
+    auto writer = Writer::Create(file);
+    ASSERT_TRUE(writer) << writer.error().message;
+    const ChannelId channel = *(*writer)->AddChannel(0, "a", "cdr");
+    ASSERT_TRUE((*writer)->Write({.channel_id = channel, .log_time = 7, .data = BytesOf("x")}));
+    ASSERT_TRUE((*writer)->Sync());
+    const auto second = Writer::Create(file);
+    const auto early = Reader::Open(file);
+    ASSERT_TRUE((*writer)->Close());
+    const auto late = Reader::Open(file);
+
+    ASSERT_TRUE(early && late);
+    EXPECT_FALSE((*early)->is_being_written());
+    ASSERT_FALSE(second);
+    EXPECT_EQ(second.error().code, ErrorCode::kExists);
+    EXPECT_THAT(second.error().message, testing::HasSubstr("may still be writing it"));
+    EXPECT_EQ(ReadAll(**early).size(), 1U);
+    EXPECT_EQ(FlawsOf(**late), "");
+  }
+}
+
+TEST(WriterOnDisk, LocksAFileWhoseLockAReaderIsChecking) {
+  const test::Folder folder;
+  const fs::path file = folder.path() / "run.mcap";
+  const FailingLocks reader(EWOULDBLOCK, 3);
+
+  const auto writer = Writer::Create(file);
+
+  ASSERT_TRUE(writer) << writer.error().message;
+  EXPECT_TRUE((*os::OpenRandomAccessFile(file))->is_being_written());
 }
 
 TEST(WriterOnDisk, AReaderSeesThatAFileIsBeingWritten) {
