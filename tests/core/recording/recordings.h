@@ -98,11 +98,12 @@ inline std::string FlawsOf(Reader& reader) {
 
 struct SampleShape {
   int messages = 400;
-  /// The number of messages in a chunk; 0: a chunk ends at 4 KiB.
+  /// The number of messages in a chunk; 0: a chunk ends at `chunk_size`.
   int messages_in_chunk = 0;
-  /// The size of a message in bytes, with content that cannot be compressed; 0: 40 to 76 bytes that
-  /// can be compressed.
+  /// The size of a message in bytes; half of its content cannot be compressed. 0: 40 to 76 bytes
+  /// that can be compressed.
   std::size_t message_size = 0;
+  std::size_t chunk_size = std::size_t{4} << 10U;  // bytes
 };
 
 /// A recording with each kind of record: messages on two channels, and an attachment and metadata
@@ -118,7 +119,7 @@ struct Sample {
     MemoryRecording recording({.profile = "ros2",
                                .library = "test",
                                .compression = compression,
-                               .chunk_size = std::size_t{4} << 10U});
+                               .chunk_size = shape.chunk_size});
     Writer& writer = *recording.writer;
     const SchemaId schema = *writer.AddSchema("arm/msg/Joints", "ros2msg", "float64[7] position\n");
     const std::string topics[] = {"robot/arm/state/Joints", "robot/arm/log"};
@@ -134,7 +135,8 @@ struct Sample {
                             1'000'000'000ULL + number * 1'000'000ULL - 50,
                             {}};
       for (std::size_t byte = 0; byte < shape.message_size; ++byte) {
-        message.data.push_back(static_cast<char>(random()));
+        const bool is_random = byte < shape.message_size / 2;
+        message.data.push_back(static_cast<char>(is_random ? random() : 'a' + byte % 16));
       }
       for (std::uint32_t byte = 0; shape.message_size == 0 && byte < 40 + number % 37; ++byte) {
         message.data.push_back(static_cast<char>(byte % 11 == 0 ? number * 31 + byte : byte));

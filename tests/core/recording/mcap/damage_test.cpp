@@ -6,10 +6,16 @@
 #include <tendon/recording/mcap/copy.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdlib>
 #include <filesystem>
+#include <future>
+#include <iterator>
 #include <random>
 #include <string>
+#include <string_view>
+#include <thread>
+#include <utility>
 #include <vector>
 
 /// Files that are cut off or damaged. Every complete chunk must be read, nothing must be read
@@ -29,16 +35,12 @@ INSTANTIATE_TEST_SUITE_P(, DamageTest,
                          testing::Values(Compression::kNone, Compression::kLz4, Compression::kZstd),
                          NameOfParameter);
 
-/// Returns the number of messages in the chunks that end at or before `size`.
-std::uint64_t CompleteMessages(const std::vector<MessageBlock>& blocks,
-                               const std::vector<std::size_t>& counts, std::size_t size) {
-  std::uint64_t messages = 0;
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    const ChunkIndex& index = blocks[i].index;
-    if (index.chunk_start_offset + index.chunk_length <= size) messages += counts[i];
-  }
-  return messages;
-}
+/// Returns true at full size: if TENDON_FULL_FAULTS is set. The tests then take minutes.
+bool IsFullSize() { return std::getenv("TENDON_FULL_FAULTS") != nullptr; }
+
+/// The distance between the bytes at which a test cuts or changes a file. A sanitizer makes reading
+/// ten times slower.
+std::size_t ByteDistance() { return !IsFullSize() && test::IsSanitized() ? 31 : 1; }
 
 /// A small file with all features of a large one: several chunks, and records between them. It is
 /// so small that every byte can be tried.
@@ -46,79 +48,143 @@ Sample SmallSample(Compression compression) {
   return {compression, {.messages = 48, .messages_in_chunk = 12}};
 }
 
-/// Returns true at full size: if TENDON_FULL_FAULTS is set. The tests then take many minutes.
-bool IsFullSize() { return std::getenv("TENDON_FULL_FAULTS") != nullptr; }
+/// A file of a megabyte.
+Sample LargeSample(Compression compression) {
+  const bool is_compressed = compression != Compression::kNone;
+  return {compression,
+          {.messages = is_compressed ? 2'000 : 1'050,
+           .message_size = 1'000,
+           .chunk_size = std::size_t{32} << 10U}};
+}
+
+/// Calls `check` with each number below `count`, on all processors. Returns the first text that is
+/// not empty, or an empty text.
+template <typename Check>
+std::string FirstMistake(std::size_t count, const Check& check) {
+  const std::size_t threads = std::max(1U, std::thread::hardware_concurrency());
+  std::vector<std::future<std::string>> parts;
+  for (std::size_t part = 0; part < threads; ++part) {
+    parts.push_back(std::async(std::launch::async, [&check, count, threads, part] {
+      std::string mistake;
+      for (std::size_t i = part; i < count && mistake.empty(); i += threads) mistake = check(i);
+      return mistake;
+    }));
+  }
+  std::string first;
+  for (auto& part : parts) {
+    const std::string mistake = part.get();
+    if (first.empty()) first = mistake;
+  }
+  return first;
+}
 
 /// The messages that are read from a damaged file.
 struct Found {
   std::size_t messages = 0;
-  bool are_the_first = true;  ///< true if they are the first written messages, in order
+  bool are_the_first = true;  ///< true if they follow each other, beginning with message `first`
   std::string mistake;        ///< set if a message was never written or was read twice
 };
 
-Found FindIn(Reader& reader, const Sample& sample) {
+/// Reads the messages from message `first` on, by log time.
+Found FindIn(Reader& reader, const Sample& sample, std::size_t first = 0) {
   Found found;
   std::vector<bool> seen(sample.messages.size());  // by sequence number
-  MessageStream messages = reader.Messages();
+  MessageStream messages =
+      reader.Messages({.from = first == 0 ? kFirstTime : sample.messages[first].log_time});
   while (const auto message = messages.Next()) {
     const Channel* channel = reader.FindChannel(message->channel_id);
     const std::size_t number = message->sequence;
     const StoredMessage* written = number < seen.size() ? &sample.messages[number] : nullptr;
+    const std::string_view data(reinterpret_cast<const char*>(message->data.data()),
+                                message->data.size());
     if (written == nullptr || seen[number] || channel == nullptr ||
         channel->topic != written->topic || message->log_time != written->log_time ||
-        message->publish_time != written->publish_time ||
-        !std::ranges::equal(BytesOf(written->data), message->data)) {
+        message->publish_time != written->publish_time || data != written->data) {
       found.mistake = "message " + std::to_string(number) + " is there twice or was never written";
       return found;
     }
     seen[number] = true;
-    found.are_the_first = found.are_the_first && number == found.messages;
+    found.are_the_first = found.are_the_first && number == first + found.messages;
     ++found.messages;
   }
   return found;
 }
 
-/// The distance between the bytes at which a test cuts or changes a file. A sanitizer makes reading
-/// ten times slower.
-std::size_t ByteDistance() { return !IsFullSize() && test::IsSanitized() ? 31 : 1; }
+/// A chunk of a whole file.
+struct WrittenChunk {
+  std::uint64_t end = 0;          // in the file
+  std::size_t first_message = 0;  // number of its first message
+  std::size_t end_message = 0;    // number of the first message after it
+};
 
-void ExpectEveryCutReads(const Sample& sample, std::size_t step) {
+/// The chunks of the sample, which must be compressed.
+std::vector<WrittenChunk> ChunksOf(const Sample& sample, Compression compression) {
+  std::vector<WrittenChunk> chunks;
   const auto whole = Open(sample.bytes);
-  std::vector<std::size_t> counts;
+  std::size_t messages = 0;
   for (const MessageBlock& block : whole->blocks()) {
-    counts.push_back(ReadAll(*whole, {.from = block.index.message_start_time,
-                                      .to = block.index.message_end_time})
-                         .size());
-  }
-  ASSERT_GE(counts.size(), 3U);
-  for (std::size_t size = 0; size < sample.bytes.size(); size += step) {
-    SCOPED_TRACE(size);
-    const auto cut = static_cast<std::ptrdiff_t>(size);
-    const auto reader = Reader::Open(std::make_unique<test::MemoryFile>(
-        Buffer(sample.bytes.begin(), sample.bytes.begin() + cut)));
-    if (size < kMagicSize) {
-      ASSERT_FALSE(reader);
-      continue;
+    const ChunkIndex& index = block.index;
+    EXPECT_EQ(index.compression, FormatNameOf(compression));
+    if (compression != Compression::kNone) {
+      EXPECT_LT(index.compressed_size, index.uncompressed_size * 3 / 4);
     }
-    ASSERT_TRUE(reader) << reader.error().message;
-    const Found found = FindIn(**reader, sample);
-    ASSERT_EQ(found.mistake, "");
-    ASSERT_TRUE(found.are_the_first);
-    ASSERT_EQ(found.messages, CompleteMessages(whole->blocks(), counts, size));
-    ASSERT_GT((*reader)->problems().count(), 0U);
+    const std::size_t first = messages;
+    messages +=
+        ReadAll(*whole, {.from = index.message_start_time, .to = index.message_end_time}).size();
+    chunks.push_back({index.chunk_start_offset + index.chunk_length, first, messages});
   }
+  EXPECT_GE(chunks.size(), 3U);
+  return chunks;
+}
+
+/// Checks the file that ends after `size` bytes. Opening it reads all of its chunks. All messages
+/// are compared if the file that is `step` bytes shorter has a chunk less. Otherwise, only those of
+/// the last complete chunk are compared, and the others are counted.
+std::string MistakeInCut(const Sample& sample, const std::vector<WrittenChunk>& chunks,
+                         std::size_t size, std::size_t step) {
+  const auto reader = Reader::Open(std::make_unique<test::MemoryFile>(
+      Buffer(sample.bytes.begin(), sample.bytes.begin() + static_cast<std::ptrdiff_t>(size))));
+  if (size < kMagicSize) return reader ? "it is read" : "";
+  if (!reader) return reader.error().message;
+  const auto next = std::ranges::upper_bound(chunks, size, {}, &WrittenChunk::end);
+  const WrittenChunk last = next == chunks.begin() ? WrittenChunk{} : *std::prev(next);
+  const std::size_t first = size - last.end < step ? 0 : last.first_message;
+  const Found found = FindIn(**reader, sample, first);
+  if (!found.mistake.empty()) return found.mistake;
+  if (!found.are_the_first) return "messages are missing before others";
+  if (first + found.messages != last.end_message ||
+      (*reader)->statistics()->message_count != last.end_message) {
+    return std::to_string(first + found.messages) + " messages instead of " +
+           std::to_string(last.end_message);
+  }
+  return (*reader)->problems().count() > 0 ? "" : "it reads like a whole file";
+}
+
+void ExpectEveryCutReads(const Sample& sample, Compression compression, std::size_t step) {
+  const auto chunks = ChunksOf(sample, compression);
+  const std::size_t cuts = (sample.bytes.size() + step - 1) / step;
+
+  EXPECT_EQ(FirstMistake(cuts,
+                         [&](std::size_t cut) {
+                           const std::size_t size = cut * step;
+                           const std::string mistake = MistakeInCut(sample, chunks, size, step);
+                           return mistake.empty()
+                                      ? mistake
+                                      : "cut at " + std::to_string(size) + ": " + mistake;
+                         }),
+            "");
 }
 
 TEST_P(DamageTest, AFileCutAtAnyByteGivesItsCompleteChunks) {
-  ExpectEveryCutReads(SmallSample(GetParam()), ByteDistance());
+  ExpectEveryCutReads(SmallSample(GetParam()), GetParam(), ByteDistance());
 }
 
 /// At full size, the file is cut at each byte.
 TEST_P(DamageTest, AFileOfAMegabyteCutAnywhereGivesItsCompleteChunks) {
-  const Sample sample(GetParam(), {.messages = 1'000, .message_size = 1'000});
+  const Sample sample = LargeSample(GetParam());
   ASSERT_GT(sample.bytes.size(), 1'000'000U);
 
-  ExpectEveryCutReads(sample, IsFullSize() ? 1 : 49'999);
+  ExpectEveryCutReads(sample, GetParam(), IsFullSize() ? 1 : 49'999);
 }
 
 TEST(CutFile, SaysWhatIsMissing) {
@@ -137,55 +203,72 @@ TEST(CutFile, SaysWhatIsMissing) {
                 std::to_string(last.chunk_start_offset) + ": the last 100 bytes are incomplete\n");
 }
 
-/// Succeeds if everything that was read is correct, and if missing messages are reported.
-testing::AssertionResult IsRightOrTold(Reader& reader, const Sample& sample, const Found& found) {
-  if (!found.mistake.empty()) return testing::AssertionFailure() << found.mistake;
+/// Returns an empty text if everything that was read is correct, and if missing messages are
+/// reported.
+std::string MistakeIn(Reader& reader, const Sample& sample, const Found& found) {
+  if (!found.mistake.empty()) return found.mistake;
   if (found.messages < sample.messages.size() && reader.problems().count() == 0 &&
       reader.unknown_records() == 0) {
-    return testing::AssertionFailure() << "messages are missing in silence";
+    return "messages are missing in silence";
   }
   for (const AttachmentIndex& index : reader.attachments()) {
     const auto attachment = reader.ReadAttachment(index);
-    if (attachment && *attachment != sample.attachment) {
-      return testing::AssertionFailure() << "a wrong attachment";
-    }
+    if (attachment && *attachment != sample.attachment) return "a wrong attachment";
   }
-  return testing::AssertionSuccess();
+  return "";
 }
 
-/// Calls `check(reader, place)` for files in which one byte is changed: each ByteDistance()-th byte
-/// in turn. At full size, each byte gets every other value.
-template <typename Check>
-void ForEachFlip(const Sample& sample, const Check& check) {
+/// A byte of a file that is changed.
+struct Flip {
+  std::size_t place = 0;
+  std::byte change{};
+};
+
+/// Changes each ByteDistance()-th byte. At full size, each byte gets every other value.
+std::vector<Flip> FlipsOf(const Sample& sample) {
   std::mt19937 random(36);
-  const int flips = IsFullSize() ? 255 : 1;
+  std::vector<Flip> flips;
   for (std::size_t place = 0; place < sample.bytes.size(); place += ByteDistance()) {
-    for (int i = 0; i < flips && !testing::Test::HasFatalFailure(); ++i) {
-      const auto flip = static_cast<std::byte>(IsFullSize() ? i + 1 : 1 + random() % 255);
-      SCOPED_TRACE("byte " + std::to_string(place) + " ^ " +
-                   std::to_string(std::to_integer<int>(flip)));
-      Buffer bytes = sample.bytes;
-      bytes[place] ^= flip;
-      const auto reader = Reader::Open(std::make_unique<test::MemoryFile>(std::move(bytes)));
-      if (place < kMagicSize) {
-        ASSERT_FALSE(reader);
-      } else {
-        ASSERT_TRUE(reader) << reader.error().message;
-        check(**reader, place);
-      }
+    const unsigned first = IsFullSize() ? 1 : 1 + static_cast<unsigned>(random() % 255);
+    const unsigned last = IsFullSize() ? 255 : first;
+    for (unsigned change = first; change <= last; ++change) {
+      flips.push_back({place, static_cast<std::byte>(change)});
     }
   }
+  return flips;
+}
+
+/// Calls `check(reader)` for the sample with each of the changes.
+template <typename Check>
+void ExpectNoMistake(const Sample& sample, const std::vector<Flip>& flips, const Check& check) {
+  const auto mistake_of = [&](const Flip& flip) -> std::string {
+    Buffer bytes = sample.bytes;
+    bytes[flip.place] ^= flip.change;
+    const auto reader = Reader::Open(std::make_unique<test::MemoryFile>(std::move(bytes)));
+    if (flip.place < kMagicSize) return reader ? "it is read" : "";
+    return reader ? check(**reader) : reader.error().message;
+  };
+  EXPECT_EQ(FirstMistake(flips.size(),
+                         [&](std::size_t i) {
+                           const std::string mistake = mistake_of(flips[i]);
+                           return mistake.empty()
+                                      ? mistake
+                                      : "byte " + std::to_string(flips[i].place) + " ^ " +
+                                            std::to_string(std::to_integer<int>(flips[i].change)) +
+                                            ": " + mistake;
+                         }),
+            "");
 }
 
 TEST_P(DamageTest, NoFlippedByteIsReadInSilence) {
   const Sample sample = SmallSample(GetParam());
-  std::size_t complete = 0;
+  std::atomic<std::size_t> complete = 0;
 
-  ForEachFlip(sample, [&](Reader& reader, std::size_t /*place*/) {
+  ExpectNoMistake(sample, FlipsOf(sample), [&](Reader& reader) -> std::string {
     const Found found = FindIn(reader, sample);
-    ASSERT_TRUE(IsRightOrTold(reader, sample, found));
     if (found.messages == sample.messages.size()) ++complete;
-    ASSERT_GT(Verify(reader).problems.count(), 0U) << "Verify() sees every flipped byte";
+    if (std::string mistake = MistakeIn(reader, sample, found); !mistake.empty()) return mistake;
+    return Verify(reader).problems.count() > 0 ? "" : "Verify() does not see it";
   });
 
   EXPECT_GT(complete, sample.bytes.size() / ByteDistance() / 100)
@@ -194,21 +277,17 @@ TEST_P(DamageTest, NoFlippedByteIsReadInSilence) {
 
 /// At full size: ten thousand flips.
 TEST_P(DamageTest, NoFlippedByteOfAMegabyteIsReadInSilence) {
-  const Sample sample(GetParam(), {.messages = 1'000, .message_size = 1'000});
+  const Sample sample = LargeSample(GetParam());
   std::mt19937 random(37);
-  const std::size_t flips = IsFullSize() ? 10'000 : 100 / ByteDistance() + 1;
-
-  for (std::size_t i = 0; i < flips; ++i) {
-    const std::size_t place = kMagicSize + random() % (sample.bytes.size() - kMagicSize);
-    const auto flip = static_cast<std::byte>(1 + random() % 255);
-    SCOPED_TRACE("byte " + std::to_string(place) + " ^ " +
-                 std::to_string(std::to_integer<int>(flip)));
-    Buffer bytes = sample.bytes;
-    bytes[place] ^= flip;
-    const auto reader = Reader::Open(std::make_unique<test::MemoryFile>(std::move(bytes)));
-    ASSERT_TRUE(reader) << reader.error().message;
-    ASSERT_TRUE(IsRightOrTold(**reader, sample, FindIn(**reader, sample)));
+  std::vector<Flip> flips(IsFullSize() ? 10'000 : 100 / ByteDistance() + 1);
+  for (Flip& flip : flips) {
+    flip.place = kMagicSize + random() % (sample.bytes.size() - kMagicSize);
+    flip.change = static_cast<std::byte>(1 + random() % 255);
   }
+
+  ExpectNoMistake(sample, flips, [&](Reader& reader) {
+    return MistakeIn(reader, sample, FindIn(reader, sample));
+  });
 }
 
 /// Without a summary, everything is found by a scan. Then only the lengths of records detect
@@ -221,10 +300,12 @@ TEST_P(DamageTest, NoFlippedByteOfAFileWithoutSummaryIsReadInSilence) {
   // A flip of the opcode or a length of one record costs at most the chunk that it belongs to.
   const std::size_t fewest = sample.messages.size() / 3;
 
-  ForEachFlip(sample, [&](Reader& reader, std::size_t /*place*/) {
+  ExpectNoMistake(sample, FlipsOf(sample), [&](Reader& reader) -> std::string {
     const Found found = FindIn(reader, sample);
-    ASSERT_TRUE(IsRightOrTold(reader, sample, found));
-    ASSERT_GE(found.messages, fewest);
+    if (std::string mistake = MistakeIn(reader, sample, found); !mistake.empty()) return mistake;
+    return found.messages >= fewest
+               ? ""
+               : "only " + std::to_string(found.messages) + " messages are found";
   });
 }
 
