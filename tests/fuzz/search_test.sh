@@ -6,11 +6,11 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/corpus"
 echo seed >"$work/corpus/seed"
-found=$work/found/recording
+export found=$work/found/recording
 
-# Makes the program `fuzzer` of the lines on the standard input. They have $found and $inputs.
+# Makes the program `fuzzer` of the lines on the standard input. Its last argument is the folder of the inputs.
 make_fuzzer() {
-  { printf '#!/usr/bin/env bash\nfound=%s\ninputs=${*: -1}\n' "$found"; cat; } >"$work/fuzzer"
+  { echo '#!/usr/bin/env bash' && cat; } >"$work/fuzzer"
   chmod +x "$work/fuzzer"
 }
 
@@ -29,8 +29,8 @@ says() { [[ $said == *"$1"* ]] || fail "this is missing: $1"; }
 
 a_search_without_a_finding_passes_and_leaves_the_corpus_as_it_was() {
   make_fuzzer <<'END'
-[[ -e $inputs/seed ]] || exit 3
-touch "$inputs/new"
+[[ -e ${*: -1}/seed ]] || exit 3
+touch "${*: -1}/new"
 echo "options: $*"
 END
   search
@@ -57,7 +57,7 @@ END
 
 a_later_search_begins_with_what_was_found() {
   make_fuzzer <<'END'
-[[ -e $inputs/crash-1 ]]
+[[ -e ${*: -1}/crash-1 ]]
 END
   search
   [[ $status == 0 ]] || fail "the input that was found must be among the first inputs"

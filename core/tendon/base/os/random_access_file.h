@@ -62,8 +62,7 @@ Result<std::unique_ptr<RandomAccessFile>> OpenRandomAccessFile(const std::filesy
 
 /// Creates a file and locks it until it is closed; RandomAccessFile::is_being_written() shows the
 /// lock to readers. On a disk without locks, such as some network shares, the file is not locked.
-/// Errors: kExists if the file exists (it is not changed), kFailed if it cannot be
-/// created.
+/// Errors: kExists if the file exists (it is not changed), kFailed if it cannot be created.
 Result<std::unique_ptr<WritableFile>> CreateWritableFile(const std::filesystem::path& file);
 /// Opens a file that CreateWritableFile() has created and whose `size` bytes were written, and
 /// locks it again. Fails with kFailed if it cannot be opened, or if another program has changed its
