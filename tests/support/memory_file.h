@@ -50,6 +50,7 @@ class MemoryFile final : public os::RandomAccessFile {
 /// A disk in memory on which one file is written. The disk can be full, or can fail.
 struct MemoryDisk {
   std::vector<std::byte> bytes;
+  std::vector<std::byte> synced;  ///< the bytes after the last sync, which a power cut leaves
   std::uint64_t capacity = std::numeric_limits<std::uint64_t>::max();
   bool can_reserve = true;
   bool can_sync = true;
@@ -82,6 +83,7 @@ class MemoryWritableFile final : public os::WritableFile {
   }
   Result<void> Sync() override {
     if (!disk_->can_sync) return Error{ErrorCode::kFailed, "Input/output error"};
+    disk_->synced = disk_->bytes;
     ++disk_->syncs;
     return {};
   }

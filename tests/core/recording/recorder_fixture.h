@@ -2,15 +2,18 @@
 
 #include <gtest/gtest.h>
 #include <support/folder.h>
+#include <support/memory_file.h>
 #include <support/wait.h>
 #include <tendon/gcm/global_manager.h>
 #include <tendon/middleware/loopback.h>
 #include <tendon/process/process.h>
 #include <tendon/recording/mcap/reader.h>
 #include <tendon/recording/recorder.h>
+#include <tendon/recording/recording_format.h>
 #include <tendon/task/periodic_task.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -61,10 +64,14 @@ class Odometer final : public PeriodicTask {
   WriteEvent<std::uint64_t> passed_;
 };
 
-/// A disk that waits while `gate` is locked, and that is full once `is_full` is set.
+inline constexpr const char* kDiskFull = "No space left on device (0 B free)";
+
+/// A disk that waits while `gate` is locked, and that can fail. Lock `gate` to change it.
 struct FaultyDisk {
   std::mutex gate;
-  bool is_full = false;
+  std::string failure;         ///< the reason why nothing can be written; empty: all is well
+  bool leaves_halves = false;  ///< half of a chunk that cannot be written is in the file
+  bool can_sync = true;
 };
 
 class FileOnFaultyDisk final : public os::WritableFile {
@@ -76,15 +83,24 @@ class FileOnFaultyDisk final : public os::WritableFile {
   Result<void> WriteAt(std::uint64_t offset,
                        std::span<const std::span<const std::byte>> parts) override {
     const std::scoped_lock wait(disk_.gate);
-    if (disk_.is_full) return Error{ErrorCode::kFailed, "No space left on device (0 B free)"};
-    return file_->WriteAt(offset, parts);
+    if (disk_.failure.empty()) return file_->WriteAt(offset, parts);
+    if (disk_.leaves_halves && parts.size() > 1) {
+      const std::array half{parts[0], parts[1].first(parts[1].size() / 2)};
+      EXPECT_TRUE(file_->WriteAt(offset, half));
+    }
+    return Error{ErrorCode::kFailed, disk_.failure};
   }
   Result<void> Reserve(std::uint64_t offset, std::uint64_t length) override {
     return file_->Reserve(offset, length);
   }
-  Result<void> Truncate(std::uint64_t size) override { return file_->Truncate(size); }
+  Result<void> Truncate(std::uint64_t size) override {
+    const std::scoped_lock wait(disk_.gate);
+    if (!disk_.failure.empty()) return Error{ErrorCode::kFailed, disk_.failure};
+    return file_->Truncate(size);
+  }
   Result<void> Sync() override {
     const std::scoped_lock wait(disk_.gate);
+    if (!disk_.can_sync) return Error{ErrorCode::kFailed, "Input/output error"};
     return file_->Sync();
   }
 
@@ -96,17 +112,40 @@ class FileOnFaultyDisk final : public os::WritableFile {
 /// So little room for what waits for the disk that losses begin soon.
 inline constexpr std::size_t kFewBytes = 20'000;
 
-inline FileOptions On(FaultyDisk& disk) {
+using CreateFile = decltype(FileOptions::create);
+
+inline FileOptions On(FaultyDisk& disk, const CreateFile& create = &os::CreateWritableFile) {
   FileOptions options;
   options.create =
-      [&disk](const std::filesystem::path& path) -> Result<std::unique_ptr<os::WritableFile>> {
-    auto file = os::CreateWritableFile(path);
+      [&disk,
+       create](const std::filesystem::path& path) -> Result<std::unique_ptr<os::WritableFile>> {
+    auto file = create(path);
     if (!file) return file.error();
     std::unique_ptr<os::WritableFile> faulty =
         std::make_unique<FileOnFaultyDisk>(*std::move(file), disk);
     return faulty;
   };
   return options;
+}
+
+/// Writes the file to memory. Lock `disk.gate` to read `memory` while it is written.
+inline FileOptions On(FaultyDisk& disk, const std::shared_ptr<test::MemoryDisk>& memory) {
+  return On(disk, [memory](const std::filesystem::path&) {
+    std::unique_ptr<os::WritableFile> file = std::make_unique<test::MemoryWritableFile>(memory);
+    return Result<std::unique_ptr<os::WritableFile>>(std::move(file));
+  });
+}
+
+/// Returns the difference of the two clocks in a recording, in ns: a log time minus this difference
+/// is a time of the steady clock.
+inline std::int64_t WallMinusSteadyIn(mcap::Reader& reader) {
+  for (const mcap::MetadataIndex& index : reader.metadata()) {
+    if (index.name != kAboutMetadata) continue;
+    const auto about = reader.ReadMetadata(index);
+    if (about) return std::stoll(about->metadata.at("wall_minus_steady_ns"));
+  }
+  ADD_FAILURE() << "the recording has no description";
+  return 0;
 }
 
 /// A GCM and processes with an odometer each, over loopback.

@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <support/machine/stall_meter.h>
 #include <tendon/recording/recorder.h>
 #include <tendon/recording/recording_selection.h>
+#include <tendon/task/component.h>
 
 #include <algorithm>
 #include <atomic>
@@ -11,6 +13,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <random>
 #include <string>
 #include <thread>
 #include <vector>
@@ -23,6 +26,7 @@ namespace {
 using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
 using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 
 TEST_F(RecorderTest, RecordsEachRowOfAllColumnsOnce) {
   const auto robot = StartProcess("robot");
@@ -68,6 +72,88 @@ TEST_F(RecorderTest, RecordsEventsWithTheirValuesAndTheCatalogue) {
   }
   EXPECT_NE(catalogue.FindComponent("robot", "odometer"), nullptr);
   EXPECT_EQ(reader->attachments().at(0).name, kSystemAttachment);
+}
+
+/// Can call the command of an odometer.
+class Driver final : public Component {
+ public:
+  explicit Driver(std::string name) : Component(std::move(name)) {
+    AddRequiredInterface("Odometer").AddFunction(reverse_, "Reverse");
+  }
+
+ private:
+  VoidFunction reverse_;
+};
+
+TEST_F(RecorderTest, TheFileSaysWhenAComponentIsSuspendedAndWhenItIsConnected) {
+  using IsReached = std::function<bool(const Catalogue&)>;
+  struct Change {
+    std::function<bool()> request;
+    IsReached is_reached;
+  };
+  const auto has_state = [](ComponentState state) -> IsReached {
+    return [state](const Catalogue& catalogue) {
+      const auto* odometer = catalogue.FindComponent("robot", "odometer");
+      return odometer != nullptr && odometer->state == state;
+    };
+  };
+  const auto is_connected = [](bool wanted) -> IsReached {
+    return [wanted](const Catalogue& catalogue) {
+      return (catalogue.FindConnection({"robot", "driver", "Odometer"}) != nullptr) == wanted;
+    };
+  };
+  const auto robot = StartProcess("robot");
+  robot->Add<Driver>("driver");
+  const std::vector<Change> changes{
+      {[&] { return robot->Suspend("odometer").ok(); }, has_state(ComponentState::kSuspended)},
+      {[&] { return robot->Start("odometer").ok(); }, has_state(ComponentState::kActive)},
+      {[&] {
+         return robot->Connect({"driver", "Odometer"}, {"odometer", "Control"}).ok();
+       },
+       is_connected(true)},
+      {[&] {
+         return robot->Disconnect({"driver", "Odometer"}).ok();
+       },
+       is_connected(false)}};
+  StartRecorder({.patterns = {"robot/**"}}, {"robot"});
+  ASSERT_TRUE(EventuallyRows(50));
+
+  std::vector<SteadyTime> before;
+  for (const Change& change : changes) {
+    before.push_back(SteadyClock().Now());
+    ASSERT_TRUE(change.request());
+    ASSERT_TRUE(EventuallyTrue([&] { return change.is_reached(client_->catalogue()); }));
+  }
+  ASSERT_TRUE(recorder_->Stop());
+  const SteadyTime end = SteadyClock().Now();
+
+  const auto reader = Open();
+  auto topics = ByTopic(*reader);
+  const auto time_of = [shift = WallMinusSteadyIn(*reader)](const mcap::StoredMessage& message) {
+    return SteadyTime(
+        std::chrono::nanoseconds(static_cast<std::int64_t>(message.log_time) - shift));
+  };
+  Catalogue catalogue;
+  std::vector<SteadyTime> found;
+  for (const auto& message : topics[kCatalogueTopic]) {
+    const auto change = ValueOf<CatalogueChange>(message);
+    if (message.sequence == 0) catalogue = Catalogue::At(change.revision - 1);
+    ASSERT_TRUE(catalogue.Apply(change));
+    if (found.size() < changes.size() && changes[found.size()].is_reached(catalogue)) {
+      found.push_back(time_of(message));
+    }
+  }
+  ASSERT_EQ(found.size(), changes.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_GE(found[i], before[i]) << i;
+    // The client may show a change just before the recorder receives it.
+    EXPECT_LE(found[i], i + 2 < before.size() ? before[i + 2] : end) << i;
+  }
+  EXPECT_TRUE(std::ranges::none_of(topics["robot/odometer/state/Number"],
+                                   [&](const mcap::StoredMessage& row) {
+                                     return time_of(row) > found[0] && time_of(row) < before[1];
+                                   }))
+      << "a suspended component writes no rows";
 }
 
 TEST_F(RecorderTest, RecordsAProcessThatComesLaterAndOneThatComesBack) {
@@ -265,7 +351,7 @@ TEST_F(RecorderTest, RowsThatWaitWhenTheDiskFailsAreCountedAsLost) {
   {
     const std::scoped_lock change(disk.gate);
     send(5000);
-    disk.is_full = true;
+    disk.failure = kDiskFull;
   }
   ASSERT_TRUE(EventuallyTrue([&] { return recorder_->status().failure.has_value(); }));
   send(500);
@@ -281,24 +367,57 @@ TEST_F(RecorderTest, RowsThatWaitWhenTheDiskFailsAreCountedAsLost) {
             topics["robot/other/state/A"].size() + topics["robot/odometer/state/Number"].size());
 }
 
-TEST_F(RecorderTest, AFullDiskEndsTheRecordingAlone) {
-  FaultyDisk disk;
-  const auto robot = StartProcess("robot");
-  StartRecorder({.patterns = {"robot/odometer/state"}, .files = On(disk)}, {"robot"}, kFewBytes);
-  ASSERT_TRUE(EventuallyRows(1000));
+/// Records onto a disk that fails.
+class FailingDisk : public RecorderTest {
+ protected:
+  ~FailingDisk() override { recorder_.reset(); }
 
-  {
-    const std::scoped_lock change(disk.gate);
-    disk.is_full = true;
+  /// Records, lets the disk fail, and waits until the recorder has noticed it. Expects that only
+  /// the recording ends.
+  void RecordUntil(const std::function<void()>& fail) {
+    const auto robot = StartProcess("robot");
+    StartRecorder({.patterns = {"robot/odometer/state"}, .files = On(disk_)}, {"robot"}, kFewBytes);
+    EXPECT_TRUE(EventuallyRows(1000));
+    {
+      const std::scoped_lock change(disk_.gate);
+      fail();
+    }
+    EXPECT_TRUE(EventuallyTrue([&] { return recorder_->status().failure.has_value(); }));
+    const std::uint64_t lost = LostRowsUpToNow().viewer;
+    const std::uint64_t cycles = NumberOf(*robot);
+    EXPECT_TRUE(EventuallyTrue([&] { return NumberOf(*robot) > cycles + 100; }))
+        << "the component goes on";
+    EXPECT_TRUE(EventuallyTrue([&] { return LostRowsUpToNow().viewer > lost + 100; }))
+        << "the loss is counted";
   }
-  ASSERT_TRUE(EventuallyTrue([&] { return recorder_->status().failure.has_value(); }));
-  const std::uint64_t lost = LostRowsUpToNow().viewer;
-  EXPECT_TRUE(EventuallyTrue([&] { return LostRowsUpToNow().viewer > lost + 100; }))
-      << "the component goes on";
-  const auto stopped = recorder_->Stop();
+  std::string ErrorOfStop() {
+    const auto stopped = recorder_->Stop();
+    EXPECT_FALSE(stopped);
+    return stopped ? "" : stopped.error().message;
+  }
+  /// Expects that the file has all messages that `error` calls safe, and that all other rows count
+  /// as lost.
+  void ExpectSafe(mcap::Reader& reader, const std::string& error) {
+    EXPECT_THAT(error,
+                HasSubstr("; " + std::to_string(mcap::ReadAll(reader).size()) + " messages up to"));
+    const auto rows = ByTopic(reader)["robot/odometer/state/Number"];
+    ExpectEachRowOnce(rows);
+    EXPECT_EQ(recorder_->status().counts.rows, rows.size());
+  }
 
-  ASSERT_FALSE(stopped);
-  EXPECT_THAT(stopped.error().message,
+  void Break() {
+    disk_.failure = "Input/output error";
+    disk_.leaves_halves = true;
+  }
+
+  FaultyDisk disk_;
+};
+
+TEST_F(FailingDisk, AFullOneEndsTheRecordingAlone) {
+  RecordUntil([&] { disk_.failure = kDiskFull; });
+  const std::string error = ErrorOfStop();
+
+  EXPECT_THAT(error,
               testing::MatchesRegex(
                   "recording stopped: cannot write at [0-9]+ of .*run.mcap: No space left on "
                   "device \\(0 B free\\); [0-9]+ messages up to .* are in the file; the [0-9]+ "
@@ -306,8 +425,85 @@ TEST_F(RecorderTest, AFullDiskEndsTheRecordingAlone) {
                   "file; the file has no index; to make an index: gcm recover"));
   const auto reader = mcap::Reader::Open(file_);
   ASSERT_TRUE(reader) << reader.error().message;
-  const std::size_t safe = mcap::ReadAll(**reader).size();
-  EXPECT_THAT(stopped.error().message, HasSubstr("; " + std::to_string(safe) + " messages up to"));
+  ExpectSafe(**reader, error);
+}
+
+TEST_F(FailingDisk, ABrokenOneEndsTheRecordingAtTheLastCompleteChunk) {
+  RecordUntil([&] { Break(); });
+  const std::string error = ErrorOfStop();
+
+  EXPECT_THAT(error, HasSubstr("run.mcap: Input/output error; "));
+  EXPECT_THAT(error, HasSubstr("; the file has no index; to make an index: gcm recover"));
+  const auto reader = mcap::Reader::Open(file_);
+  ASSERT_TRUE(reader) << reader.error().message;
+  ExpectSafe(**reader, error);
+  EXPECT_THAT(mcap::Sentences(**reader), HasSubstr("the file ends within the record"));
+}
+
+TEST_F(FailingDisk, OneThatRecoversGetsACompleteFile) {
+  RecordUntil([&] { Break(); });
+  {
+    const std::scoped_lock change(disk_.gate);
+    disk_.failure.clear();
+  }
+  const std::string error = ErrorOfStop();
+
+  EXPECT_THAT(error, HasSubstr("run.mcap: Input/output error; "));
+  EXPECT_THAT(error, Not(HasSubstr("gcm recover")));
+  ExpectSafe(*Open(), error);
+}
+
+TEST_F(FailingDisk, OneThatCannotSyncEndsTheRecordingWithWhatWasSyncedBefore) {
+  RecordUntil([&] { disk_.can_sync = false; });
+  const std::string error = ErrorOfStop();
+
+  EXPECT_THAT(error, testing::MatchesRegex(
+                         "recording stopped: cannot write .*run.mcap to the disk: Input/output "
+                         "error; [0-9]+ messages up to .* are on the disk; the [0-9]+ later "
+                         "messages may be lost; .*"));
+}
+
+/// The disk keeps only the data that was synced before the power fails.
+TEST_F(RecorderTest, APowerCutCostsASecondOfRowsAtMost) {
+  const test::StallMeter stalls;
+  FaultyDisk disk;
+  const auto memory = std::make_shared<test::MemoryDisk>();
+  const auto robot = StartProcess("robot");
+  StartRecorder({.patterns = {"robot/odometer/state"}, .files = On(disk, memory)}, {"robot"});
+  const auto syncs = [&] {
+    const std::scoped_lock lock(disk.gate);
+    return memory->syncs;
+  };
+  ASSERT_TRUE(EventuallyRows(100));
+  ASSERT_TRUE(EventuallyTrue([&, before = syncs()] { return syncs() > before; }));
+
+  constexpr int kCuts = 10;
+  constexpr std::uint64_t kMostRows = 800;  // a row is a millisecond
+  std::mt19937 random(27);
+  std::size_t safe = 0;
+  for (int cut = 0; cut < kCuts; ++cut) {
+    const std::uint64_t rows = recorder_->status().counts.rows + random() % kMostRows;
+    SCOPED_TRACE("cut " + std::to_string(cut) + " of seed 27, after " + std::to_string(rows));
+    ASSERT_TRUE(EventuallyRows(rows));
+    std::unique_lock lock(disk.gate);
+    const mcap::Buffer left = memory->synced;
+    const SteadyTime now = SteadyClock().Now();
+    lock.unlock();
+
+    const auto reader = mcap::Open(left);
+    const auto numbers = ByTopic(*reader)["robot/odometer/state/Number"];
+    ExpectEachRowOnce(numbers);
+    EXPECT_GE(numbers.size(), safe);
+    safe = numbers.size();
+    const std::chrono::nanoseconds last(static_cast<std::int64_t>(numbers.back().log_time) -
+                                        WallMinusSteadyIn(*reader));
+    // A row passes four threads, and a busy machine may delay each of them.
+    EXPECT_LE(now.time_since_epoch() - last, 1s + 4 * stalls.longest());
+    EXPECT_THAT(mcap::Sentences(*reader), HasSubstr("the end of the file is missing"));
+    EXPECT_EQ(reader->problems().count(), 1U) << mcap::Sentences(*reader);
+  }
+  EXPECT_GE(syncs(), 3U);
+  ASSERT_TRUE(recorder_->Stop());
 }
 
 /// A system whose processes do not answer for their types in time.

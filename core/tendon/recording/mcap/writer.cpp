@@ -38,6 +38,13 @@ std::size_t SizeOf(const std::map<std::string, std::string>& map) {
 
 void AppendBytes(Buffer& out, ByteView bytes) { out.insert(out.end(), bytes.begin(), bytes.end()); }
 
+/// "12 messages up to 2025-11-21 15:40:03.250"
+std::string MessagesText(const Progress& progress) {
+  std::string text = std::to_string(progress.messages) + " messages";
+  if (progress.messages > 0) text += " up to " + LogTimeText(progress.last_log_time);
+  return text;
+}
+
 }  // namespace
 
 Error FileExistsError(const std::filesystem::path& file) {
@@ -369,13 +376,21 @@ Result<void> Writer::WriteRecords(std::span<const ByteView> parts, std::uint32_t
 }
 
 Error Writer::Failure(const Error& reason) const {
-  std::string text = "recording stopped: cannot write at " + std::to_string(end_) + " of " +
-                     file_->name() + ": " + reason.message + "; ";
-  text += std::to_string(written_.messages) + " messages";
-  if (written_.messages > 0) text += " up to " + LogTimeText(written_.last_log_time);
-  text += " are in the file; the " + std::to_string(accepted_.messages - written_.messages) +
-          " later messages are lost; free space or check the disk, then record into another file";
-  return {ErrorCode::kFailed, text};
+  return {ErrorCode::kFailed,
+          "recording stopped: cannot write at " + std::to_string(end_) + " of " + file_->name() +
+              ": " + reason.message + "; " + MessagesText(written_) + " are in the file; the " +
+              std::to_string(accepted_.messages - written_.messages) +
+              " later messages are lost; free space or check the disk, then record into another "
+              "file"};
+}
+
+/// After a failed sync, the operating system may have dropped everything since the last sync.
+Error Writer::SyncFailure(const Error& reason) const {
+  return {ErrorCode::kFailed,
+          "recording stopped: cannot write " + file_->name() + " to the disk: " + reason.message +
+              "; " + MessagesText(synced_) + " are on the disk; the " +
+              std::to_string(accepted_.messages - synced_.messages) +
+              " later messages may be lost; check the disk, then record into another file"};
 }
 
 Result<void> Writer::Sync() {
@@ -384,7 +399,7 @@ Result<void> Writer::Sync() {
     if (auto written = WriteChunk(); !written) return written;
     if (synced_ == written_) return {};
     if (auto done = file_->Sync(); !done) {
-      failure_ = Failure(done.error());
+      failure_ = SyncFailure(done.error());
       return *failure_;
     }
     synced_ = written_;

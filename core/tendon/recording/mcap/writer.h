@@ -163,6 +163,7 @@ class Writer {
   [[nodiscard]] Statistics MakeStatistics() const;
   [[nodiscard]] std::uint64_t SummarySize() const;
   [[nodiscard]] Error Failure(const Error& reason) const;
+  [[nodiscard]] Error SyncFailure(const Error& reason) const;
 
   const std::unique_ptr<os::WritableFile> file_;
   const WriterOptions options_;

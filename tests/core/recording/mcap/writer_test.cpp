@@ -304,14 +304,25 @@ TEST(Writer, AFileOnADiskWithoutReservationsEndsAtItsLastChunk) {
 TEST(Writer, ADiskThatFailsWhileSyncingIsTold) {
   MemoryRecording recording;
   const ChannelId channel = *recording.writer->AddChannel(0, "a", "cdr");
-  ASSERT_TRUE(recording.writer->Write({.channel_id = channel}));
+  const auto write = [&](int messages) {
+    for (int i = 0; i < messages; ++i) {
+      ASSERT_TRUE(recording.writer->Write({.channel_id = channel}));
+    }
+  };
+  write(3);
+  ASSERT_TRUE(recording.writer->Sync());
+  write(2);
   recording.disk->can_sync = false;
 
   const auto synced = recording.writer->Sync();
 
   ASSERT_FALSE(synced);
-  EXPECT_THAT(synced.error().message, testing::HasSubstr("Input/output error"));
-  EXPECT_EQ(recording.writer->synced().messages, 0U);
+  EXPECT_EQ(synced.error().message,
+            "recording stopped: cannot write memory.mcap to the disk: Input/output error; 3 "
+            "messages up to 0.000 s are on the disk; the 2 later messages may be lost; check the "
+            "disk, then record into another file");
+  EXPECT_EQ(recording.writer->synced().messages, 3U);
+  EXPECT_EQ(ReadAll(*Open(recording.disk->synced)).size(), 3U);
   EXPECT_FALSE(recording.writer->Close());
 }
 
