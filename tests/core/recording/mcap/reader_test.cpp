@@ -5,6 +5,7 @@
 #include <tendon/recording/mcap/reader.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <limits>
 
@@ -16,6 +17,8 @@ namespace {
 using testing::HasSubstr;
 
 constexpr std::uint64_t kHuge = std::uint64_t{1} << 60U;
+constexpr std::uint64_t kNegative = std::uint64_t{1} << 63U;
+constexpr std::uint64_t kLargest = std::numeric_limits<std::uint64_t>::max();
 
 Channel ChannelWith(ChannelId id, std::string topic = "t") {
   return {id, 0, std::move(topic), "cdr", {}};
@@ -278,19 +281,21 @@ TEST(Reader, RecordsOfUnknownKindsAreSkippedAndCounted) {
 }
 
 TEST(Reader, LengthsThatClaimTooMuchTakeNoMemory) {
-  // Each file claims to need 2^60 bytes. If the reader allocated them, the allocator or a sanitizer
-  // would end the test.
-  for (int place = 0; place < 4; ++place) {
+  // If the reader allocated as much as each file claims, the allocator or a sanitizer would end the
+  // test. The largest lengths are negative for a signed number, and overflow if one is added.
+  for (int flaw = 0; flaw < 12; ++flaw) {
+    const std::uint64_t huge = std::array{kHuge, kNegative, kLargest}[flaw / 4];
+    const int place = flaw % 4;
     HandmadeFile file;
     file.Add(ChannelWith(1));
     const std::size_t begin = file.bytes.size();
-    ChunkHead head{0, 0, place == 0 ? kHuge : 10, 1, "zstd", place == 1 ? kHuge : 10};
+    ChunkHead head{0, 0, place == 0 ? huge : 10, 1, "zstd", place == 1 ? huge : 10};
     AppendChunkHead(file.bytes, head);
     file.bytes.resize(file.bytes.size() + 10);
     if (place >= 1) {  // a valid length of the record; for place 2, a huge length
       for (std::size_t i = 0; i < 8; ++i) {
         const std::uint64_t length =
-            place == 2 ? kHuge : file.bytes.size() - begin - kRecordHeadSize;
+            place == 2 ? huge : file.bytes.size() - begin - kRecordHeadSize;
         file.bytes[begin + 1 + i] = static_cast<std::byte>(length >> (8 * i));
       }
     }
@@ -299,7 +304,7 @@ TEST(Reader, LengthsThatClaimTooMuchTakeNoMemory) {
     const auto reader = Open(file.End());
 
     EXPECT_TRUE(ReadAll(*reader).empty());
-    EXPECT_GT(reader->problems().count(), 0U) << place;
+    EXPECT_GT(reader->problems().count(), 0U) << flaw;
   }
 }
 
@@ -319,7 +324,7 @@ TEST(Reader, AChunkThatInflatesToTooMuchIsRefused) {
 }
 
 TEST(Reader, AnIndexThatPointsOutsideBackwardsOrTwiceToAChunkIsNotUsed) {
-  for (int flaw = 0; flaw < 4; ++flaw) {
+  for (int flaw = 0; flaw < 6; ++flaw) {
     HandmadeFile file;
     Buffer records;
     Append(records, ChannelWith(1));
@@ -330,6 +335,8 @@ TEST(Reader, AnIndexThatPointsOutsideBackwardsOrTwiceToAChunkIsNotUsed) {
     if (flaw == 0) index.chunk_start_offset = kHuge;
     if (flaw == 1) index.chunk_length = kHuge;
     if (flaw == 2) index.chunk_start_offset = 2;
+    if (flaw == 4) index.chunk_length = kNegative;
+    if (flaw == 5) index.chunk_length = kLargest;
     Append(summary, index);
     if (flaw == 3) Append(summary, index);
 
