@@ -28,6 +28,10 @@ void Randomise(std::mt19937& random, T& value) {
     value.assign(random() % 9, static_cast<char>('a' + random() % 26));
   } else if constexpr (payload::TimeSpan<T>) {
     value = T(static_cast<typename T::rep>(random()) - (1U << 31));
+  } else if constexpr (requires { value.time_since_epoch(); }) {
+    typename T::duration since_epoch{};
+    Randomise(random, since_epoch);
+    value = T(since_epoch);
   } else if constexpr (payload::Array<T>) {
     for (auto& element : value) Randomise(random, element);
   } else if constexpr (std::same_as<T, std::vector<bool>>) {

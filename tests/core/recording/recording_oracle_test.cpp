@@ -1,10 +1,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <support/folder.h>
-#include <support/program.h>
 #include <tendon/gcm/text.h>
+#include <tendon/interface/observed_call.h>
 #include <tendon/payload/codec.h>
 #include <tendon/payload/json.h>
+#include <tendon/payload/robot/geometry.h>
+#include <tendon/payload/robot/image.h>
+#include <tendon/payload/robot/joints.h>
+#include <tendon/payload/robot/joystick.h>
+#include <tendon/payload/robot/transforms.h>
 #include <tendon/recording/channel_groups.h>
 #include <tendon/recording/recording_writer.h>
 #include <tests/core/payload/random_value.h>
@@ -14,22 +19,20 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <random>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "oracle.h"
 #include "recordings.h"
 
-/// Compares files of Tendon with files of other programs, in both directions. The other programs
-/// are the packages of @mcap and @foxglove in oracle/package.json, which Foxglove uses.
+/// Compares files of Tendon with files of other programs, in both directions.
 namespace tendon::recording {
 namespace {
 
@@ -42,38 +45,13 @@ using testing::Pair;
 class RecordingOracle : public testing::Test {
  protected:
   void SetUp() override {
-    if (TextOf(packages_ / "package-lock.json") != TextOf(scripts_ / "package-lock.json")) {
-      GTEST_SKIP() << "no program of others reads our recordings, because its packages are not "
-                      "installed: run tools/setup --oracles";
-    }
+    if (!HasOracle()) GTEST_SKIP() << kNoOracle;
   }
-
-  static std::string TextOf(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-  }
-
-  /// Returns the lines that the script prints.
   [[nodiscard]] std::vector<json> Run(const std::string& script,
                                       const std::vector<std::string>& options = {}) const {
-    Program::Words command{"/usr/bin/env", "node", scripts_ / script, packages_, file_};
-    command.insert(command.end(), options.begin(), options.end());
-    const Outcome outcome = RunProgram(command);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    std::vector<json> lines;
-    std::istringstream text(outcome.out);
-    for (std::string line; std::getline(text, line);) lines.push_back(json::parse(line));
-    return lines;
-  }
-  static std::vector<json> OfKind(const std::vector<json>& lines, const std::string& kind) {
-    std::vector<json> all;
-    std::ranges::copy_if(lines, std::back_inserter(all),
-                         [&](const json& line) { return line["kind"] == kind; });
-    return all;
+    return RunOracle(script, file_, options);
   }
 
-  const std::filesystem::path scripts_ = TENDON_RECORDING_ORACLE;
-  const std::filesystem::path packages_ = TENDON_RECORDING_ORACLE_PACKAGES;
   const test::Folder folder_;
   const std::filesystem::path file_ = folder_.path() / "run.mcap";
 };
@@ -119,6 +97,8 @@ json Truth(const T& value) {
   } else if constexpr (payload::TimeSpan<T>) {
     const auto seconds = std::chrono::floor<std::chrono::seconds>(value);
     return {{"sec", seconds.count()}, {"nsec", std::chrono::nanoseconds(value - seconds).count()}};
+  } else if constexpr (requires { value.time_since_epoch(); }) {
+    return Truth(value.time_since_epoch());
   } else if constexpr (payload::Array<T>) {
     json::array_t list;
     AppendTruth(value, list);
@@ -188,6 +168,15 @@ class TableWithTruth {
     std::chrono::nanoseconds span{0};
     std::vector<std::vector<std::int64_t>> lists;
     bool flag = false;
+    robot::Pose pose;
+    robot::Twist twist;
+    robot::Wrench wrench;
+    robot::JointState<7> arm_state;
+    robot::JointCommand<7> arm_command;
+    robot::NamedJointState named_joints;
+    robot::Joystick joystick;
+    robot::Image image;
+    robot::Transforms transforms;
   };
 
   /// Returns random values; extreme values for the first rows.
@@ -213,6 +202,15 @@ class TableWithTruth {
     sample::Randomise(random_, values.mode);
     sample::Randomise(random_, values.span);
     sample::Randomise(random_, values.lists);
+    sample::Randomise(random_, values.pose);
+    sample::Randomise(random_, values.twist);
+    sample::Randomise(random_, values.wrench);
+    sample::Randomise(random_, values.arm_state);
+    sample::Randomise(random_, values.arm_command);
+    sample::Randomise(random_, values.named_joints);
+    sample::Randomise(random_, values.joystick);
+    sample::Randomise(random_, values.image);
+    sample::Randomise(random_, values.transforms);
     values.number = kNumbers[tick % std::size(kNumbers)];
     values.joints.position[2] = values.number;
     values.numbers.f32 = static_cast<float>(values.numbers.f64);
@@ -237,6 +235,15 @@ class TableWithTruth {
     Add("Span", values.span, tick);
     Add("Lists", values.lists, tick);
     Add("Flag", values.flag, tick);
+    Add("Pose", values.pose, tick);
+    Add("Twist", values.twist, tick);
+    Add("Wrench", values.wrench, tick);
+    Add("ArmState", values.arm_state, tick);
+    Add("ArmCommand", values.arm_command, tick);
+    Add("NamedJoints", values.named_joints, tick);
+    Add("Joystick", values.joystick, tick);
+    Add("Image", values.image, tick);
+    Add("Transforms", values.transforms, tick);
   }
 
   template <typename T>
@@ -254,19 +261,13 @@ class TableWithTruth {
                       {"value", MessageTruth(value)}});
   }
 
-  static constexpr std::size_t kColumns = 12;
+  static constexpr std::size_t kColumns = 21;
 
   const std::shared_ptr<EntrySource> source_ = std::make_shared<EntrySource>();
   std::mt19937 random_{22};
   RowsEntry rows_;
   std::vector<json> truth_;
 };
-
-std::map<std::string, std::vector<json>> ByTopic(const std::vector<json>& messages) {
-  std::map<std::string, std::vector<json>> all;
-  for (const json& message : messages) all[message["topic"]].push_back(message);
-  return all;
-}
 
 class DecodedByAnOracle : public RecordingOracle,
                           public testing::WithParamInterface<mcap::Compression> {
@@ -364,6 +365,53 @@ TEST_P(DecodedByAnOracle, EventsTheLogLossesAndTheCatalogueAreThoseThatWereRecor
   EXPECT_EQ(found[kCatalogueTopic].at(0)["value"]["processes"][0]["instance"], "7");
   EXPECT_THAT(MetadataOf(lines), Contains(Pair(kEndMetadata, Contains("2"))));
   EXPECT_EQ(OfKind(lines, "attachment").at(0)["name"], kSystemAttachment);
+}
+
+TEST_P(DecodedByAnOracle, CallsOfCommandsAreThoseThatWereRecorded) {
+  auto source = std::make_shared<EntrySource>();
+  source->name = {"robot", "arm", "Control"};
+  source->are_commands = true;
+  source->members = {{"Stop", SchemaOfCalls(SchemaOf<None>(), SchemaOf<None>())},
+                     {"Plan", SchemaOfCalls(SchemaOf<sample::Ragged>(), SchemaOf<std::string>())}};
+  const CallHeader refused{.outcome = CallOutcome::kRefused, .status = Status::kQueueFull};
+  const CallHeader executed{.took = std::chrono::nanoseconds(1'000'000'250)};
+  const sample::Ragged argument{true, -2.5, 200, -3, false, 0.5F, 9};
+  const std::string result = "to 2.5 rad";
+  const std::string client = "desk/pilot/Arm";
+  const auto body_of = [](const ArgumentWriter& call) {
+    const auto bytes = call.Encoded();
+    return std::vector<std::byte>(bytes.begin(), bytes.end());
+  };
+  const None none;
+  const SteadyTime ended = SteadyClock().Now();
+  const auto writer = Create();
+  ASSERT_TRUE(writer->Write(EventEntry{
+      source, 0, ended, body_of(ObservedCallWriter<None, None>(refused, none, nullptr, client))}));
+  ASSERT_TRUE(writer->Write(EventEntry{source, 1, ended,
+                                       body_of(ObservedCallWriter<sample::Ragged, std::string>(
+                                           executed, argument, &result, client))}));
+  ASSERT_TRUE(writer->Close({}));
+
+  const auto lines = Run("decode.mjs");
+
+  auto found = ByTopic(OfKind(lines, "message"));
+  const json& stop = found["robot/arm/Control/Stop"].at(0);
+  const json& plan = found["robot/arm/Control/Plan"].at(0);
+  EXPECT_EQ(stop["value"], (json{{"took", Truth(refused.took)},
+                                 {"outcome", Truth(refused.outcome)},
+                                 {"status", Truth(refused.status)},
+                                 {"client", client}}));
+  EXPECT_EQ(plan["value"], (json{{"took", Truth(executed.took)},
+                                 {"outcome", Truth(executed.outcome)},
+                                 {"status", Truth(executed.status)},
+                                 {"argument", Truth(argument)},
+                                 {"result", result},
+                                 {"client", client}}));
+  const auto time_of = [](const json& message) {
+    return std::stoll(message["log_time"].get<std::string>());
+  };
+  EXPECT_EQ(time_of(stop) - time_of(plan), executed.took.count())
+      << "the time of a call is that of its begin";
 }
 
 /// Returns lower-case hexadecimal digits, two for each byte.

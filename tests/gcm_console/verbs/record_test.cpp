@@ -1,20 +1,24 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <program/exit_code.h>
+#include <tendon/gcm/text.h>
 #include <tendon/payload/codec.h>
 #include <tendon/recording/mcap/reader.h>
 #include <tendon/recording/mcap/verify.h>
 #include <tendon/recording/recording_format.h>
+#include <tendon/recording/recording_writer.h>
 
 #include <csignal>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gcm_console/system_fixture.h"
@@ -105,6 +109,14 @@ class RecordTest : public SystemFixture {
     EXPECT_EQ((*reader)->problems().count(), 0U);
     return all;
   }
+  /// Returns the time at which a file begins, in ns.
+  static std::int64_t BeginOf(const std::string& name) {
+    const auto reader = mcap::Reader::Open(std::filesystem::path(name));
+    EXPECT_TRUE(reader) << reader.error().message;
+    if (!reader) return 0;
+    const auto about = (*reader)->ReadMetadata((*reader)->metadata().at(0));
+    return about ? std::stoll(about->metadata.at("begin_ns")) : 0;
+  }
   static std::string TextOf(const std::filesystem::path& path) {
     std::stringstream text;
     text << std::ifstream(path, std::ios::binary).rdbuf();
@@ -164,6 +176,42 @@ TEST_F(RecordTest, EndsByItselfAfterItsTime) {
   EXPECT_EQ(recorded.exit_code, program::kOk) << recorded.err;
   EXPECT_THAT(recorded.err, HasSubstr(" rows lost, 0 events and commands lost\n"));
   EXPECT_GT(Read(file)["robot/odometer/state/Count"].size(), 10U);
+}
+
+TEST_F(RecordTest, BeginsAfterItsDelay) {
+  const std::int64_t before = tendon::WallTime();
+
+  const Outcome recorded =
+      Gcm({"record", "robot", "-o", file, "--delay", "1500ms", "--for", "500ms"});
+
+  ASSERT_EQ(recorded.exit_code, program::kOk) << recorded.err;
+  const auto rows = Read(file)["robot/odometer/state/Count"];
+  ASSERT_FALSE(rows.empty());
+  EXPECT_GE(rows.front().log_time, static_cast<std::uint64_t>(before) + 1'500'000'000);
+}
+
+TEST_F(RecordTest, BeginsAnotherFileAfterTheTimeOfASplit) {
+  const auto record = Record({"robot", "--split-time", "500ms"});
+  const auto part = [&](int number) { return Path("run-" + std::to_string(number) + ".mcap"); };
+  ASSERT_TRUE(EventuallyTrue([&] { return std::filesystem::exists(part(4)); })) << record->err();
+  ASSERT_EQ(Interrupt(*record), program::kInterrupted) << record->err();
+
+  EXPECT_FALSE(std::filesystem::exists(file));
+  std::vector<ReadMessage> rows;
+  std::int64_t begin = 0;
+  for (int number = 1; number <= 4; ++number) {
+    SCOPED_TRACE(part(number));
+    auto topics = Read(part(number));
+    EXPECT_FALSE(topics[recording::kCatalogueTopic].empty()) << "it can be read alone";
+    const auto& more = topics["robot/odometer/state/Count"];
+    rows.insert(rows.end(), more.begin(), more.end());
+    const std::int64_t last = std::exchange(begin, BeginOf(part(number)));
+    if (number > 1) EXPECT_GE(begin - last, 500'000'000);
+  }
+  ASSERT_GT(rows.size(), 100U);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    ASSERT_EQ(rows[i].sequence, rows[i - 1].sequence + 1) << "no row is between two files";
+  }
 }
 
 TEST_F(RecordTest, RecordsWhatComesLaterAndSaysThatItIsNotThereYet) {
@@ -384,6 +432,29 @@ TEST_F(RecordTest, InfoShowsTopicsAndWhatIsNoRecordingIsNamed) {
   EXPECT_EQ(zip.exit_code, program::kUsage);
   EXPECT_THAT(zip.err, HasSubstr("PK"));
   EXPECT_EQ(Gcm({"info", Path("none.mcap")}).exit_code, program::kNotFound);
+}
+
+TEST_F(RecordTest, InfoShowsTheRowsThatARecordingHasLost) {
+  const auto source = std::make_shared<recording::EntrySource>();
+  source->name = {"robot", "arm", "state"};
+  source->members = {{"Count", tendon::SchemaOf<std::uint64_t>()}};
+  recording::RowsEntry rows{.source = source, .ticks = {9}, .times = {1}, .cell_sizes = {8}};
+  rows.lost_before = {.table = 1, .network = 2, .viewer = 4};
+  rows.cells.resize(8);
+  auto writer = recording::RecordingWriter::Create({.file = file}, {});
+  ASSERT_TRUE(writer) << writer.error().message;
+  ASSERT_TRUE((*writer)->Write(rows));
+  ASSERT_TRUE((*writer)->WriteLoss("robot/arm/state", {.table = 0, .network = 0, .viewer = 8}));
+  ASSERT_TRUE((*writer)->Close({}));
+
+  const Outcome info = Gcm({"info", file});
+  const Outcome as_json = Gcm({"info", file, "--json"});
+
+  EXPECT_EQ(info.exit_code, program::kOk) << info.err;
+  EXPECT_THAT(info.out, testing::ContainsRegex("robot/arm/state/Count\t[^\n]*\t15\n"));
+  for (const auto& topic : json::parse(as_json.out)["topics"]) {
+    EXPECT_EQ(topic["lost"], topic["topic"] == "robot/arm/state/Count" ? 15 : 0) << topic;
+  }
 }
 
 TEST_F(RecordTest, CutCopiesTheChosenTimeAndPaths) {
