@@ -1,4 +1,5 @@
 #include <gcm_gui/plot/plot_panel.h>
+#include <gcm_gui/plot/plot_view.h>
 #include <gcm_gui/recording/recording_strip.h>
 #include <gcm_gui/recording/window_recording.h>
 #include <gcm_gui/session/gcm_session.h>
@@ -7,9 +8,11 @@
 #include <sys/resource.h>
 #include <tendon/gcm/global_manager.h>
 #include <tendon/middleware/loopback.h>
+#include <tendon/payload/codec.h>
 #include <tendon/process/process.h>
 #include <tendon/recording/mcap/reader.h>
 #include <tendon/recording/mcap/verify.h>
+#include <tendon/recording/recording_format.h>
 #include <tendon/task/periodic_task.h>
 
 #include <QAbstractButton>
@@ -22,6 +25,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace tendon::gui {
 namespace {
@@ -31,20 +35,25 @@ using State = RecordingController::State;
 
 constexpr int kRecordingPatience = 120'000;  // ms; bounds a test that fails
 
-/// Counts its cycles in a table with two columns.
+/// Counts its cycles in a table with two columns, and raises an event at each hundredth one.
 class Counter final : public PeriodicTask {
  public:
   explicit Counter(std::string name) : PeriodicTask(std::move(name), 1ms) {
     state_table().Add(number_, "Number");
     state_table().Add(half_, "Half");
+    AddProvidedInterface("Control").AddEvent(passed_, "Passed");
   }
   ~Counter() override { Join(); }
 
-  void Run() override { half_ = 0.5 * static_cast<double>(++number_); }
+  void Run() override {
+    half_ = 0.5 * static_cast<double>(++number_);
+    if (number_ % 100 == 0) passed_(number_);
+  }
 
  private:
   std::uint64_t number_ = 0;
   double half_ = 0.0;
+  WriteEvent<std::uint64_t> passed_;
 };
 
 /// The real window with a real GCM and a process at 1 kHz, in this process.
@@ -108,7 +117,22 @@ class RecordingWorkerTest : public ::testing::Test {
   }
   /// Returns the number of messages by topic. The file must be complete.
   static std::map<std::string, std::uint64_t> TopicsOf(const QString& file) {
-    std::map<std::string, std::uint64_t> topics;
+    std::map<std::string, std::uint64_t> counts;
+    for (const auto& [topic, bodies] : BodiesOf(file)) counts[topic] = bodies.size();
+    return counts;
+  }
+  /// Returns the numbers on a topic.
+  static std::vector<std::uint64_t> NumbersIn(const QString& file, const std::string& topic) {
+    std::vector<std::uint64_t> numbers;
+    auto topics = BodiesOf(file);
+    for (const auto& body : topics[topic]) {
+      EXPECT_TRUE(Decode(body, numbers.emplace_back()));
+    }
+    return numbers;
+  }
+  /// Returns the values of the messages by topic. The file must be complete.
+  static std::map<std::string, std::vector<std::vector<std::byte>>> BodiesOf(const QString& file) {
+    std::map<std::string, std::vector<std::vector<std::byte>>> topics;
     const auto reader = mcap::Reader::Open(file.toStdString());
     EXPECT_TRUE(reader) << reader.error().message;
     if (!reader) return topics;
@@ -116,7 +140,9 @@ class RecordingWorkerTest : public ::testing::Test {
     EXPECT_EQ(tendon::mcap::Verify(**reader).problems.count(), 0U);
     auto messages = (*reader)->Messages({});
     while (const auto message = messages.Next()) {
-      ++topics[(*reader)->FindChannel(message->channel_id)->topic];
+      const auto body = recording::BodyOf(message->data);
+      topics[(*reader)->FindChannel(message->channel_id)->topic].emplace_back(body.begin(),
+                                                                              body.end());
     }
     return topics;
   }
@@ -156,6 +182,58 @@ TEST_F(RecordingWorkerTest, ASecondRecordingGetsAFileOfItsOwn) {
 
   EXPECT_NE(Controller().file(), first);
   EXPECT_EQ(Files().size(), 2);
+}
+
+TEST_F(RecordingWorkerTest, TheLastSecondsAreInTheFileAndTheReportCountsThem) {
+  const QString column = QStringLiteral("robot/counter/state.Number");
+  window_->plots().addSignal(column, {});
+  const SampleRing& shown = window_->plots().plot(0).curve(column)->samples();
+  ASSERT_TRUE(Eventually([&] { return shown.endIndex() > 500; }));
+  const double oldest = shown.value(shown.firstIndex());
+  const double newest = shown.value(shown.endIndex() - 1);
+  window_->selection().select(QStringLiteral("robot/counter"));
+  Controller().setScope(RecordingScope::kSelected);
+
+  QTest::keyClick(window_.get(), Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
+  ASSERT_TRUE(Eventually([this] { return Controller().report().has_value(); }));
+
+  const RecordingReport report = *Controller().report();
+  ASSERT_EQ(report.kind, RecordingReport::Kind::kDone) << Reason();
+  EXPECT_EQ(Controller().state(), State::kIdle);
+  EXPECT_EQ(report.file, Controller().file());
+  auto topics = TopicsOf(report.file);
+  const auto numbers = NumbersIn(report.file, "robot/counter/state/Number");
+  ASSERT_FALSE(numbers.empty());
+  EXPECT_EQ(topics["robot/counter/state/Half"], numbers.size());
+  EXPECT_LE(static_cast<double>(numbers.front()), oldest) << "from before the plot";
+  EXPECT_GE(static_cast<double>(numbers.back()), newest);
+  EXPECT_TRUE(std::ranges::is_sorted(numbers));
+  if (numbers.back() - numbers.front() + 1 > numbers.size()) {
+    EXPECT_TRUE(report.detail.contains(" lost")) << "a gap must be told: " << Reason();
+  }
+  const auto events = NumbersIn(report.file, "robot/counter/Control/Passed");
+  ASSERT_GE(events.size(), 2U);
+  for (std::size_t i = 1; i < events.size(); ++i) EXPECT_EQ(events[i], events[i - 1] + 100);
+  EXPECT_TRUE(report.title.startsWith(QStringLiteral("Saved the last 30 s: %1 rows, %2 events (")
+                                          .arg(numbers.size())
+                                          .arg(events.size())))
+      << Reason();
+  EXPECT_TRUE(report.detail.contains("it has not been running longer")) << Reason();
+  EXPECT_EQ(session_->activity().command(0),
+            "gcm save-last 30s robot/counter -o '" + report.file + "'");
+}
+
+TEST_F(RecordingWorkerTest, IfNothingCanBeSavedTheReportSaysSoAndNoFileRemains) {
+  window_->selection().select(QStringLiteral("robot/nobody"));
+  Controller().setScope(RecordingScope::kSelected);
+
+  QTest::keyClick(window_.get(), Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
+  ASSERT_TRUE(Eventually([this] { return Controller().report().has_value(); }));
+
+  EXPECT_EQ(Controller().report()->kind, RecordingReport::Kind::kFailed);
+  EXPECT_EQ(Controller().report()->title, "Nothing is saved");
+  EXPECT_EQ(Controller().report()->detail, "no state table and no event matches these paths");
+  EXPECT_TRUE(Files().isEmpty());
 }
 
 TEST_F(RecordingWorkerTest, TheEndOfTheWindowCompletesTheFile) {
