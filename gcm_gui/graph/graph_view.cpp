@@ -57,6 +57,7 @@ GraphView::GraphView(GraphScene& scene, Selection& selection, ConnectMode& mode,
   setObjectName(QStringLiteral("graph"));
   setAccessibleName(Words::tr("System graph"));
   setFrameShape(QFrame::NoFrame);
+  setAcceptDrops(false);  // by default, the view would keep drops from the window
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setTransformationAnchor(AnchorUnderMouse);

@@ -26,6 +26,7 @@
 #include <QDropEvent>
 #include <QFile>
 #include <QFileInfo>
+#include <QLineEdit>
 #include <QMimeData>
 #include <QScrollBar>
 #include <QSignalSpy>
@@ -61,6 +62,32 @@ class ReplayWindow : public ::testing::Test {
     session_.reset();
   }
 
+  /// Drops files onto this part of the window, as the mouse does.
+  static bool Drop(QWidget& part, const QList<QUrl>& files) {
+    QMimeData data;
+    data.setUrls(files);
+    const QPoint middle = part.rect().center();
+    QDragEnterEvent enter(middle, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&part, &enter);
+    QDropEvent drop(middle, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&part, &drop);
+    return enter.isAccepted() && drop.isAccepted();
+  }
+  /// A program that stands for the one that shows a recording. It writes down its arguments.
+  [[nodiscard]] QString Viewer() const {
+    QFile program(folder_.filePath("viewer"));
+    if (!program.exists() && program.open(QIODevice::WriteOnly)) {
+      program.write("#!/bin/sh\nprintf '%s\\n' \"$@\" >>\"$0.arguments\"\n");
+      program.setPermissions(QFile::ReadOwner | QFile::ExeOwner);
+    }
+    return program.fileName();
+  }
+  /// Returns the arguments of all started viewers, one a line.
+  [[nodiscard]] std::string ViewerArguments() const {
+    QFile arguments(folder_.filePath("viewer.arguments"));
+    return arguments.open(QIODevice::ReadOnly) ? arguments.readAll().toStdString() : "";
+  }
+
   void OpenRun(FileEnd end = FileEnd::kComplete) {
     WriteRun(file_, end);
     Open();
@@ -70,7 +97,7 @@ class ReplayWindow : public ::testing::Test {
     session_ = std::make_unique<ReplaySession>(file_);
     WindowParts parts = PartsOf(*session_);
     parts.kept = folder_.filePath("kept");
-    parts.viewer = QStringList{QStringLiteral("/bin/true")};
+    parts.viewer = QStringList{Viewer(), "--theme", "dark"};
     window_ = std::make_unique<MainWindow>(parts);
     window_->show();
     window_->activateWindow();
@@ -432,18 +459,33 @@ TEST_F(ReplayWindow, AFileThatIsNoRecordingIsRefused) {
 
 TEST_F(ReplayWindow, ADroppedRecordingOpensAnotherWindow) {
   OpenRun();
-  QMimeData data;
-  data.setUrls({QUrl::fromLocalFile(file_), QUrl::fromLocalFile("/etc/hostname")});
-  QDragEnterEvent enter({200, 200}, Qt::CopyAction, &data, Qt::LeftButton, {});
-  QDropEvent drop(QPointF(200, 200), Qt::CopyAction, &data, Qt::LeftButton, {});
-
-  QCoreApplication::sendEvent(window_.get(), &enter);
-  EXPECT_TRUE(enter.isAccepted());
   QSignalSpy notices(&window_->opener(), &RecordingOpener::notice);
-  QCoreApplication::sendEvent(window_.get(), &drop);
+
+  EXPECT_TRUE(Drop(*window_, {QUrl::fromLocalFile(file_), QUrl::fromLocalFile("/etc/hostname")}));
 
   ASSERT_EQ(notices.count(), 1);
   EXPECT_THAT(notices.front().front().toString().toStdString(), HasSubstr("separate window"));
+  const std::string arguments = "--theme\ndark\n" + file_.toStdString() + "\n";
+  EXPECT_TRUE(Eventually([&] { return ViewerArguments() == arguments; })) << ViewerArguments();
+}
+
+TEST_F(ReplayWindow, ARecordingCanBeDroppedOnEachPartOfTheWindow) {
+  OpenRun();
+  Plot();
+  QSignalSpy notices(&window_->opener(), &RecordingOpener::notice);
+  int dropped = 0;
+
+  // Other parts pass the drop on to the part around them. A text field takes the path.
+  for (QWidget* part : window_->findChildren<QWidget*>()) {
+    if (!part->acceptDrops() || qobject_cast<QLineEdit*>(part) != nullptr) continue;
+    Drop(*part, {QUrl::fromLocalFile(file_)});
+    EXPECT_EQ(notices.count(), ++dropped)
+        << part->metaObject()->className() << " " << part->objectName().toStdString();
+  }
+  Drop(*window_->graph().viewport(), {QUrl::fromLocalFile(file_)});
+  EXPECT_EQ(notices.count(), ++dropped) << "the graph";
+
+  EXPECT_GE(dropped, 2) << "also a plot takes drops";
 }
 
 TEST_F(ReplayWindow, LooksAsInThePictures) {
