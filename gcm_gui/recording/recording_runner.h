@@ -23,7 +23,7 @@ struct RecordingRequest {
 /// The state of a running recording.
 struct RecordingProgress {
   recording::RecorderStatus status;
-  double seconds = 0.0;  ///< time since its begin
+  double seconds = 0.0;  ///< time since its begin; or the time that the saving of the past took
   double rate = 0.0;     ///< growth of the file in the last seconds, in bytes per second
   /// The reasons why a saved history is not complete: one sentence for each process or table.
   QStringList shortfalls{};

@@ -135,6 +135,7 @@ class RecordingWorker::Run {
   }
 
   QString savePast(GcmClient& client, const std::shared_ptr<recording::RecordingQueue>& queue) {
+    const auto start = std::chrono::steady_clock::now();
     recording::GcmSystem system(client, options_.timeout);
     const auto saved =
         withFreeName<recording::SaveLastReport>([&](const std::filesystem::path& file) {
@@ -146,6 +147,7 @@ class RecordingWorker::Run {
         });
     if (!saved) return ToQString(saved.error().message);
     begin(ToQString(saved->file.string()));
+    last_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     last_.status.counts = saved->counts;
     last_.status.losses = saved->losses;
     for (const std::string& one : recording::ShortfallsOf(*saved, request_.past)) {

@@ -221,6 +221,7 @@ TEST_F(RecordingWorkerTest, TheLastSecondsAreInTheFileAndTheReportCountsThem) {
   EXPECT_TRUE(report.detail.contains("it has not been running longer")) << Reason();
   EXPECT_EQ(session_->activity().command(0),
             "gcm save-last 30s robot/counter -o '" + report.file + "'");
+  EXPECT_GT(session_->activity().action(0).seconds, 0.0) << "the duration of the saving";
 }
 
 TEST_F(RecordingWorkerTest, IfNothingCanBeSavedTheReportSaysSoAndNoFileRemains) {
