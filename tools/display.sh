@@ -28,8 +28,8 @@ has_window() { [[ -n $(window_of "$1") ]]; }
 # has_keyboard NAME: true if a window of that process has the keyboard focus.
 has_keyboard() { [[ $(xdotool getactivewindow getwindowpid) == "${process_ids[$1]}" ]]; }
 
-# ui VERB...: drives the window that describes itself in ui.json; see ui.py.
-ui() { python3 "$TENDON_ROOT/tools/ui.py" "$RUN_FOLDER/ui.json" "$@"; }
+# ui VERB...: drives the window that describes itself in UI_FILE, or else in ui.json; see ui.py.
+ui() { python3 "$TENDON_ROOT/tools/ui.py" "${UI_FILE:-$RUN_FOLDER/ui.json}" "$@"; }
 
 # open_row PATH...: expands rows of the catalogue, one after the other.
 open_row() {

@@ -5,7 +5,8 @@ mouse and presses keys.
     ui.py FILE wait EXPRESSION [SECONDS]   waits until the expression is true
     ui.py FILE show EXPRESSION             prints the value of the expression
     ui.py FILE click|double|ctrl-click GROUP NAME
-                                           GROUP: widgets, rows, nodes, ports or candidates
+                                           GROUP: widgets, rows, nodes, ports or candidates; or
+                                           screen with a NAME such as 120,80
     ui.py FILE drag GROUP NAME GROUP NAME  drags from the middle of one thing to the middle of another
     ui.py FILE key KEY...                  such as ctrl+z
     ui.py FILE type TEXT
@@ -50,6 +51,8 @@ def wait(file, expression, seconds=PATIENCE):
 
 def middle(file, group, name):
     """The position of a thing after it has stopped moving."""
+    if group == "screen":
+        return tuple(int(number) for number in name.split(","))
     wait(file, f"{name!r} in {group}")
     last = None
     while True:
@@ -84,6 +87,7 @@ def drag(file, from_group, from_name, to_group, to_name):
     for step in range(1, 11):
         xdotool("mousemove", "--sync", *(a + (b - a) * step // 10 for a, b in zip(start, end)))
         time.sleep(0.02)
+    time.sleep(0.5)  # like a hand; a window of another program has time to say that it accepts the drop
     xdotool("mouseup", 1)
 
 

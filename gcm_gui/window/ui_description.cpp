@@ -10,6 +10,10 @@
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
 #include <gcm_gui/recording/window_recording.h>
+#include <gcm_gui/replay/replay_session.h>
+#include <gcm_gui/replay/replay_strip.h>
+#include <gcm_gui/replay/replay_stripe.h>
+#include <gcm_gui/replay/window_replay.h>
 #include <gcm_gui/session/link_state.h>
 #include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/views/catalogue_tree.h>
@@ -120,6 +124,21 @@ QJsonObject Recording(const RecordingController& recording) {
           {"lost", static_cast<double>(status.losses.all())}};
 }
 
+/// The shown recording. Times are in s since its start.
+QJsonObject Replaying(const WindowReplay& replay) {
+  const ReplaySession& session = replay.session();
+  const auto seconds = [&](std::int64_t time) {
+    return static_cast<double>(time - session.facts().first) / 1e9;
+  };
+  return {{"file", session.file()},
+          {"open", session.state() == ReplaySession::State::kOpen},
+          {"stripe", replay.strip().stripe().text()},
+          {"playing", session.clock().isPlaying()},
+          {"speed", session.clock().speed()},
+          {"seconds", seconds(session.position())},
+          {"length", seconds(session.facts().last)}};
+}
+
 }  // namespace
 
 UiDescription::UiDescription(MainWindow& window, const QString& file)
@@ -207,6 +226,7 @@ QJsonObject UiDescription::facts() const {
                     {"paused", window_.plots().isPaused()},
                     {"connecting", window_.connectMode().active()},
                     {"selection", QJsonArray::fromStringList(window_.selection().paths())}};
+  if (window_.replay() != nullptr) facts["replay"] = Replaying(*window_.replay());
   if (const auto* application = qobject_cast<WatchedApplication*>(qApp)) {
     using Milliseconds = std::chrono::duration<double, std::milli>;
     facts["longestHandlerMs"] = Milliseconds(application->longestHandler()).count();

@@ -18,7 +18,8 @@ class MainWindow;
 ///     rows              of the catalogue, by path
 ///     nodes, ports      of the graph, by path; a port is its disc, with `role` and `number`
 ///     candidates        of the connect mode, in the list, by path
-///     facts             of the GCM, processes, connections, curves, selection, connect mode
+///     facts             of the GCM, processes, connections, curves, selection, connect mode,
+///                       recording, replay (only in a window that shows a recording)
 class UiDescription : public QObject {
   Q_OBJECT
 
