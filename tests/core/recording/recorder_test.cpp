@@ -85,36 +85,41 @@ class Driver final : public Component {
   VoidFunction reverse_;
 };
 
-TEST_F(RecorderTest, TheFileSaysWhenAComponentIsSuspendedAndWhenItIsConnected) {
+/// A change of a system, and whether a catalogue shows it.
+struct Change {
   using IsReached = std::function<bool(const Catalogue&)>;
-  struct Change {
-    std::function<bool()> request;
-    IsReached is_reached;
+
+  std::function<bool()> request;
+  IsReached is_reached;
+};
+
+Change::IsReached OdometerIs(ComponentState state) {
+  return [state](const Catalogue& catalogue) {
+    const auto* odometer = catalogue.FindComponent("robot", "odometer");
+    return odometer != nullptr && odometer->state == state;
   };
-  const auto has_state = [](ComponentState state) -> IsReached {
-    return [state](const Catalogue& catalogue) {
-      const auto* odometer = catalogue.FindComponent("robot", "odometer");
-      return odometer != nullptr && odometer->state == state;
-    };
+}
+
+Change::IsReached DriverIsConnected(bool wanted) {
+  return [wanted](const Catalogue& catalogue) {
+    return (catalogue.FindConnection({"robot", "driver", "Odometer"}) != nullptr) == wanted;
   };
-  const auto is_connected = [](bool wanted) -> IsReached {
-    return [wanted](const Catalogue& catalogue) {
-      return (catalogue.FindConnection({"robot", "driver", "Odometer"}) != nullptr) == wanted;
-    };
-  };
+}
+
+TEST_F(RecorderTest, TheFileSaysWhenAComponentIsSuspendedAndWhenItIsConnected) {
   const auto robot = StartProcess("robot");
   robot->Add<Driver>("driver");
   const std::vector<Change> changes{
-      {[&] { return robot->Suspend("odometer").ok(); }, has_state(ComponentState::kSuspended)},
-      {[&] { return robot->Start("odometer").ok(); }, has_state(ComponentState::kActive)},
+      {[&] { return robot->Suspend("odometer").ok(); }, OdometerIs(ComponentState::kSuspended)},
+      {[&] { return robot->Start("odometer").ok(); }, OdometerIs(ComponentState::kActive)},
       {[&] {
          return robot->Connect({"driver", "Odometer"}, {"odometer", "Control"}).ok();
        },
-       is_connected(true)},
+       DriverIsConnected(true)},
       {[&] {
          return robot->Disconnect({"driver", "Odometer"}).ok();
        },
-       is_connected(false)}};
+       DriverIsConnected(false)}};
   StartRecorder({.patterns = {"robot/**"}}, {"robot"});
   ASSERT_TRUE(EventuallyRows(50));
 
