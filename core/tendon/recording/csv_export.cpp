@@ -90,12 +90,13 @@ class OpenFiles {
     files_.push_back({&part, std::move(file)});
   }
   /// Opens the part, which has `size` bytes, unless it is open. It stays open until the next call.
-  Result<os::WritableFile*> Open(const os::PartFile& part, std::uint64_t size) {
+  Result<os::WritableFile*> Open(const os::PartFile& part,
+                                 const os::WritableFile::Identity& identity, std::uint64_t size) {
     const auto found = std::ranges::find(files_, &part, &File::part);
     if (found != files_.end()) {
       std::rotate(found, found + 1, files_.end());
     } else {
-      auto file = os::ReopenWritableFile(part.part(), size);
+      auto file = os::ReopenWritableFile(part.part(), identity, size);
       if (!file) return file.error();
       Add(part, *std::move(file));
     }
@@ -147,7 +148,9 @@ class CsvFile {
     if (!part) return WithWayOut(part.error());
     file_ = folder / name_;
     part_.emplace(*std::move(part));
-    files.Add(*part_, part_->TakeFile());
+    auto opened = part_->TakeFile();
+    identity_ = opened->identity();
+    files.Add(*part_, std::move(opened));
     text_ = "time_ns,source_time_ns,sequence,lost";
     for (const CsvMember& member : members_) {
       for (const NumericField& number : member.numbers) {
@@ -170,7 +173,7 @@ class CsvFile {
   /// The size of the text that waits to be written, bytes.
   [[nodiscard]] std::size_t waiting() const { return text_.size(); }
   Result<void> Write(OpenFiles& files) {
-    const auto out = files.Open(*part_, size_);
+    const auto out = files.Open(*part_, identity_, size_);
     if (!out) return Failure(WithWayOut(out.error()));
     const std::array parts{mcap::ByteView(std::as_bytes(std::span(text_)))};
     if (auto written = (*out)->WriteAt(size_, parts); !written) return Failure(written.error());
@@ -246,6 +249,7 @@ class CsvFile {
   const Content content_;
   std::filesystem::path file_;
   std::optional<os::PartFile> part_;
+  os::WritableFile::Identity identity_;
   std::string text_;        // that is not written yet
   std::uint64_t size_ = 0;  // of the file, bytes
   RowAssembler rows_;
@@ -316,8 +320,7 @@ Result<CsvReport> Export(mcap::Reader& reader, const mcap::Query& query,
   OpenFiles files;
   const auto tables = CsvTablesOf(reader, query, folder, stop);
   if (!tables) return tables.error();
-  const bool closes_some = tables->all().size() > OpenFiles::kMost;  // before they are complete
-  lock = os::LockFolder(folder, closes_some ? os::FolderLock::kExclusive : os::FolderLock::kShared);
+  lock = os::LockFolder(folder);
   if (!lock) {
     return Error{ErrorCode::kExists, "another program is exporting into " + folder.string() +
                                          ": wait for its end, or choose another folder"};

@@ -30,14 +30,14 @@ struct CsvReport : ExportReport {
 ///
 /// Creates `folder`. The files get their final names when all are complete. After an error, or if
 /// `stop` returns true, no file is left. Fails with kExists, and changes no file, if one of the
-/// files already exists, or if another program is writing it. An export of more than 64 tables
-/// fails with kExists if another export into the same folder is running, and the other way round.
+/// files already exists, or if another export into the same folder is running on this computer.
 /// Fails with kInvalid if no channel of the recording describes its values, or if there are more
-/// than kMostColumns columns. Fails with kFailed if the disk is full or fails.
+/// than kMostColumns columns. Fails with kFailed if the disk is full or fails, or if a program on
+/// another computer writes to the same files.
 ///
 /// Thread safety: as for the reader. Cost: reads each chunk once; memory for one row of each file,
-/// and for 64 KiB of it or 64 MiB of all files. Keeps at most 64 files open, and opens others again
-/// when their text is written.
+/// and for 64 KiB of it or 64 MiB of all files. Keeps at most 64 of the files open, and opens
+/// the others again when their text is written.
 Result<CsvReport> ExportCsv(mcap::Reader& reader, const mcap::Query& query,
                             const std::filesystem::path& folder, const os::StopRequest& stop = {});
 

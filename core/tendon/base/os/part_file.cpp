@@ -66,11 +66,10 @@ Result<void> PartFile::Complete() {
   return {};
 }
 
-std::unique_ptr<Descriptor> LockFolder(const std::filesystem::path& folder, FolderLock lock) {
+std::unique_ptr<Descriptor> LockFolder(const std::filesystem::path& folder) {
   auto opened =
       std::make_unique<Descriptor>(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  const int operation = lock == FolderLock::kShared ? LOCK_SH : LOCK_EX;
-  const bool is_refused = flock(opened->get(), operation | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  const bool is_refused = flock(opened->get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
   return is_refused ? nullptr : std::move(opened);
 }
 

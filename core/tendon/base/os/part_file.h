@@ -54,14 +54,10 @@ class PartFile {
   std::unique_ptr<WritableFile> opened_;
 };
 
-/// Either one program has the exclusive lock of a folder, or any number of programs share it.
-enum class FolderLock { kShared, kExclusive };
-
-/// Locks a folder until the result is destroyed. A program needs the exclusive lock if it closes
-/// part files before they are complete, because other programs replace part files that are not
-/// locked. Returns null if another program has a lock that excludes this one. Does nothing if the
-/// file system cannot lock folders.
-[[nodiscard]] std::unique_ptr<Descriptor> LockFolder(const std::filesystem::path& folder,
-                                                     FolderLock lock);
+/// Locks a folder until the result is destroyed. A program that closes part files before they have
+/// their final names needs this lock, because other programs replace part files that are not
+/// locked. Returns null if another program has the lock. Locks nothing if the file system cannot
+/// lock folders, or if the folder may not be read.
+[[nodiscard]] std::unique_ptr<Descriptor> LockFolder(const std::filesystem::path& folder);
 
 }  // namespace tendon::os

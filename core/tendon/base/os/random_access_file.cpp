@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -109,6 +110,12 @@ class PosixWritableFile final : public WritableFile {
     return {};
   }
 
+  [[nodiscard]] Identity identity() const noexcept override {
+    struct stat status {};
+    if (fstat(descriptor_.get(), &status) != 0) return {};
+    return {.disk = status.st_dev, .number = status.st_ino};
+  }
+
  private:
   [[nodiscard]] Error Failure() const {
     const int reason = errno;
@@ -124,17 +131,17 @@ class PosixWritableFile final : public WritableFile {
   const Descriptor descriptor_;
 };
 
-/// Returns the file with the lock that is_being_written() checks. A reader that checks it at this
-/// moment holds it for a few microseconds. Network shares may have no locks; their files are not
-/// locked.
-std::unique_ptr<WritableFile> LockedFile(const fs::path& file, int descriptor) {
-  constexpr int kMostTries = 1000;
-  auto made = std::make_unique<PosixWritableFile>(file.string(), descriptor);
+/// Takes the lock that is_being_written() checks. Returns false if another program keeps it. A
+/// reader that checks it at this moment holds it for a few microseconds, on a busy machine for
+/// longer. Network shares may have no locks; their files are not locked.
+bool LockForWriting(int file) {
+  constexpr int kMostTries = 100;
+  constexpr std::chrono::milliseconds kPause(1);
   for (int i = 0; i < kMostTries; ++i) {
-    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) break;
-    std::this_thread::yield();
+    if (flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return true;
+    std::this_thread::sleep_for(kPause);
   }
-  return made;
+  return false;
 }
 
 }  // namespace
@@ -162,26 +169,34 @@ Result<std::unique_ptr<WritableFile>> CreateWritableFile(const fs::path& file) {
     return Error{errno == EEXIST ? ErrorCode::kExists : ErrorCode::kFailed,
                  "cannot create " + file.string() + ": " + SystemReason()};
   }
-  auto made = LockedFile(file, opened);
+  auto made = std::make_unique<PosixWritableFile>(file.string(), opened);
+  LockForWriting(opened);
   SyncName(file);
-  return made;
+  return std::unique_ptr<WritableFile>(std::move(made));
 }
 
-Result<std::unique_ptr<WritableFile>> ReopenWritableFile(const fs::path& file, std::uint64_t size) {
+Result<std::unique_ptr<WritableFile>> ReopenWritableFile(const fs::path& file,
+                                                         const WritableFile::Identity& identity,
+                                                         std::uint64_t size) {
   const auto failure = [&](const std::string& reason) {
-    return Error{ErrorCode::kFailed, "cannot open " + file.string() + ": " + reason};
+    return Error{ErrorCode::kFailed, "cannot open " + file.string() + " again: " + reason};
   };
+  const std::string way_out = ": repeat this in a folder that no other program uses";
   const int opened = open(file.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (opened < 0) return failure(SystemReason());
-  auto made = LockedFile(file, opened);
+  auto made = std::make_unique<PosixWritableFile>(file.string(), opened);
+  if (!LockForWriting(opened)) return failure("another program is writing it" + way_out);
   struct stat status {};
   if (fstat(opened, &status) != 0) return failure(SystemReason());
-  const auto found = static_cast<std::uint64_t>(status.st_size);
-  if (!S_ISREG(status.st_mode) || found != size) {
-    return failure("another program has changed it: it has " + std::to_string(found) +
-                   " bytes, and " + std::to_string(size) + " were written");
+  if (made->identity() != identity || !S_ISREG(status.st_mode)) {
+    return failure("another program has replaced it" + way_out);
   }
-  return made;
+  const auto found = static_cast<std::uint64_t>(status.st_size);
+  if (found != size) {
+    return failure("another program has changed it, so it has " + std::to_string(found) +
+                   " bytes instead of " + std::to_string(size) + way_out);
+  }
+  return std::unique_ptr<WritableFile>(std::move(made));
 }
 
 Result<void> SyncContent(const fs::path& file) {

@@ -36,6 +36,14 @@ class RandomAccessFile {
 /// Thread safety: one thread at a time.
 class WritableFile {
  public:
+  /// Tells a file from all others, even if they are given its name later.
+  struct Identity {
+    std::uint64_t disk = 0;
+    std::uint64_t number = 0;
+
+    bool operator==(const Identity&) const = default;
+  };
+
   virtual ~WritableFile() = default;
 
   /// The path, for messages.
@@ -54,6 +62,8 @@ class WritableFile {
   /// Waits until all written data is on the disk. Fails like WriteAt(). After an error, some of the
   /// data may be lost, even if a later call succeeds.
   virtual Result<void> Sync() = 0;
+  /// All zero if the file is on no disk.
+  [[nodiscard]] virtual Identity identity() const noexcept { return {}; }
 };
 
 /// Opens a regular file. Errors: kNotFound if the file does not exist, kFailed if it cannot be
@@ -64,10 +74,11 @@ Result<std::unique_ptr<RandomAccessFile>> OpenRandomAccessFile(const std::filesy
 /// lock to readers. On a disk without locks, such as some network shares, the file is not locked.
 /// Errors: kExists if the file exists (it is not changed), kFailed if it cannot be created.
 Result<std::unique_ptr<WritableFile>> CreateWritableFile(const std::filesystem::path& file);
-/// Opens a file that CreateWritableFile() has created and whose `size` bytes were written, and
-/// locks it again. Fails with kFailed if it cannot be opened, or if another program has changed its
-/// size.
+/// Opens a file that CreateWritableFile() has created and to which `size` bytes were written, and
+/// locks it again. Fails with kFailed if it cannot be opened, if another program has replaced it or
+/// changed its size, or if another program is writing it.
 Result<std::unique_ptr<WritableFile>> ReopenWritableFile(const std::filesystem::path& file,
+                                                         const WritableFile::Identity& identity,
                                                          std::uint64_t size);
 
 /// Waits until the content of a closed file is on the disk. Fails with kFailed if the disk fails.

@@ -102,16 +102,14 @@ TEST_F(PartFileTest, LeavesThePartOfAProgramThatIsStillWriting) {
   EXPECT_TRUE(HasPart());
 }
 
-TEST_F(PartFileTest, AFolderIsLockedByOneProgramOrSharedByMany) {
-  {
-    const auto one = LockFolder(folder.path(), FolderLock::kShared);
-    ASSERT_TRUE(one);
-    EXPECT_TRUE(LockFolder(folder.path(), FolderLock::kShared));
-    EXPECT_FALSE(LockFolder(folder.path(), FolderLock::kExclusive));
-  }
-  const auto alone = LockFolder(folder.path(), FolderLock::kExclusive);
-  ASSERT_TRUE(alone);
-  EXPECT_FALSE(LockFolder(folder.path(), FolderLock::kShared));
+TEST_F(PartFileTest, AFolderIsLockedOnce) {
+  auto first = LockFolder(folder.path());
+  ASSERT_TRUE(first);
+  EXPECT_FALSE(LockFolder(folder.path()));
+
+  first.reset();
+
+  EXPECT_TRUE(LockFolder(folder.path()));
 }
 
 TEST_F(PartFileTest, NamesTheReasonIfItCannotBeCreated) {

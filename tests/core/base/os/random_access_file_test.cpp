@@ -80,9 +80,12 @@ TEST_F(RandomAccessFileTest, ShowsWhetherTheFileIsBeingWritten) {
 }
 
 TEST_F(RandomAccessFileTest, AFileIsOpenedAgainForWriting) {
-  folder_.Write("file", "one ");
+  auto created = *os::CreateWritableFile(file_);
+  const auto identity = created->identity();
+  ASSERT_TRUE(created->WriteAt(0, std::array{BytesOf("one ")}));
+  created.reset();
 
-  const auto file = os::ReopenWritableFile(file_, 4);
+  const auto file = os::ReopenWritableFile(file_, identity, 4);
 
   ASSERT_TRUE(file) << file.error().message;
   ASSERT_TRUE((*file)->WriteAt(4, std::array{BytesOf("two")}));
@@ -90,22 +93,29 @@ TEST_F(RandomAccessFileTest, AFileIsOpenedAgainForWriting) {
   EXPECT_TRUE((*os::OpenRandomAccessFile(file_))->is_being_written());
 }
 
-TEST_F(RandomAccessFileTest, AFileThatHasChangedIsNotOpenedAgain) {
+TEST_F(RandomAccessFileTest, AFileOfAnotherProgramIsNotOpenedAgain) {
+  auto created = *os::CreateWritableFile(file_);
+  const auto identity = created->identity();
+  const auto refusal = [&](const std::filesystem::path& file, std::uint64_t size) {
+    const auto opened = os::ReopenWritableFile(file, identity, size);
+    return opened ? "" : opened.error().message;
+  };
+  const std::string begin = "cannot open " + file_.string() + " again: ";
+  const std::string end = ": repeat this in a folder that no other program uses";
+
+  EXPECT_EQ(refusal(file_, 0), begin + "another program is writing it" + end);
+  created.reset();
   folder_.Write("file", "other");
-  std::filesystem::create_symlink(file_, folder_.path() / "link");
-
-  const auto changed = os::ReopenWritableFile(file_, 4);
-  const auto linked = os::ReopenWritableFile(folder_.path() / "link", 5);
-  const auto none = os::ReopenWritableFile(folder_.path() / "none", 4);
-
-  ASSERT_FALSE(changed);
-  EXPECT_EQ(changed.error().message,
-            "cannot open " + file_.string() +
-                ": another program has changed it: it has 5 bytes, and 4 were written");
-  EXPECT_FALSE(linked);
-  ASSERT_FALSE(none);
-  EXPECT_EQ(none.error().message,
-            "cannot open " + (folder_.path() / "none").string() + ": No such file or directory");
+  EXPECT_EQ(refusal(file_, 4),
+            begin + "another program has changed it, so it has 5 bytes instead of 4" + end);
+  std::filesystem::rename(file_, folder_.path() / "former");
+  folder_.Write("file", "other");
+  EXPECT_EQ(refusal(file_, 5), begin + "another program has replaced it" + end);
+  std::filesystem::create_symlink(folder_.path() / "former", folder_.path() / "link");
+  EXPECT_NE(refusal(folder_.path() / "link", 5), "");
+  EXPECT_EQ(
+      refusal(folder_.path() / "none", 4),
+      "cannot open " + (folder_.path() / "none").string() + " again: No such file or directory");
 }
 
 TEST_F(RandomAccessFileTest, AFolderIsNoFile) {
