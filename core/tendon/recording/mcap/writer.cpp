@@ -52,7 +52,7 @@ Error FileExistsError(const std::filesystem::path& file) {
   const bool is_being_written = existing && (*existing)->is_being_written();
   return {ErrorCode::kExists,
           file.string() + (is_being_written
-                               ? " is being recorded by another program: choose another name, or "
+                               ? " is being recorded: choose another name, or "
                                  "stop that recording first"
                                : " already exists, and a recording never replaces a file, because "
                                  "another program may still be writing it: choose another name")};
@@ -421,7 +421,7 @@ Result<void> Writer::Close(std::span<const Metadata> last) {
     WriteLast(last);
     auto summary = WriteSummary();
     if (summary) {
-      synced_ = written_;
+      if (!failure_) synced_ = written_;
     } else {
       static_cast<void>(file_->Truncate(end_));
     }

@@ -353,10 +353,9 @@ TEST(WriterOnDisk, SaysThatAnotherProgramIsRecordingIntoTheFile) {
 
   ASSERT_FALSE(during);
   EXPECT_EQ(during.error().code, ErrorCode::kExists);
-  EXPECT_EQ(during.error().message,
-            file.string() +
-                " is being recorded by another program: choose another name, or stop "
-                "that recording first");
+  EXPECT_EQ(during.error().message, file.string() +
+                                        " is being recorded: choose another name, or stop "
+                                        "that recording first");
   ASSERT_FALSE(after);
   EXPECT_THAT(after.error().message, testing::HasSubstr(" already exists, and a recording never"));
 }
