@@ -7,12 +7,6 @@ namespace {
 
 QString NameOfRecent() { return QStringLiteral("recent"); }
 
-QString PathOf(const QString& file) {
-  const QFileInfo info(file);
-  const QString path = info.canonicalFilePath();
-  return path.isEmpty() ? info.absoluteFilePath() : path;
-}
-
 QString MarksOf(const QString& file) { return QStringLiteral("marks of ") + file; }
 
 QStringList Lines(const QByteArray& value) {
@@ -34,8 +28,8 @@ QStringList RecordingNotes::recent() const {
 void RecordingNotes::addRecent(const QString& file) {
   if (!kept_) return;
   QStringList files = Lines(kept_->value(NameOfRecent()));
-  files.removeAll(PathOf(file));
-  files.prepend(PathOf(file));
+  files.removeAll(file);
+  files.prepend(file);
   kept_->set(NameOfRecent(), files.mid(0, kMostRecent).join('\n').toUtf8());
 }
 

@@ -22,6 +22,7 @@ class RecordingNotes {
 
   /// Returns those of the latest kMostRecent files that still exist, latest first.
   [[nodiscard]] QStringList recent() const;
+  /// `file` is an absolute path.
   void addRecent(const QString& file);
   /// The times of the marks, in ns since 1970.
   [[nodiscard]] QList<std::int64_t> marks(const QString& file) const;
