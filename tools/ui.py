@@ -87,7 +87,8 @@ def drag(file, from_group, from_name, to_group, to_name):
     for step in range(1, 11):
         xdotool("mousemove", "--sync", *(a + (b - a) * step // 10 for a, b in zip(start, end)))
         time.sleep(0.02)
-    time.sleep(0.5)  # like a hand; a window of another program has time to say that it accepts the drop
+    if from_group == "screen":
+        time.sleep(0.5)  # so that the window of another program can say that it accepts the drop
     xdotool("mouseup", 1)
 
 

@@ -129,6 +129,8 @@ TEST_F(RecorderTest, TheFileSaysWhenAComponentIsSuspendedAndWhenItIsConnected) {
     ASSERT_TRUE(change.request());
     ASSERT_TRUE(EventuallyTrue([&] { return change.is_reached(client_->catalogue()); }));
   }
+  // The recorder hears of a change a little later than the catalogue of its client.
+  ASSERT_TRUE(EventuallyRows(recorder_->status().counts.rows + 200));
   ASSERT_TRUE(recorder_->Stop());
   const SteadyTime end = SteadyClock().Now();
 
@@ -500,10 +502,11 @@ TEST_F(RecorderTest, APowerCutCostsASecondOfRowsAtMost) {
     ExpectEachRowOnce(numbers);
     EXPECT_GE(numbers.size(), safe);
     safe = numbers.size();
+    ASSERT_FALSE(numbers.empty());
     const std::chrono::nanoseconds last(static_cast<std::int64_t>(numbers.back().log_time) -
                                         WallMinusSteadyIn(*reader));
     // A row passes four threads, and a busy machine may delay each of them.
-    EXPECT_LE(now.time_since_epoch() - last, 1s + 4 * stalls.longest());
+    EXPECT_LE(now.time_since_epoch() - last, 1500ms + 4 * stalls.longest());
     EXPECT_THAT(mcap::Sentences(*reader), HasSubstr("the end of the file is missing"));
     EXPECT_EQ(reader->problems().count(), 1U) << mcap::Sentences(*reader);
   }

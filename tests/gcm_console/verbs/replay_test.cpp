@@ -163,7 +163,7 @@ TEST_F(ReplayVerbTest, ARecordingOfAReplayHasEachRowEventAndCallThatItDoesNotCou
   // The delay is the time in which the recorder finds the tables and subscribes to them.
   Program replay({Binary("gcm"), "--gcm", address, "--timeout", kPatience, "--json", "replay",
                   first, "--as", "rehearsal", "--delay",
-                  tendon::test::IsSanitized() ? "20s" : "3s"});
+                  tendon::test::IsSanitized() ? "20s" : "8s"});
   ASSERT_EQ(replay.Wait(), program::kOk) << replay.err();
   const json replayed = json::parse(replay.out());
   EXPECT_TRUE(EventuallyTrue([&] {
