@@ -71,6 +71,7 @@ void ConsolePage::build() {
   output_->setObjectName(QStringLiteral("console.output"));
   output_->setAccessibleName(Words::tr("Console output"));
   output_->setReadOnly(true);
+  output_->setAcceptDrops(false);  // by default, it would keep drops from the window
   output_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   output_->setMaximumBlockCount(kKeptLines);
   output_->setUndoRedoEnabled(false);
