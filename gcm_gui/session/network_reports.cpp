@@ -44,7 +44,8 @@ void NetworkReports::listen(const QObject* owner, const QStringList& patterns) {
     known_owners_.insert(owner);
     connect(owner, &QObject::destroyed, this, [this, owner] {
       known_owners_.remove(owner);
-      listen(owner, {});
+      // Later, because a half-destroyed owner must not get the events that have already arrived.
+      if (wanted_.erase(owner) > 0) follow_soon_.start();
     });
   }
   const auto known = wanted_.find(owner);
