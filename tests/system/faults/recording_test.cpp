@@ -193,7 +193,8 @@ INSTANTIATE_TEST_SUITE_P(Over, FaultyDisk, testing::Values(Middlewares().front()
                          NameOfMiddleware);
 
 TEST_P(FaultyDisk, AWriteErrorEndsTheRecordingAloneAndTellsWhatIsSafe) {
-  const Outcome recorded = Record({}, {{"TENDON_TEST_BAD_PLACE", "300000"}});
+  // Behind the largest chunk, so that at least one chunk is in the file before the disk fails.
+  const Outcome recorded = Record({}, {{"TENDON_TEST_BAD_PLACE", "1200000"}});
 
   EXPECT_EQ(recorded.exit_code, 1) << recorded.err;
   EXPECT_TRUE(LedgerGoesOn());
