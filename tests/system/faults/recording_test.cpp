@@ -206,7 +206,9 @@ TEST_P(FaultyDisk, AWriteErrorEndsTheRecordingAloneAndTellsWhatIsSafe) {
               testing::HasSubstr("run.mcap: Input/output error; " +
                                  std::to_string((*reader)->statistics()->message_count) +
                                  " messages up to "));
-  EXPECT_THAT(recorded.err, testing::HasSubstr("to make an index: gcm recover"));
+  // The index may still fit before the place where the disk is bad.
+  const bool has_index = !(*reader)->was_scanned();
+  EXPECT_NE(recorded.err.find("to make an index: gcm recover") != std::string::npos, has_index);
   const Outcome recovered = Gcm({"recover", file_});
   EXPECT_EQ(recovered.exit_code, 0) << recovered.err;
   const auto whole = mcap::Reader::Open(home_.path() / "run-recovered.mcap");
