@@ -37,6 +37,8 @@ struct FailingLocks {
 }  // namespace
 }  // namespace tendon::mcap
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wshadow"  // the system has a struct of this name, too
 /// Replaces the function of the C library for the whole program.
 extern "C" int flock(int descriptor, int operation) noexcept {
   using namespace tendon::mcap;
@@ -45,6 +47,7 @@ extern "C" int flock(int descriptor, int operation) noexcept {
   errno = lock_failure;
   return -1;
 }
+#pragma GCC diagnostic pop
 
 namespace tendon::mcap {
 namespace {
