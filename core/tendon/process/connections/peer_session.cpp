@@ -105,8 +105,8 @@ void PeerSession::Call(const FrameHeader& header, Body body, Responder responder
 void PeerSession::OpenInterface(Body body, Responder responder) {
   Post<message::OpenInterface>(
       body, std::move(responder),
-      [&services = services_, client = client_](const auto& open, const auto& responder) {
-        services.connections.Open(client, open, ServedConnections::Use::kAll, responder);
+      [&services = services_, client = client_](const auto& open, const auto& kept) {
+        services.connections.Open(client, open, ServedConnections::Use::kAll, kept);
       });
 }
 
@@ -115,15 +115,15 @@ void PeerSession::OpenInterface(Body body, Responder responder) {
 void PeerSession::Listen(Body body, Responder responder) {
   Post<message::OpenInterface>(
       body, std::move(responder),
-      [&services = services_, client = client_](const auto& open, const auto& responder) {
+      [&services = services_, client = client_](const auto& open, const auto& kept) {
         if (!open.description.functions.empty()) {
-          return responder->Refuse({ErrorCode::kInvalid, "the request to listen to the events of " +
-                                                             ToString(open.provided) +
-                                                             " must not contain functions"});
+          return kept->Refuse({ErrorCode::kInvalid, "the request to listen to the events of " +
+                                                        ToString(open.provided) +
+                                                        " must not contain functions"});
         }
         message::OpenInterface all = open;
         all.latest_only.clear();
-        services.connections.Open(client, all, ServedConnections::Use::kEventsOnly, responder);
+        services.connections.Open(client, all, ServedConnections::Use::kEventsOnly, kept);
       });
 }
 
@@ -163,16 +163,16 @@ void PeerSession::PostNotice(const SharedChannel& channel, std::function<void()>
 void PeerSession::GetCounts(Body body, Responder responder) {
   Post<message::GetCounts>(
       body, std::move(responder),
-      [&process = services_.context.process](const auto& asked, const auto& responder) {
-        responder->ReplyWith(process.LookUpCounts(asked.required));
+      [&process = services_.context.process](const auto& asked, const auto& kept) {
+        kept->ReplyWith(process.LookUpCounts(asked.required));
       });
 }
 
 void PeerSession::GetFill(Body body, Responder responder) {
   Post<message::GetFill>(
       body, std::move(responder),
-      [&process = services_.context.process](const auto& asked, const auto& responder) {
-        responder->ReplyWith(process.LookUpFill(asked.component));
+      [&process = services_.context.process](const auto& asked, const auto& kept) {
+        kept->ReplyWith(process.LookUpFill(asked.component));
       });
 }
 
@@ -188,47 +188,45 @@ void PeerSession::Subscribe(MessageType type, const SharedChannel& channel, Body
   monitor_->Begin(channel);
   Post<message::Subscribe>(
       body, std::move(responder),
-      [&telemetry = services_.telemetry, type, channel](const auto& wanted, const auto& responder) {
-        if (type == message::kJoinTopic) return telemetry.JoinTopic(channel, wanted, *responder);
-        telemetry.Subscribe(channel, wanted, *responder);
+      [&telemetry = services_.telemetry, type, channel](const auto& wanted, const auto& kept) {
+        if (type == message::kJoinTopic) return telemetry.JoinTopic(channel, wanted, *kept);
+        telemetry.Subscribe(channel, wanted, *kept);
       });
 }
 
 void PeerSession::ReadRows(Body body, Responder responder) {
-  Post<message::ReadRows>(
-      body, std::move(responder),
-      [&telemetry = services_.telemetry](const auto& wanted, const auto& responder) {
-        telemetry.ReadRows(wanted, *responder);
-      });
+  Post<message::ReadRows>(body, std::move(responder),
+                          [&telemetry = services_.telemetry](const auto& wanted, const auto& kept) {
+                            telemetry.ReadRows(wanted, *kept);
+                          });
 }
 
 void PeerSession::ReadEvents(Body body, Responder responder) {
-  Post<message::ReadEvents>(
-      body, std::move(responder),
-      [&history = services_.history](const auto& wanted, const auto& responder) {
-        responder->ReplyWith(history.ReadEvents(wanted));
-      });
+  Post<message::ReadEvents>(body, std::move(responder),
+                            [&history = services_.history](const auto& wanted, const auto& kept) {
+                              kept->ReplyWith(history.ReadEvents(wanted));
+                            });
 }
 
 void PeerSession::ReadLog(Body body, Responder responder) {
   Post<message::ReadLog>(body, std::move(responder),
-                         [&history = services_.history](const auto& wanted, const auto& responder) {
-                           responder->ReplyWith(history.ReadLog(wanted));
+                         [&history = services_.history](const auto& wanted, const auto& kept) {
+                           kept->ReplyWith(history.ReadLog(wanted));
                          });
 }
 
 void PeerSession::GetProcessHistory(Body body, Responder responder) {
   Post<None>(body, std::move(responder),
-             [&history = services_.history](const auto& /*wanted*/, const auto& responder) {
-               responder->ReplyWith(Result(history.state()));
+             [&history = services_.history](const auto& /*wanted*/, const auto& kept) {
+               kept->ReplyWith(Result(history.state()));
              });
 }
 
 void PeerSession::Mirror(const SharedChannel& channel, Body body, Responder responder) {
   Post<message::Mirror>(
       body, std::move(responder),
-      [&telemetry = services_.telemetry, channel](const auto& wanted, const auto& responder) {
-        telemetry.Mirror(channel, wanted, *responder);
+      [&telemetry = services_.telemetry, channel](const auto& wanted, const auto& kept) {
+        telemetry.Mirror(channel, wanted, *kept);
       });
 }
 
