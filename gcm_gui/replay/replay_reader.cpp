@@ -161,8 +161,8 @@ class ReplayReader::Reel {
  public:
   Reel(Content content, OpenFile open_file) : content_(content), open_file_(std::move(open_file)) {}
 
-  /// After this call, the reading ends as soon as possible, and passes no more rows to the feeds.
-  /// Called by another thread.
+  /// After this call, the reading ends as soon as possible: nothing more is read from the disk, and
+  /// at most the rows that were just read are passed to the feeds. Called by another thread.
   void cancel() { is_cancelled_.Set(true); }
 
   Result<RecordingFacts> open(const QString& file) {
