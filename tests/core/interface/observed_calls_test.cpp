@@ -4,6 +4,7 @@
 #include <tendon/payload/json.h>
 
 #include <array>
+#include <atomic>
 #include <memory>
 #include <mutex>
 #include <new>
@@ -455,6 +456,32 @@ TEST(ObservedCalls, AreMarkedInTheMailboxesOnlyWhileThereIsAnObserver) {
   EXPECT_FALSE(early.is_observed());
   EXPECT_FALSE(arm.inbox.Open(4, {}).is_observed());
   EXPECT_FALSE(arm.control.FindCommand("Stop")->is_observed());
+}
+
+/// A caller that sees an observer must not post a call that the observer does not get.
+TEST(ObservedCalls, BeginWithTheFirstCallAfterTheCommandSaysThatItIsObserved) {
+  constexpr int kRounds = 1000;
+  Arm arm;
+  const tendon::Mailbox& mailbox = arm.inbox.Open(4, {});
+  const auto* const stop = arm.control.FindCommand("Stop");
+  std::atomic<int> round = -1;
+  std::atomic<int> seen = -1;
+  std::atomic<int> unmarked = 0;
+  const std::jthread caller([&] {
+    for (int i = 0; i < kRounds; ++i) {
+      while (round < i || !stop->is_observed()) std::this_thread::yield();
+      if (!mailbox.is_observed()) ++unmarked;
+      seen = i;
+    }
+  });
+
+  for (int i = 0; i < kRounds; ++i) {
+    round = i;
+    const CallWatcher observer(arm.control, "Stop", {});
+    while (seen < i) std::this_thread::yield();
+  }
+
+  EXPECT_EQ(unmarked, 0);
 }
 
 TEST(ObservedCalls, AllocateNothing) {

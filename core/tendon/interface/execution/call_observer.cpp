@@ -32,9 +32,10 @@ void CallEvent::Raise(const ArgumentWriter& call) noexcept {
 
 void CallEvent::OnSubscribersChanged(bool has_subscribers) {
   if (is_observed_ == nullptr || is_observed_->Get() == has_subscribers) return;
+  // A caller that sees the flag may rely on it, so the mailboxes are marked before.
+  if (has_subscribers && inbox_ != nullptr) inbox_->AddObserver();
   is_observed_->Set(has_subscribers);
-  if (inbox_ == nullptr) return;
-  has_subscribers ? inbox_->AddObserver() : inbox_->RemoveObserver();
+  if (!has_subscribers && inbox_ != nullptr) inbox_->RemoveObserver();
 }
 
 }  // namespace tendon
