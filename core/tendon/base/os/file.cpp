@@ -98,14 +98,6 @@ bool TakeOver(int descriptor, const struct stat& before) {
   return fchmod(descriptor, before.st_mode & kept) == 0;
 }
 
-/// Writes the directory entry of a file to the disk. Ignores errors, because some file systems
-/// cannot do it.
-void Settle(const fs::path& file) {
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  const Descriptor descriptor(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (descriptor.get() >= 0) static_cast<void>(fsync(descriptor.get()));
-}
-
 /// The size and the time of the last write, to detect that a file has changed.
 struct Stamp {
   std::uintmax_t size = 0;
@@ -152,6 +144,12 @@ void Descriptor::Close() noexcept {
   value_ = -1;
 }
 
+void SyncName(const fs::path& file) {
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  const Descriptor descriptor(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (descriptor.get() >= 0) static_cast<void>(fsync(descriptor.get()));
+}
+
 Result<void> AppendDurably(const fs::path& file, std::string_view text) {
   const Descriptor descriptor(open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, kMode));
   if (descriptor.get() < 0 || !WriteAll(descriptor.get(), text)) return Failure(file);
@@ -175,7 +173,7 @@ Result<void> ReplaceDurably(const fs::path& file, std::string_view text) {
   if (next.descriptor() < 0) return Failure(file);
   if (is_there && !TakeOver(next.descriptor(), before)) return Failure(file);
   if (!WriteAll(next.descriptor(), text) || !next.TakePlaceOf(*target)) return Failure(file);
-  Settle(*target);
+  SyncName(*target);
   return {};
 }
 

@@ -25,6 +25,10 @@ class Descriptor {
   int value_;
 };
 
+/// Makes the name of a file survive a power cut. Ignores errors, because some file systems cannot
+/// do it.
+void SyncName(const std::filesystem::path& file);
+
 /// Appends `text` to a file, which is created if missing, and waits until the text is on the disk.
 Result<void> AppendDurably(const std::filesystem::path& file, std::string_view text);
 

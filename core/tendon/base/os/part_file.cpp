@@ -1,5 +1,6 @@
 #include <fcntl.h>
 #include <sys/file.h>
+#include <tendon/base/os/file.h>
 #include <tendon/base/os/part_file.h>
 
 #include <cerrno>

@@ -208,10 +208,4 @@ Result<void> SyncContent(const fs::path& file) {
   return {};
 }
 
-void SyncName(const fs::path& file) {
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  const Descriptor above(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (above.get() >= 0) static_cast<void>(fsync(above.get()));
-}
-
 }  // namespace tendon::os

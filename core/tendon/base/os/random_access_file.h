@@ -83,8 +83,5 @@ Result<std::unique_ptr<WritableFile>> ReopenWritableFile(const std::filesystem::
 
 /// Waits until the content of a closed file is on the disk. Fails with kFailed if the disk fails.
 Result<void> SyncContent(const std::filesystem::path& file);
-/// Makes the name of a file survive a power cut. Ignores errors, because some file systems cannot
-/// do it.
-void SyncName(const std::filesystem::path& file);
 
 }  // namespace tendon::os
