@@ -1,6 +1,7 @@
 #include <gcm_console/output/recording_text.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
+#include <gcm_gui/plot/series/row_losses.h>
 #include <gcm_gui/recording/recording_runner.h>
 #include <gcm_gui/recording/recording_words.h>
 
@@ -11,15 +12,6 @@ namespace {
 
 constexpr std::uint64_t kLittleSpace = 500'000'000;  // bytes
 constexpr double kShortWhile = 600.0;                // s until the disk is full
-
-QString LossPlaces(const LostRows& lost) {
-  QStringList places;
-  if (lost.table > 0) places << Words::tr("%1 in its process").arg(lost.table);
-  if (lost.network > 0) places << Words::tr("%1 on the network").arg(lost.network);
-  if (lost.viewer > 0)
-    places << Words::tr("%1 in this window, because the disk was too slow").arg(lost.viewer);
-  return places.join(QStringLiteral(", "));
-}
 
 }  // namespace
 
@@ -40,7 +32,10 @@ QStringList LossLines(const recording::Losses& losses) {
   QStringList lines;
   for (const auto& [path, lost] : losses.rows) {
     if (lost.all() == 0) continue;
-    lines << Words::tr("%1: rows lost: %2").arg(ToQString(path), LossPlaces(lost));
+    const QString places =
+        LossPlaces({.table = lost.table, .network = lost.network, .viewer = lost.viewer},
+                   Words::tr("%1 in this window, because the disk was too slow"));
+    lines << Words::tr("%1: rows lost: %2").arg(ToQString(path), places);
   }
   for (const auto& [path, lost] : losses.events) {
     if (lost > 0) lines << Words::tr("%1: events lost: %2").arg(ToQString(path)).arg(lost);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <gcm_gui/plot/series/row_losses.h>
 #include <gcm_gui/plot/series/sample_ring.h>
 #include <gcm_gui/plot/series/value_names.h>
 #include <tendon/payload/numeric_field.h>

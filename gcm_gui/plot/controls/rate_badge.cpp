@@ -53,11 +53,8 @@ QString BadgeText(const std::vector<SourceFigures>& figures) {
 
 /// Returns the known losses by place; empty if nothing was lost.
 QString PlacesText(const RowLosses& losses) {
-  QStringList places;
-  if (losses.table > 0) places << Words::tr("%1 in its process").arg(losses.table);
-  if (losses.network > 0) places << Words::tr("%1 on the network").arg(losses.network);
-  if (losses.viewer > 0) places << Words::tr("%1 in this window").arg(losses.viewer);
-  return places.isEmpty() ? QString() : Words::tr("; lost ") + places.join(QStringLiteral(", "));
+  const QString places = LossPlaces(losses, Words::tr("%1 in this window"));
+  return places.isEmpty() ? QString() : Words::tr("; lost ") + places;
 }
 
 RateBadge::RateBadge(QWidget* parent) : QToolButton(parent) {

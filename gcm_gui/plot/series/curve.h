@@ -2,6 +2,7 @@
 
 #include <gcm_gui/plot/series/coarse_history.h>
 #include <gcm_gui/plot/series/envelope.h>
+#include <gcm_gui/plot/series/row_losses.h>
 #include <gcm_gui/plot/series/sample_ring.h>
 #include <gcm_gui/plot/series/scaling.h>
 #include <gcm_gui/plot/series/signal_path.h>

@@ -3,6 +3,7 @@
 #include <gcm_gui/plot/series/axis_frame.h>
 #include <gcm_gui/plot/series/axis_range.h>
 #include <gcm_gui/plot/series/curve.h>
+#include <gcm_gui/plot/series/row_losses.h>
 #include <gcm_gui/plot/series/sample_ring.h>
 
 #include <QString>

@@ -2,7 +2,6 @@
 
 #include <gcm_gui/plot/series/exact_number.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -38,24 +37,6 @@ struct Gap {
   std::uint64_t lost = 0;   ///< number of rows that never arrived; 0 for other causes
   std::int64_t from_ns = 0;
   std::int64_t to_ns = 0;
-};
-
-/// The rows of one source that were lost since its subscription, by the place of the loss. Filled
-/// from tendon::LostRows (gcm_gui/session/column_feed.h). It is a separate type because plots
-/// depend only on Qt and Qwt.
-struct RowLosses {
-  std::uint64_t table = 0;    ///< lost in the source's process: overwritten before they were read
-  std::uint64_t network = 0;  ///< refused by the link, or written while there was no link
-  std::uint64_t viewer = 0;   ///< lost in this window
-
-  /// Returns the losses that were added after `before`.
-  [[nodiscard]] RowLosses since(const RowLosses& before) const {
-    const auto rest = [](std::uint64_t now, std::uint64_t then) {
-      return now - std::min(now, then);
-    };
-    return {rest(table, before.table), rest(network, before.network), rest(viewer, before.viewer)};
-  }
-  bool operator==(const RowLosses&) const = default;
 };
 
 /// The latest samples of one signal, oldest first, and the gaps between them.
