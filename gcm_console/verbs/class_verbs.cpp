@@ -188,13 +188,8 @@ Result<ExitCode> Create(Context& context, const ClassArguments& arguments) {
 Result<ExitCode> Configure(Context& context, const ClassArguments& arguments) {
   const auto client = context.Client();
   if (!client) return client.error();
-  const auto found = LookUpComponents((*client)->catalogue(), arguments.component);
+  const auto found = LookUpOneComponent((*client)->catalogue(), arguments.component);
   if (!found) return found.error();
-  if (found->size() > 1) {
-    return Error{ErrorCode::kInvalid, "'" + arguments.component + "' matches " +
-                                          std::to_string(found->size()) +
-                                          " components; give one component"};
-  }
   const auto configuration = ConfigurationOf(arguments);
   if (!configuration) return configuration.error();
   if (configuration->empty()) {
@@ -203,10 +198,10 @@ Result<ExitCode> Configure(Context& context, const ClassArguments& arguments) {
                  "--arg {}"};
   }
   const LifecycleOrder order{.verb = LifecycleVerb::kConfigure,
-                             .process = found->front().process,
-                             .component = found->front().component,
+                             .process = found->process,
+                             .component = found->component,
                              .configuration = *configuration};
-  return Execute(context, order, ToString(found->front()), "configured", arguments.dry_run);
+  return Execute(context, order, ToString(*found), "configured", arguments.dry_run);
 }
 
 /// Returns the type of a class's configuration: "arm.Configuration", or "-" if it has none.

@@ -94,15 +94,10 @@ Result<void> Configure(Context& context, const LifecycleOrder& order, const SetW
 Result<ExitCode> Set(Context& context, const SetWords& words) {
   const auto client = context.Client();
   if (!client) return client.error();
-  const auto found = LookUpComponents((*client)->catalogue(), words.component);
+  const auto found = LookUpOneComponent((*client)->catalogue(), words.component);
   if (!found) return found.error();
-  if (found->size() > 1) {
-    return Error{ErrorCode::kInvalid, "'" + words.component + "' matches " +
-                                          std::to_string(found->size()) +
-                                          " components; give one component"};
-  }
-  const std::string path = ToString(found->front());
-  const auto component = FindConfigured(**client, context.settings().timeout, found->front());
+  const std::string path = ToString(*found);
+  const auto component = FindConfigured(**client, context.settings().timeout, *found);
   if (!component) return component.error();
   if (!words.is_to_be_set) return PrintParameters(context, words, path, *component);
   const auto changed = ChangeParameter(component->description, component->configuration,
@@ -110,9 +105,9 @@ Result<ExitCode> Set(Context& context, const SetWords& words) {
   if (!changed) return Error{changed.error().code, path + ": " + changed.error().message};
   if (changed->former != changed->value) {
     const LifecycleOrder order{.verb = LifecycleVerb::kConfigure,
-                               .process = found->front().process,
+                               .process = found->process,
                                .instance = component->instance,
-                               .component = found->front().component,
+                               .component = found->component,
                                .configuration = changed->configuration,
                                .based_on = tendon::BaseOf(component->configuration)};
     if (auto done = Configure(context, order, words); !done) return done.error();

@@ -129,6 +129,14 @@ Result<std::vector<Path>> LookUpComponents(const Catalogue& catalogue, const std
                "no component matches '" + pattern + "'; to list all names: gcm ls -R"};
 }
 
+Result<Path> LookUpOneComponent(const Catalogue& catalogue, const std::string& pattern) {
+  const auto found = LookUpComponents(catalogue, pattern);
+  if (!found) return found.error();
+  if (found->size() == 1) return found->front();
+  return Error{ErrorCode::kInvalid, "'" + pattern + "' matches " + std::to_string(found->size()) +
+                                        " components; give one component"};
+}
+
 bool LeavesAsItWas(const HistoryEntry& step) {
   return step.verb == ToString(LifecycleVerb::kStart) &&
          step.lifecycle.state == ComponentState::kActive;

@@ -26,6 +26,8 @@ Result<void> CheckLifecycleOrder(const Catalogue& catalogue, const message::Life
 /// "robot/arm", or a glob, which searches all present processes. Fails with kNotFound if no
 /// component matches.
 Result<std::vector<Path>> LookUpComponents(const Catalogue& catalogue, const std::string& pattern);
+/// Like LookUpComponents(), but fails with kInvalid if several components match.
+Result<Path> LookUpOneComponent(const Catalogue& catalogue, const std::string& pattern);
 
 /// Returns the verb with which the history records an order. A restart is recorded as a start.
 [[nodiscard]] std::string StepVerbOf(const message::LifecycleOrder& order);

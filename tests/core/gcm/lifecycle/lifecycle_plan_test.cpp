@@ -91,6 +91,21 @@ TEST_F(LifecyclePlan, AGlobMatchesComponentsOfPresentProcesses) {
   EXPECT_EQ(Found("**"), "desk/own");
 }
 
+TEST_F(LifecyclePlan, OneComponentIsFoundOnlyIfNoOtherMatches) {
+  const auto one = LookUpOneComponent(catalogue_, "*/a*");
+  ASSERT_TRUE(one) << one.error().message;
+  EXPECT_EQ(ToString(*one), "robot/arm");
+
+  const auto several = LookUpOneComponent(catalogue_, "**");
+  ASSERT_FALSE(several);
+  EXPECT_EQ(several.error().code, ErrorCode::kInvalid);
+  EXPECT_EQ(several.error().message, "'**' matches 2 components; give one component");
+
+  const auto none = LookUpOneComponent(catalogue_, "robot/arn");
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().message, "no component 'robot/arn'; did you mean 'arm'?");
+}
+
 TEST_F(LifecyclePlan, ADryRunReportsTheRefusalOfTheProcess) {
   const LifecycleOrder arm{.process = "robot", .component = "arm"};
   const auto of = [](LifecycleOrder order, LifecycleVerb verb) {
