@@ -1,6 +1,7 @@
 #include <gcm_console/catalogue/glob.h>
 #include <gcm_console/catalogue/path_target.h>
 #include <gcm_console/catalogue/telemetry_column.h>
+#include <gcm_console/feeds/first_mistake.h>
 #include <gcm_console/feeds/row_inbox.h>
 #include <gcm_console/output/table.h>
 #include <gcm_console/verbs/common_options.h>
@@ -245,15 +246,9 @@ class WatchedTables {
     return all;
   }
   [[nodiscard]] std::optional<Error> mistake() const {
-    bool is_any_left = false;
-    for (const Table& table : tables_) {
-      if (auto mistake = table.inbox->mistake()) return mistake;
-      is_any_left |= !table.inbox->is_empty();
-    }
-    if (is_any_left) return std::nullopt;
-    return Error{
-        tendon::ErrorCode::kNotFound,
-        "no matching column has this part; to list the parts of a column: gcm show COLUMN"};
+    return FirstMistake(
+        tables_, &Table::inbox,
+        "no matching column has this part; to list the parts of a column: gcm show COLUMN");
   }
   /// Returns the reason of an interruption, from the first table that has one.
   [[nodiscard]] std::optional<Error> interruption() const {

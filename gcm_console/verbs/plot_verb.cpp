@@ -1,5 +1,6 @@
 #include <gcm_console/catalogue/telemetry_column.h>
 #include <gcm_console/feeds/curve_feed.h>
+#include <gcm_console/feeds/first_mistake.h>
 #include <gcm_console/output/curve_picture.h>
 #include <gcm_console/output/screen.h>
 #include <gcm_console/output/table.h>
@@ -55,16 +56,9 @@ class PlottedTables {
     return all;
   }
   [[nodiscard]] std::optional<Error> mistake() const {
-    bool is_any_left = false;
-    for (const Table& table : tables_) {
-      if (auto mistake = table.feed->mistake()) return mistake;
-      is_any_left |= !table.feed->is_empty();
-    }
-    if (is_any_left) return std::nullopt;
-    return Error{
-        tendon::ErrorCode::kNotFound,
-        "no matching value is a number; to list the columns with their types: gcm ls -l -R --type "
-        "state"};
+    return FirstMistake(tables_, &Table::feed,
+                        "no matching value is a number; to list the columns with their types: gcm "
+                        "ls -l -R --type state");
   }
   [[nodiscard]] std::vector<std::string> notes() const {
     std::vector<std::string> all;
