@@ -279,6 +279,15 @@ void AddChannel(Contents& contents, Channel channel, std::uint64_t offset, Probl
   }
 }
 
+void CountContents(const Contents& contents, Statistics& statistics) {
+  statistics.schema_count = static_cast<std::uint16_t>(contents.schemas.size());
+  statistics.channel_count = static_cast<std::uint32_t>(contents.channels.size());
+  statistics.attachment_count = static_cast<std::uint32_t>(contents.attachments.size());
+  statistics.metadata_count = static_cast<std::uint32_t>(contents.metadata.size());
+  statistics.chunk_count =
+      static_cast<std::uint32_t>(std::ranges::count_if(contents.blocks, &MessageBlock::is_chunk));
+}
+
 void ReadHeader(BufferedFile& file, Contents& contents, Problems& problems) {
   constexpr std::uint64_t kMostHeader = std::uint64_t{1} << 20U;
   const auto head = file.HeadAt(kMagicSize);

@@ -40,6 +40,9 @@ struct Contents {
 void AddSchema(Contents& contents, Schema schema, std::uint64_t offset, Problems& problems);
 void AddChannel(Contents& contents, Channel channel, std::uint64_t offset, Problems& problems);
 
+/// Sets the counts of schemas, channels, attachments, metadata and chunks.
+void CountContents(const Contents& contents, Statistics& statistics);
+
 /// Reads the header. Adds a Problem if the header is missing.
 void ReadHeader(BufferedFile& file, Contents& contents, Problems& problems);
 

@@ -43,7 +43,7 @@ class DataScan {
     }
     EndBlock();
     TellUnknownSchemas();
-    CountContents();
+    CountContents(contents_, *contents_.statistics);
     return std::move(contents_);
   }
 
@@ -71,7 +71,6 @@ class DataScan {
   std::uint64_t FindPlausibleChunk(std::uint64_t from);
   bool IsPlausibleChunk(std::uint64_t offset);
   void TellUnknownSchemas();
-  void CountContents();
 
   BufferedFile& file_;
   const ReaderLimits& limits_;
@@ -463,16 +462,6 @@ void DataScan::TellUnknownSchemas() {
             ") has the schema id " + std::to_string(channel.schema_id) +
             ", but this schema is not defined; the messages of the channel have no schema");
   }
-}
-
-void DataScan::CountContents() {
-  Statistics& statistics = *contents_.statistics;
-  statistics.schema_count = static_cast<std::uint16_t>(contents_.schemas.size());
-  statistics.channel_count = static_cast<std::uint32_t>(contents_.channels.size());
-  statistics.attachment_count = static_cast<std::uint32_t>(contents_.attachments.size());
-  statistics.metadata_count = static_cast<std::uint32_t>(contents_.metadata.size());
-  statistics.chunk_count =
-      static_cast<std::uint32_t>(std::ranges::count_if(contents_.blocks, &MessageBlock::is_chunk));
 }
 
 }  // namespace

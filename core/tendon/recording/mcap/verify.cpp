@@ -48,10 +48,7 @@ Verification Verifier::Run() {
 }
 
 void Verifier::VerifyAll(Statistics& found) {
-  found.schema_count = static_cast<std::uint16_t>(contents_.schemas.size());
-  found.channel_count = static_cast<std::uint32_t>(contents_.channels.size());
-  found.attachment_count = static_cast<std::uint32_t>(contents_.attachments.size());
-  found.metadata_count = static_cast<std::uint32_t>(contents_.metadata.size());
+  CountContents(contents_, found);
   for (const MessageBlock& block : contents_.blocks) VerifyBlock(block, found);
   VerifyAttachments();
   VerifyMetadata();
@@ -79,7 +76,6 @@ void Verifier::VerifyMetadata() {
 }
 
 void Verifier::VerifyBlock(const MessageBlock& block, Statistics& found) {
-  if (block.is_chunk) ++found.chunk_count;
   const auto records = reader_.Load(block);
   if (records == nullptr) return;
   const std::uint64_t count_before = found.message_count;
