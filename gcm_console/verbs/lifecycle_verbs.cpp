@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -142,6 +143,19 @@ bool IsConfirmed(const Context& context, std::string_view infinitive, std::strin
   return Confirm(context, question);
 }
 
+/// Asks for confirmation if necessary, executes the verb for each target and prints the outcomes.
+/// `what` describes the targets. `execute` is called with each path, and its result is the outcome.
+Result<ExitCode> ExecuteForEach(Context& context, const VerbForms& forms, std::string_view what,
+                                const Targets& targets, const LifecycleArguments& arguments,
+                                const std::function<Result<void>(const Path&)>& execute) {
+  PrintLeftOut(context, targets, forms.participle);
+  if (!IsConfirmed(context, forms.verb, what, targets, arguments)) return Declined();
+  std::vector<Outcome> outcomes;
+  for (const Path& path : targets.paths) outcomes.push_back({ToString(path), execute(path)});
+  PrintOutcomes(context, forms, outcomes);
+  return ExitCodeOf(outcomes);
+}
+
 Result<ExitCode> ExecuteLifecycleVerb(Context& context, const LifecycleVerbForms& forms,
                                       const LifecycleArguments& arguments) {
   const auto client = context.Client();
@@ -150,19 +164,13 @@ Result<ExitCode> ExecuteLifecycleVerb(Context& context, const LifecycleVerbForms
   const Catalogue catalogue = (*client)->catalogue();
   const auto targets = FindTargets(catalogue, forms.verb, arguments);
   if (!targets) return targets.error();
-  PrintLeftOut(context, *targets, forms.done);
-  if (!IsConfirmed(context, forms.infinitive, "components", *targets, arguments)) {
-    return Declined();
-  }
-  std::vector<Outcome> outcomes;
-  for (const Path& path : targets->paths) {
+  const auto execute = [&](const Path& path) {
     LifecycleOrder order = OrderOf(forms.verb, path);
     order.is_strict = arguments.is_strict;
-    outcomes.push_back({ToString(path), arguments.dry_run ? CheckLifecycleOrder(catalogue, order)
-                                                          : SendOrder(context, order)});
-  }
-  PrintOutcomes(context, {forms.infinitive, forms.done, arguments.dry_run}, outcomes);
-  return ExitCodeOf(outcomes);
+    return arguments.dry_run ? CheckLifecycleOrder(catalogue, order) : SendOrder(context, order);
+  };
+  return ExecuteForEach(context, {forms.infinitive, forms.done, arguments.dry_run}, "components",
+                        *targets, arguments, execute);
 }
 
 Verb LifecycleVerbOf(std::string name, std::string summary, LifecycleVerbForms forms) {
@@ -287,18 +295,12 @@ Result<ExitCode> ExecuteProcessVerb(Context& context, const ProcessVerbForms& fo
   if (!ours) return ours.error();
   const auto targets = FindProcesses(catalogue, *ours, forms, arguments);
   if (!targets) return targets.error();
-  PrintLeftOut(context, *targets, forms.done);
-  if (!IsConfirmed(context, forms.infinitive, "processes", *targets, arguments)) {
-    return Declined();
-  }
-  std::vector<Outcome> outcomes;
-  for (const Path& path : targets->paths) {
-    outcomes.push_back({path.process, arguments.dry_run
-                                          ? forms.check(catalogue, *ours, path.process)
-                                          : forms.carry(context, path.process)});
-  }
-  PrintOutcomes(context, {forms.infinitive, forms.done, arguments.dry_run}, outcomes);
-  return ExitCodeOf(outcomes);
+  const auto execute = [&](const Path& path) {
+    return arguments.dry_run ? forms.check(catalogue, *ours, path.process)
+                             : forms.carry(context, path.process);
+  };
+  return ExecuteForEach(context, {forms.infinitive, forms.done, arguments.dry_run}, "processes",
+                        *targets, arguments, execute);
 }
 
 Verb ProcessVerb(std::string summary, const ProcessVerbForms& forms) {
