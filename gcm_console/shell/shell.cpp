@@ -55,7 +55,7 @@ Shell::Shell(Settings settings)
   static_cast<void>(session_.Client());
 }
 
-int Shell::Run(const std::string& line, const Streams& streams, AfterFailure after) {
+int Shell::Run(const std::string& line, const Streams& streams, tendon::AfterError after_error) {
   const auto commands = ParseCommands(line);
   if (!commands) {
     streams.err << "gcm: " << Plain(commands.error().message) << '\n';
@@ -72,7 +72,8 @@ int Shell::Run(const std::string& line, const Streams& streams, AfterFailure aft
     GoOn(streams);  // a command that gets a signal releases the held signals
     const bool is_interrupted = exit_code == program::kInterrupted;
     if (failure == program::kOk || is_interrupted) failure = exit_code;
-    if (exit_code != program::kOk && (is_interrupted || after == AfterFailure::kStop)) break;
+    const bool is_stop = is_interrupted || after_error == tendon::AfterError::kStop;
+    if (exit_code != program::kOk && is_stop) break;
     if (has_ended_) break;
   }
   return failure;

@@ -6,6 +6,7 @@
 #include <gcm_console/console.h>
 #include <gcm_console/shell/command_parser.h>
 #include <gcm_console/shell/jobs.h>
+#include <tendon/gcm/system/plan_execution.h>
 
 #include <optional>
 #include <string>
@@ -20,12 +21,9 @@ class Shell {
  public:
   explicit Shell(Settings settings);
 
-  /// The action after a command of a line has failed.
-  enum class AfterFailure { kGoOn, kStop };
-
-  /// Runs the commands of one line. Returns the exit code of the first command that has failed; 0
-  /// if none has failed.
-  int Run(const std::string& line, const Streams& streams, AfterFailure after);
+  /// Runs the commands of one line. After a command has failed, kStop does not run the rest of the
+  /// line. Returns the exit code of the first command that has failed; 0 if none has failed.
+  int Run(const std::string& line, const Streams& streams, tendon::AfterError after_error);
   /// True after the command `exit`.
   [[nodiscard]] bool has_ended() const { return has_ended_; }
 

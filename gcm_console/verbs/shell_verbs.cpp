@@ -36,7 +36,7 @@ ExitCode TypeLines(Shell& shell, const Streams& streams) {
       streams.out << '\n';
       break;
     }
-    exit_code = shell.Run(*line, streams, Shell::AfterFailure::kGoOn);
+    exit_code = shell.Run(*line, streams, tendon::AfterError::kGoOn);
   }
   return static_cast<ExitCode>(exit_code);
 }
@@ -46,7 +46,7 @@ Result<ExitCode> ReadLines(Shell& shell, const Streams& streams) {
   InputLines lines(std::cin);
   for (std::string line;
        !shell.has_ended() && exit_code != program::kInterrupted && lines.Next(line);) {
-    exit_code = shell.Run(line, streams, Shell::AfterFailure::kGoOn);
+    exit_code = shell.Run(line, streams, tendon::AfterError::kGoOn);
   }
   if (lines.error()) return *lines.error();
   return static_cast<ExitCode>(exit_code);
@@ -85,7 +85,7 @@ Result<ExitCode> RunLines(Context& context, const ScriptOptions& options, std::i
     ++number;
     const int exit_code =
         shell.Run(line, context.streams(),
-                  options.keeps_going ? Shell::AfterFailure::kGoOn : Shell::AfterFailure::kStop);
+                  options.keeps_going ? tendon::AfterError::kGoOn : tendon::AfterError::kStop);
     if (exit_code == program::kOk) continue;
     const bool stops = !options.keeps_going || exit_code == program::kInterrupted;
     context.err() << "gcm: " << Plain(name) << ", line " << number << ": failed with exit code "

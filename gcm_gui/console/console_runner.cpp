@@ -138,7 +138,7 @@ void ConsoleRunner::run(const QString& line, int columns) {
     PipeStream err(pipe, OutputPipe::Kind::kError);
     const console::Streams streams{out, err, columns, nullptr, false};
     try {
-      end->exit_code = shell.Run(line, streams, console::Shell::AfterFailure::kGoOn);
+      end->exit_code = shell.Run(line, streams, AfterError::kGoOn);
     } catch (...) {
       err << "gcm: " << CurrentExceptionText().toStdString() << '\n';
     }

@@ -190,7 +190,7 @@ TEST_F(ShellTest, AnInterruptEndsTheWatchAndNotTheShell) {
 
 /// The shell runs in a separate thread that blocks signals.
 TEST(ShellOutput, AnInterruptedCommandDoesNotSilenceTheNext) {
-  constexpr auto kGoOn = console::Shell::AfterFailure::kGoOn;
+  constexpr auto kGoOn = tendon::AfterError::kGoOn;
   std::array<int, 2> ends{};
   ASSERT_EQ(pipe2(ends.data(), O_CLOEXEC), 0);
   const int room = fcntl(ends[1], F_SETPIPE_SZ, 1);
