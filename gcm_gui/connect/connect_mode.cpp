@@ -157,38 +157,39 @@ void ConnectMode::rank() {
   }
 }
 
-void ConnectMode::addProvided(const RequiredDescription& required) {
+template <typename Ports, typename Describe>
+void ConnectMode::addCandidates(Side side, Ports ComponentDescription::*ports, Describe describe) {
   for (const auto& [process, entry] : store_.catalogue().processes()) {
     for (const auto& [name, component] : entry.components) {
-      for (const auto& provided : component.provided) {
+      for (const auto& port : component.*ports) {
         PortCandidate candidate;
-        candidate.port = {Side::kProvided, {process, name, provided.name}};
-        candidate.compatibility = Compare(required, provided);
+        candidate.port = {side, {process, name, port.name}};
         candidate.gone = IsGone(entry.process.state);
-        candidate.present = candidate.port.name == former_;
+        describe(port, candidate);
         candidates_.push_back(std::move(candidate));
       }
     }
   }
 }
 
+void ConnectMode::addProvided(const RequiredDescription& required) {
+  addCandidates(Side::kProvided, &ComponentDescription::provided,
+                [&](const ProvidedDescription& provided, PortCandidate& candidate) {
+                  candidate.compatibility = Compare(required, provided);
+                  candidate.present = candidate.port.name == former_;
+                });
+}
+
 void ConnectMode::addRequired(const ProvidedDescription& provided) {
   const ConnectionIndex connections(store_.catalogue());
-  for (const auto& [process, entry] : store_.catalogue().processes()) {
-    for (const auto& [name, component] : entry.components) {
-      for (const auto& required : component.required) {
-        PortCandidate candidate;
-        candidate.port = {Side::kRequired, {process, name, required.name}};
-        candidate.compatibility = Compare(required, provided);
-        candidate.gone = IsGone(entry.process.state);
-        if (const auto* connection = connections.Of(candidate.port.name)) {
-          candidate.present = connection->provided == chosen_->name;
-          if (!candidate.present) candidate.former = connection->provided;
-        }
-        candidates_.push_back(std::move(candidate));
-      }
-    }
-  }
+  addCandidates(Side::kRequired, &ComponentDescription::required,
+                [&](const RequiredDescription& required, PortCandidate& candidate) {
+                  candidate.compatibility = Compare(required, provided);
+                  const auto* connection = connections.Of(candidate.port.name);
+                  if (connection == nullptr) return;
+                  candidate.present = connection->provided == chosen_->name;
+                  if (!candidate.present) candidate.former = connection->provided;
+                });
 }
 
 }  // namespace tendon::gui

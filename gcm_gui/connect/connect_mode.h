@@ -86,6 +86,9 @@ class ConnectMode : public QObject {
   /// Returns the connection between the chosen port and `port`.
   [[nodiscard]] message::Wire wireTo(const PortName& port) const;
   void rank();
+  /// Adds a candidate for each port of one side. `describe` sets whether and how it fits.
+  template <typename Ports, typename Describe>
+  void addCandidates(Side side, Ports ComponentDescription::*ports, Describe describe);
   void addProvided(const RequiredDescription& required);
   void addRequired(const ProvidedDescription& provided);
   [[nodiscard]] bool isThere(const PortName& port) const;
