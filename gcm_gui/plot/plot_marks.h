@@ -18,7 +18,8 @@ class PlotMarks {
   /// Both arguments must outlive this object.
   PlotMarks(QwtPlot& plot, SharedTimeAxis& time_axis);
 
-  /// Draws these marks, which must outlive the plot. Call PlotView::changed() when they change.
+  /// Draws these marks, which must outlive the plot. After a later change of `marks`, call
+  /// PlotView::changed().
   void set(const MarkTrack& marks);
   void setShown(bool shown);
   /// Returns the texts of the marks at canvas column `x`, one per line.

@@ -17,9 +17,9 @@ namespace tendon {
                                   const std::string& member);
 
 /// Represents a command of another process, or an event handler of another process. Calls are
-/// queued and sent to the other process. Accepts only encoded values, and copies them into buffers
-/// that are reused. If the member keeps only the latest call, the queue here also keeps only the
-/// latest call.
+/// queued and sent to the other process. Each argument is encoded directly into a buffer, which is
+/// reused. If the member keeps only the latest call, the queue here also keeps only the latest
+/// call.
 class QueuedOfferProxy final : public Offer {
  public:
   QueuedOfferProxy(MemberDescription description, Outbox& outbox, std::uint32_t handle);
