@@ -3,12 +3,10 @@
 #include <gcm_gui/plot/plot_view.h>
 #include <gcm_gui/plot/series/mark_track.h>
 #include <gcm_gui/theme/theme.h>
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 #include <qwt_scale_map.h>
 
-#include <QHelpEvent>
 #include <QTest>
-#include <QToolTip>
 
 #include "../samples.h"
 
@@ -17,26 +15,6 @@ namespace {
 
 Mark MarkAt(std::int64_t time_ns, const QString& label) {
   return {.time_ns = time_ns, .label = label, .text = "all of " + label};
-}
-
-TEST(MarkTrack, KeepsTheNewestMarksInOrder) {
-  MarkTrack track;
-  track.add(MarkAt(5, "b"));
-  track.add(MarkAt(3, "a"));
-  for (std::size_t i = 1; i < MarkTrack::kMost; ++i) track.add(MarkAt(10, "c"));
-
-  ASSERT_EQ(track.all().size(), MarkTrack::kMost);
-  EXPECT_EQ(track.all().front().label, "b");
-}
-
-TEST(MarkTrack, FindsMarksInAClosedInterval) {
-  MarkTrack track;
-  for (const std::int64_t time : {1, 2, 3, 4}) track.add(MarkAt(time, QString::number(time)));
-
-  const auto [first, end] = track.between(2, 3);
-
-  EXPECT_EQ(first->label, "2");
-  EXPECT_EQ(end - first, 2);
 }
 
 class MarkFlagsTest : public testing::Test {
@@ -59,20 +37,6 @@ class MarkFlagsTest : public testing::Test {
 
   PlotPanel panel_;
 };
-
-TEST_F(MarkFlagsTest, HoveringAMarkShowsItsText) {
-  Show();
-  panel_.addMark(MarkAt(10 * kSecond, "MoveTo"));
-  const int x = static_cast<int>(xOf(10 * kSecond));
-
-  EXPECT_EQ(view().marks().textAt(x + 2), "all of MoveTo");
-  EXPECT_EQ(view().marks().textAt(x - 40), "");
-
-  const QPoint place(x + 2, 20);
-  QHelpEvent rest(QEvent::ToolTip, place, view().canvas()->mapToGlobal(place));
-  QCoreApplication::sendEvent(view().canvas(), &rest);
-  EXPECT_EQ(QToolTip::text(), "all of MoveTo");
-}
 
 TEST_F(MarkFlagsTest, DrawsAMarkAtItsTime) {
   Show();
