@@ -52,7 +52,7 @@ class RowNumbers : public testing::Test {
       *subscription_.Begin({.handle = 1, .epoch = 1, .first_tick = 100});
 };
 
-TEST_F(RowNumbers, BadInput63DeliversNoRowTwice) {
+TEST_F(RowNumbers, DeliversNoRowTwice) {
   Send(0, {100, 101, 102}, 103);
 
   Send(0, {100, 101, 102}, 103);  // all rows again
@@ -68,7 +68,7 @@ TEST_F(RowNumbers, BadInput63DeliversNoRowTwice) {
   EXPECT_EQ(record_->lost, LostRows());
 }
 
-TEST_F(RowNumbers, BadInput63CountsSkippedRowsAsLost) {
+TEST_F(RowNumbers, CountsSkippedRowsAsLost) {
   Send(0, {100}, 101);
 
   Send(11, {111}, 112);
@@ -77,7 +77,7 @@ TEST_F(RowNumbers, BadInput63CountsSkippedRowsAsLost) {
   EXPECT_EQ(record_->lost, (LostRows{.network = 10}));
 }
 
-TEST_F(RowNumbers, BadInput63IgnoresRowNumbersThatOverflow) {
+TEST_F(RowNumbers, IgnoresRowNumbersThatOverflow) {
   Send(kMost, {kMost - 1}, kMost);
 
   Send(0, {100}, 101);
@@ -97,7 +97,7 @@ std::vector<std::string> TextsOf(const LogBatch& batch) {
   return texts;
 }
 
-TEST(BadInput63, DeliversNoRecordTwiceAndCountsSkippedOnes) {
+TEST(JumpingNumbers, DeliversNoRecordTwiceAndCountsSkippedOnes) {
   using Texts = std::vector<std::string>;
   client::LogFeed feed;
   feed.Begin({1, 100, 100});
@@ -114,7 +114,7 @@ TEST(BadInput63, DeliversNoRecordTwiceAndCountsSkippedOnes) {
   EXPECT_EQ(feed.Wanted().after, 106U);
 }
 
-TEST(BadInput63, RefusesCatalogueChangesOutOfSequence) {
+TEST(JumpingNumbers, RefusesCatalogueChangesOutOfSequence) {
   Catalogue catalogue;
   const auto change = [](std::uint64_t revision) {
     return CatalogueChange{.revision = revision,
@@ -135,7 +135,7 @@ TEST(BadInput63, RefusesCatalogueChangesOutOfSequence) {
   EXPECT_TRUE(catalogue.Apply(change(3)));
 }
 
-TEST(BadInput63, IgnoresRepliesWithAnUnexpectedNumber) {
+TEST(JumpingNumbers, IgnoresRepliesWithAnUnexpectedNumber) {
   PendingRequests requests;
   std::uint64_t before = 0;
   {
@@ -163,7 +163,7 @@ class Hole final : public Link {
   [[nodiscard]] std::string local() const override { return "here"; }
 };
 
-TEST(BadInput63, RefusesAnImplausibleCountOfPartsTaken) {
+TEST(JumpingNumbers, RefusesAnImplausibleCountOfPartsTaken) {
   Hole link;
   PartSender sender;
   const Bytes body(2 * kLeastPartSize);

@@ -38,9 +38,9 @@ class Owner final : public Component {
   ReadFunction<std::vector<double>> kept;
 };
 
-class BadInput64 : public NetworkTest {};
+class OddFloatingPointValues : public NetworkTest {};
 
-TEST_P(BadInput64, OddFloatingPointValuesKeepTheirBits) {
+TEST_P(OddFloatingPointValues, KeepTheirBits) {
   using Limits = std::numeric_limits<double>;
   const std::vector<double> odd{
       Limits::quiet_NaN(),     -Limits::quiet_NaN(),
@@ -68,7 +68,8 @@ TEST_P(BadInput64, OddFloatingPointValuesKeepTheirBits) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Over, BadInput64, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
+INSTANTIATE_TEST_SUITE_P(Over, OddFloatingPointValues, testing::ValuesIn(NetworkKinds()),
+                         NameOfNetwork);
 
 }  // namespace
 }  // namespace tendon

@@ -61,11 +61,11 @@ class LogListener final : public test::Recorder {
   test::Record<message::LogRecord> records_;
 };
 
-class BadInput61 : public test::GcmFixture {};
-INSTANTIATE_TEST_SUITE_P(Over, BadInput61, testing::Values("loopback", "tcp"),
+class HostileTexts : public test::GcmFixture {};
+INSTANTIATE_TEST_SUITE_P(Over, HostileTexts, testing::Values("loopback", "tcp"),
                          test::NameOfParameter);
 
-TEST_P(BadInput61, ARefusalOfAHugeNameIsPrintable) {
+TEST_P(HostileTexts, ARefusalOfAHugeNameIsPrintable) {
   test::FakeProcess process(NewMiddleware(), Poison());
 
   const auto joined = process.Join(address_);
@@ -75,7 +75,7 @@ TEST_P(BadInput61, ARefusalOfAHugeNameIsPrintable) {
   EXPECT_TRUE(gcm_->catalogue().processes().empty());
 }
 
-TEST_P(BadInput61, DescriptionsOfAMegabyteReachViewersShortAndEscaped) {
+TEST_P(HostileTexts, DescriptionsOfAMegabyteReachViewersShortAndEscaped) {
   const auto client = Watch();
   const auto robot = Join("robot", {PoisonedArm()});
   robot->Add(PoisonedArm());  // now as a later report
@@ -85,7 +85,7 @@ TEST_P(BadInput61, DescriptionsOfAMegabyteReachViewersShortAndEscaped) {
   ExpectTame(*client->catalogue().FindComponent("robot", "arm"));
 }
 
-TEST_P(BadInput61, AdvertisedAddressesReachViewersShortAndEscaped) {
+TEST_P(HostileTexts, AdvertisedAddressesReachViewersShortAndEscaped) {
   test::FakeProcess robot(NewMiddleware(), "robot");
   robot.Advertise(Poison());
 
@@ -94,7 +94,7 @@ TEST_P(BadInput61, AdvertisedAddressesReachViewersShortAndEscaped) {
   ExpectTame(gcm_->catalogue().FindProcess("robot")->process.address, "address");
 }
 
-TEST_P(BadInput61, LogRecordsReachViewersShortAndEscaped) {
+TEST_P(HostileTexts, LogRecordsReachViewersShortAndEscaped) {
   const auto listener = std::make_shared<LogListener>();
   const auto client = Watch(listener);
   client->WatchLog();
@@ -127,7 +127,7 @@ class Refuser final : public ChannelHandler {
   }
 };
 
-TEST_P(BadInput61, AHugeRefusalArrivesShortAndEscaped) {
+TEST_P(HostileTexts, AHugeRefusalArrivesShortAndEscaped) {
   const Hello hello{.instance = 1, .name = "robot", .cookie = 7};
   const auto server = NewMiddleware();
   const auto listener = server->Listen(

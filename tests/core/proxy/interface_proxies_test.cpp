@@ -284,7 +284,7 @@ class Executor {
   std::jthread thread_;
 };
 
-TEST_F(InterfaceProxies, BadInput63DecreasingCreditIsIgnored) {
+TEST_F(InterfaceProxies, DecreasingCreditIsIgnored) {
   for (int number = 0; number < 4; ++number) EXPECT_TRUE(push(number));
   ASSERT_TRUE(EventuallyTrue([this] {
     server_inbox.ExecuteQueued();
@@ -298,7 +298,7 @@ TEST_F(InterfaceProxies, BadInput63DecreasingCreditIsIgnored) {
   EXPECT_TRUE(channel->is_open());
 }
 
-TEST_F(InterfaceProxies, BadInput61AHugeFaultTextIsKeptShortAndEscaped) {
+TEST_F(InterfaceProxies, AHugeFaultTextIsKeptShortAndEscaped) {
   const std::string poison = "\x1b]0;owned\x07" + std::string(1'000'000, 'x');
   const message::Credit credit{.executed = 0, .accepting = true, .fault = poison};
 
@@ -308,7 +308,7 @@ TEST_F(InterfaceProxies, BadInput61AHugeFaultTextIsKeptShortAndEscaped) {
   EXPECT_FALSE(client_end->proxy->OnCredit(credit)) << "it is no news";
 }
 
-TEST_F(InterfaceProxies, BadInput63CreditForUnsentCallsClosesTheChannel) {
+TEST_F(InterfaceProxies, CreditForUnsentCallsClosesTheChannel) {
   EXPECT_TRUE(push(1));
   ASSERT_TRUE(EventuallyTrue([this] { return server_inbox.size() == 1; }));
 

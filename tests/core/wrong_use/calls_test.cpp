@@ -50,7 +50,7 @@ struct Functions {
   }
 };
 
-TEST(BadInput14, AnUnconnectedFunctionReturnsNotConnected) {
+TEST(UnconnectedFunction, ReturnsNotConnected) {
   Functions belonging_nowhere;
   for (const CallerThreads callers : {CallerThreads::kOneThread, CallerThreads::kManyThreads}) {
     tendon::RequiredInterface robot("Robot", nullptr);
@@ -96,7 +96,7 @@ class Selfish final : public tendon::CallbackTask {
   tendon::WriteFunction<std::int32_t> move_;
 };
 
-TEST(BadInput15, RefusesAWaitForTheTasksOwnCommand) {
+TEST(WaitForOwnThread, IsRefusedForTheTasksOwnCommand) {
   LocalManager manager;
   auto& task = manager.Add<Selfish>("arm");
   ASSERT_TRUE(manager.Connect({"arm", "Self"}, {"arm", "Control"}).ok());
@@ -110,7 +110,7 @@ TEST(BadInput15, RefusesAWaitForTheTasksOwnCommand) {
   EXPECT_EQ(ToString(Status(Status::kWouldDeadlock)), "would deadlock");
 }
 
-TEST(BadInput15, RefusesASelfConnectionThatWouldDeadlock) {
+TEST(WaitForOwnThread, IsRefusedInASelfConnectionThatWouldDeadlock) {
   class Oracle final : public tendon::CallbackTask {
    public:
     explicit Oracle(std::string name) : CallbackTask(std::move(name)) {
@@ -134,7 +134,7 @@ TEST(BadInput15, RefusesASelfConnectionThatWouldDeadlock) {
             "is executed by the task that calls it; call the method directly");
 }
 
-TEST(BadInput16, AReadBeforeTheFirstRowReturnsNoSample) {
+TEST(ReadBeforeFirstRow, ReturnsNoSample) {
   Arm arm;
   Teleoperation client;
   const auto connection = Connect(client, arm);
@@ -196,13 +196,13 @@ void ExpectRemovedInFlight(Arguments... arguments) {
   EXPECT_EQ(both.client.poke(), Status::kNotConnected);
 }
 
-TEST(BadInput17, RemovingAServerEndsItsRunningCallFirst) {
+TEST(EndDuringCall, RemovingAServerEndsItsRunningCallFirst) {
   ExpectRemovedInFlight<Periodic>(1ms);
   ExpectRemovedInFlight<Continuous>();
   ExpectRemovedInFlight<Signal>();
 }
 
-TEST(BadInput17, AClientIsNotDestroyedBeforeItsCallHasEnded) {
+TEST(EndDuringCall, AClientIsNotDestroyedBeforeItsCallHasEnded) {
   for (int i = 0; i < 10; ++i) {
     CallInFlight<Signal> both;
     std::jthread release = both.ReleaseLater();
@@ -219,7 +219,7 @@ TEST(BadInput17, AClientIsNotDestroyedBeforeItsCallHasEnded) {
   }
 }
 
-TEST(BadInput17, DestroyingAManagerEndsRunningCalls) {
+TEST(EndDuringCall, DestroyingAManagerEndsRunningCalls) {
   /// A task that makes the call in every cycle.
   class Busy final : public tendon::ContinuousTask {
    public:
@@ -265,7 +265,7 @@ class Listener final : public tendon::SignalTask {
   void OnPoked() { throw std::runtime_error("not expected"); }
 };
 
-TEST(BadInput18, AThrowingEventHandlerFaultsItsComponent) {
+TEST(ThrowingEventHandler, FaultsItsComponent) {
   for (const bool is_direct : {false, true}) {
     LocalManager manager;
     auto& source = manager.Add<Periodic>("source", 1ms);
@@ -320,7 +320,7 @@ void CallFromAnotherThread(bool raises) {
   task.may_end = true;
 }
 
-TEST(BadInput12DeathTest, ASecondProducerAbortsADebugBuild) {
+TEST(SecondProducerDeathTest, AbortsADebugBuild) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const char* const sentence = "a task's functions and events belong to its own thread";
 

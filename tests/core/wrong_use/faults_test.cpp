@@ -63,7 +63,7 @@ JointGoal GoalOf(int number) {
 }
 
 /// Repeatedly makes ten times as many calls as the mailbox holds.
-struct FaultRow12 : testing::TestWithParam<std::size_t> {
+struct CallFlood : testing::TestWithParam<std::size_t> {
   Flooded server;
   Flooding client;
   std::unique_ptr<Connection> connection;
@@ -77,7 +77,7 @@ struct FaultRow12 : testing::TestWithParam<std::size_t> {
   }
 };
 
-TEST_P(FaultRow12, AFloodIsRefusedAndCountedWithoutWaiting) {
+TEST_P(CallFlood, AFloodIsRefusedAndCountedWithoutWaiting) {
   for (int round = 1; round <= 3; ++round) {
     server.refusing.clear();
     {
@@ -94,7 +94,7 @@ TEST_P(FaultRow12, AFloodIsRefusedAndCountedWithoutWaiting) {
   }
 }
 
-TEST_P(FaultRow12, AFloodOfLatestOnlyCallsIsAccepted) {
+TEST_P(CallFlood, AFloodOfLatestOnlyCallsIsAccepted) {
   for (int i = 0; i < capacity; ++i) EXPECT_EQ(client.refuse(GoalOf(i)), Status::kQueued);
   for (int round = 1; round <= 3; ++round) {
     const tendon::AllocationGuard guard;
@@ -108,7 +108,7 @@ TEST_P(FaultRow12, AFloodOfLatestOnlyCallsIsAccepted) {
   EXPECT_EQ(server.refusing.size(), GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(Capacities, FaultRow12, testing::Values(1, 7, 64, 100));
+INSTANTIATE_TEST_SUITE_P(Capacities, CallFlood, testing::Values(1, 7, 64, 100));
 
 enum class Throws { kStandard, kNested, kNumber, kNestedNumber };
 
@@ -145,11 +145,11 @@ class HalfBuilt final : public tendon::PeriodicTask {
   double number_ = 0.0;
 };
 
-struct FaultRow22 : testing::Test {
+struct ThrowingConstructor : testing::Test {
   ComponentRegistry registry;
   LocalManager manager;
 
-  FaultRow22() {
+  ThrowingConstructor() {
     registry.Add<HalfBuilt<Throws::kStandard>>("Standard");
     registry.Add<HalfBuilt<Throws::kNested>>("Nested");
     registry.Add<HalfBuilt<Throws::kNumber>>("Number");
@@ -162,7 +162,7 @@ struct FaultRow22 : testing::Test {
   }
 };
 
-TEST_F(FaultRow22, QuotesAThrowingConstructorWithItsCauses) {
+TEST_F(ThrowingConstructor, IsQuotedWithItsCauses) {
   EXPECT_EQ(Refusal("Standard"),
             "component 'arm' (class Standard): its constructor failed: no port");
   EXPECT_EQ(Refusal("Nested"),
@@ -175,7 +175,7 @@ TEST_F(FaultRow22, QuotesAThrowingConstructorWithItsCauses) {
             "that does not derive from std::exception");
 }
 
-TEST_F(FaultRow22, TheProcessContinuesAndOthersStart) {
+TEST_F(ThrowingConstructor, TheProcessContinuesAndOthersStart) {
   EXPECT_THROW(manager.Add<HalfBuilt<Throws::kStandard>>("arm"), std::runtime_error);
   EXPECT_THROW(manager.Add<HalfBuilt<Throws::kNumber>>("arm"), int);
   EXPECT_THROW(manager.Add<HalfBuilt<Throws::kNested>>("arm"), std::logic_error);
@@ -189,7 +189,7 @@ TEST_F(FaultRow22, TheProcessContinuesAndOthersStart) {
 }
 
 /// One function of the author throws after every start.
-struct FaultRow23 : testing::TestWithParam<Script::Function> {
+struct ThrowingFunction : testing::TestWithParam<Script::Function> {
   LocalManager manager;
   Periodic& arm = manager.Add<Periodic>("arm", 10us);
   Client& client = manager.Add<Client>("client");
@@ -207,7 +207,7 @@ struct FaultRow23 : testing::TestWithParam<Script::Function> {
   }
 };
 
-TEST_P(FaultRow23, RestartsAThousandTimesAndPeersSeeEachFault) {
+TEST_P(ThrowingFunction, RestartsAThousandTimesAndPeersSeeEachFault) {
   arm.throws = GetParam();
   for (int life = 1; life <= 1000; ++life) {
     Live();
@@ -228,7 +228,7 @@ TEST_P(FaultRow23, RestartsAThousandTimesAndPeersSeeEachFault) {
   EXPECT_EQ(arm.fault(), "");
 }
 
-INSTANTIATE_TEST_SUITE_P(Functions, FaultRow23,
+INSTANTIATE_TEST_SUITE_P(Functions, ThrowingFunction,
                          testing::Values(Script::kConfigure, Script::kStartup, Script::kRun,
                                          Script::kHandler, Script::kCleanup));
 

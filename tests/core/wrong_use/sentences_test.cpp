@@ -30,7 +30,7 @@ std::string Refused(const tendon::Result<T>& result) {
   return result ? "it was not refused" : result.error().message;
 }
 
-TEST(BadInput1, RefusesANullComponent) {
+TEST(NullComponent, IsRefused) {
   LocalManager manager;
 
   EXPECT_EQ(Refusal([&] { manager.Add(nullptr, {}); }), "LocalManager::Add: null component");
@@ -43,13 +43,13 @@ struct BadName {
   std::string after_what;  // the text after "component name "
 };
 
-struct BadInput2And3 : testing::TestWithParam<BadName> {
+struct InvalidName : testing::TestWithParam<BadName> {
   void Expect(const std::string& what, const std::string& found) {
     EXPECT_EQ(found, what + " name " + GetParam().after_what);
   }
 };
 
-TEST_P(BadInput2And3, RefusesInvalidNamesWithTheRule) {
+TEST_P(InvalidName, IsRefusedWithTheRule) {
   /// Adds one member of the requested kind with this name.
   class Named final : public tendon::Task {
    public:
@@ -86,7 +86,7 @@ TEST_P(BadInput2And3, RefusesInvalidNamesWithTheRule) {
 
 const std::string kRule = "; allowed: letters digits _ - (max 64)";
 INSTANTIATE_TEST_SUITE_P(
-    Names, BadInput2And3,
+    Names, InvalidName,
     testing::Values(BadName{"", "is empty"}, BadName{"a b", "'a b' has ' ' at 2" + kRule},
                     BadName{"arm/left", "'arm/left' has '/' at 4" + kRule},
                     BadName{"a\n", "'a\\x0a' has '\\x0a' at 2" + kRule},
@@ -126,7 +126,7 @@ class Twice final : public tendon::Task {
   tendon::VoidFunction stop_;
 };
 
-TEST(BadInput4, RefusesADuplicateNameWithTheFirstsPosition) {
+TEST(DuplicateName, IsRefusedWithThePositionOfTheFirst) {
   const auto thrown = [](const std::string& sort) { return Refusal([&] { Twice twice(sort); }); };
   const std::string here = " .added at sentences_test.cpp:[0-9]+.";
 
@@ -149,7 +149,7 @@ TEST(BadInput4, RefusesADuplicateNameWithTheFirstsPosition) {
             "the variable of column 'Again' is column 'Number' of state table 'state' already");
 }
 
-TEST(BadInput4, ADuplicateComponentKeepsTheFirst) {
+TEST(DuplicateName, OfAComponentKeepsTheFirst) {
   LocalManager manager;
   auto& first = manager.Add<Threadless>("arm");
 
@@ -182,7 +182,7 @@ class Late final : public tendon::CallbackTask {
   tendon::VoidFunction stop_;
 };
 
-TEST(BadInput5, RefusesAdditionsAfterTheStart) {
+TEST(LateAddition, IsRefusedAfterTheStart) {
   LocalManager manager;
   auto& arm = manager.Add<Late>("arm");
   ASSERT_TRUE(manager.StartAll().ok());
@@ -203,7 +203,7 @@ TEST(BadInput5, RefusesAdditionsAfterTheStart) {
             "cannot add function 'Stop' to interface 'Robot'" + sealed);
 }
 
-TEST(BadInput6, RefusesAnInvalidPeriodWithItsRange) {
+TEST(InvalidPeriod, IsRefusedWithItsRange) {
   LocalManager manager;
   const auto thrown = [&](std::chrono::nanoseconds period) {
     const std::string own = Refusal([&] { manager.Add<Periodic>("arm", period); });
@@ -222,7 +222,7 @@ TEST(BadInput6, RefusesAnInvalidPeriodWithItsRange) {
   EXPECT_TRUE(manager.components().empty());
 }
 
-TEST(BadInput7, RefusesAnInvalidMailboxCapacityWithItsRange) {
+TEST(InvalidMailboxCapacity, IsRefusedWithItsRange) {
   tendon::RequiredInterface robot("Robot", nullptr);
   const std::string sentence = "mailbox capacity of 'Robot' must be 1..16777216, got ";
 
@@ -245,7 +245,7 @@ struct Wiring : testing::Test {
   }
 };
 
-TEST_F(Wiring, BadInput9And10NamesTheWrongEnd) {
+TEST_F(Wiring, NamesTheWrongEnd) {
   const std::string no_provided = " is a required interface; give a provided interface";
 
   EXPECT_EQ(Refusal({"client", "Server"}, {"client", "Server"}),
@@ -258,7 +258,7 @@ TEST_F(Wiring, BadInput9And10NamesTheWrongEnd) {
   EXPECT_TRUE(manager.connections().empty());
 }
 
-TEST_F(Wiring, BadInput11SuggestsASimilarName) {
+TEST_F(Wiring, SuggestsASimilarName) {
   EXPECT_EQ(Refusal({"client", "Server"}, {"arn", "Control"}),
             "no component 'arn'; did you mean 'arm'?");
   EXPECT_EQ(Refusal({"clinet", "Server"}, {"arm", "Control"}),
@@ -270,7 +270,7 @@ TEST_F(Wiring, BadInput11SuggestsASimilarName) {
   EXPECT_EQ(Refusal({"client", "Server"}, {"warp-drive", "Control"}), "no component 'warp-drive'");
 }
 
-TEST_F(Wiring, BadInput13RefusesToDisconnectAnUnconnectedEnd) {
+TEST_F(Wiring, RefusesToDisconnectAnUnconnectedEnd) {
   ASSERT_TRUE(manager.Connect({"client", "Server"}, {"arm", "Control"}).ok());
   ASSERT_TRUE(manager.Disconnect({"client", "Server"}).ok());
 

@@ -55,12 +55,12 @@ TEST_F(ThemeTest, ALabelFollowsItsRoleAndTheTheme) {
   EXPECT_EQ(label.palette().color(QPalette::WindowText), ColorOf(Token::kBad, Appearance::kLight));
 }
 
-class BadInput61InTheWindow : public ThemeTest {};
+class HostileTextsInTheWindow : public ThemeTest {};
 
 /// A name with markup, as an unknown peer might choose it.
 const QString kMarkup = QStringLiteral("<img src=x><b>bold</b> <a href=\"x\">here</a>");
 
-TEST_F(BadInput61InTheWindow, ALabelShowsMarkupVerbatim) {
+TEST_F(HostileTextsInTheWindow, ALabelShowsMarkupVerbatim) {
   QLabel label(kMarkup);
   QLabel plain;
   plain.setTextFormat(Qt::PlainText);
@@ -72,7 +72,7 @@ TEST_F(BadInput61InTheWindow, ALabelShowsMarkupVerbatim) {
   EXPECT_EQ(label.text(), kMarkup);
 }
 
-TEST_F(BadInput61InTheWindow, AToolTipShowsMarkupVerbatim) {
+TEST_F(HostileTextsInTheWindow, AToolTipShowsMarkupVerbatim) {
   QToolTip::showText(QPoint(10, 10), kMarkup);
 
   const QLabel* tip = nullptr;
