@@ -29,7 +29,7 @@ const QString kRecordedX = RecordedPath(kRunFile, kLiveX);
 const QString kRecordedY = RecordedPath(kRunFile, kLiveY);
 
 /// A plot with 30 s of a live signal, and 10 s of the same one from a recording, 5 s later.
-class RecordedCurveTest : public testing::Test {
+class RecordedCurvesTest : public testing::Test {
  protected:
   void SetUp() override {
     panel_.resize(800, 320);
@@ -70,7 +70,7 @@ class RecordedCurveTest : public testing::Test {
   PlotPanel panel_;
 };
 
-TEST_F(RecordedCurveTest, TheShiftMovesOnlyTheRecordedCurve) {
+TEST_F(RecordedCurvesTest, TheShiftMovesOnlyTheRecordedCurve) {
   EXPECT_EQ(First(curve(kLiveX)), 0);
   EXPECT_EQ(First(curve(kRecordedX)), 5 * kSecond);
 
@@ -80,7 +80,7 @@ TEST_F(RecordedCurveTest, TheShiftMovesOnlyTheRecordedCurve) {
   EXPECT_EQ(First(curve(kRecordedX)), -2 * kSecond);
 }
 
-TEST_F(RecordedCurveTest, SamplesThatComeLaterAreShifted) {
+TEST_F(RecordedCurvesTest, SamplesThatComeLaterAreShifted) {
   view().recordedCurves().setShift(kRunFile, 7 * kSecond);
   panel_.append(kRecordedX, Rows(10'000, 10'001));
 
@@ -88,7 +88,7 @@ TEST_F(RecordedCurveTest, SamplesThatComeLaterAreShifted) {
   EXPECT_EQ(samples.time(samples.endIndex() - 1), 17 * kSecond);
 }
 
-TEST_F(RecordedCurveTest, APausedPlotDrawsRecordedSamplesWhenTheyCome) {
+TEST_F(RecordedCurvesTest, APausedPlotDrawsRecordedSamplesWhenTheyCome) {
   panel_.setPaused(true);
   const QImage before = Painted(view());
 
@@ -97,7 +97,7 @@ TEST_F(RecordedCurveTest, APausedPlotDrawsRecordedSamplesWhenTheyCome) {
   EXPECT_NE(Painted(view()), before);
 }
 
-TEST_F(RecordedCurveTest, APlotWithoutLiveCurvesGoesOnWithItsTime) {
+TEST_F(RecordedCurvesTest, APlotWithoutLiveCurvesGoesOnWithItsTime) {
   Q_EMIT view().curveRemovalRequested(kLiveX);
   const std::int64_t before = view().now();
   Painted(view());
@@ -106,7 +106,7 @@ TEST_F(RecordedCurveTest, APlotWithoutLiveCurvesGoesOnWithItsTime) {
   EXPECT_LT(view().now(), before + 60 * kSecond);
 }
 
-TEST_F(RecordedCurveTest, AHugeShiftStaysWithinItsLimitAndCanBeTakenBack) {
+TEST_F(RecordedCurvesTest, AHugeShiftStaysWithinItsLimitAndCanBeTakenBack) {
   view().recordedCurves().setShift(kRunFile, std::numeric_limits<std::int64_t>::max());
   EXPECT_EQ(view().recordedCurves().shift(kRunFile), kLongestShift);
   Painted(view());
@@ -119,7 +119,7 @@ TEST_F(RecordedCurveTest, AHugeShiftStaysWithinItsLimitAndCanBeTakenBack) {
   EXPECT_EQ(First(curve(kRecordedX)), 0);
 }
 
-TEST_F(RecordedCurveTest, AShiftIsAStepOfTheHistory) {
+TEST_F(RecordedCurvesTest, AShiftIsAStepOfTheHistory) {
   view().recordedCurves().setShift(kRunFile, 9 * kSecond);
 
   view().gestures().goBack();
@@ -130,7 +130,7 @@ TEST_F(RecordedCurveTest, AShiftIsAStepOfTheHistory) {
   EXPECT_EQ(First(curve(kRecordedX)), 9 * kSecond);
 }
 
-TEST_F(RecordedCurveTest, TheArrowsWithCtrlShiftInOneStep) {
+TEST_F(RecordedCurvesTest, TheArrowsWithCtrlShiftInOneStep) {
   const TimeWindow before = view().window();
   for (int i = 0; i < 5; ++i) {
     QTest::keyClick(view().canvas(), Qt::Key_Right, Qt::ControlModifier);
@@ -144,7 +144,7 @@ TEST_F(RecordedCurveTest, TheArrowsWithCtrlShiftInOneStep) {
   EXPECT_EQ(view().recordedCurves().shift(kRunFile), 5 * kSecond);
 }
 
-TEST_F(RecordedCurveTest, ADragWithCtrlShiftsTheRecordingByTheTimeUnderTheMouse) {
+TEST_F(RecordedCurvesTest, ADragWithCtrlShiftsTheRecordingByTheTimeUnderTheMouse) {
   const double width = view().canvas()->width();
   drag(middle(), middle() + 100, Qt::ControlModifier);
 
@@ -157,7 +157,7 @@ TEST_F(RecordedCurveTest, ADragWithCtrlShiftsTheRecordingByTheTimeUnderTheMouse)
   EXPECT_EQ(view().recordedCurves().shift(kRunFile), 5 * kSecond);
 }
 
-TEST_F(RecordedCurveTest, ADragWithCtrlZoomsIfThereIsNoRecording) {
+TEST_F(RecordedCurvesTest, ADragWithCtrlZoomsIfThereIsNoRecording) {
   Q_EMIT view().curveRemovalRequested(kRecordedX);
   QWidget* canvas = view().canvas();
   QTest::mousePress(canvas, Qt::LeftButton, Qt::ControlModifier, {100, 40});
@@ -167,7 +167,7 @@ TEST_F(RecordedCurveTest, ADragWithCtrlZoomsIfThereIsNoRecording) {
   EXPECT_FALSE(view().isLive());
 }
 
-TEST_F(RecordedCurveTest, AllCurvesOfARecordingMoveTogether) {
+TEST_F(RecordedCurvesTest, AllCurvesOfARecordingMoveTogether) {
   const QString other = RecordedPath("/runs/other.mcap", kLiveX);
   panel_.addSignal(kRecordedY, "rad");
   panel_.append(kRecordedY, Rows(0, 10));
@@ -182,7 +182,7 @@ TEST_F(RecordedCurveTest, AllCurvesOfARecordingMoveTogether) {
   EXPECT_EQ(First(curve(other)), 0);
 }
 
-TEST_F(RecordedCurveTest, APlotBelowHasTheSameShiftAndAnotherPageItsOwn) {
+TEST_F(RecordedCurvesTest, APlotBelowHasTheSameShiftAndAnotherPageItsOwn) {
   PlotView& below = panel_.splitPlot();
   panel_.addSignal(kRecordedY, "rad");
   panel_.append(kRecordedY, Rows(0, 10));
@@ -198,7 +198,7 @@ TEST_F(RecordedCurveTest, APlotBelowHasTheSameShiftAndAnotherPageItsOwn) {
   EXPECT_EQ(First(*page.curve(kRecordedY)), 0);
 }
 
-TEST_F(RecordedCurveTest, ARemovedCurveIsReleasedAndTheOthersStay) {
+TEST_F(RecordedCurvesTest, ARemovedCurveIsReleasedAndTheOthersStay) {
   QSignalSpy released(&panel_, &PlotPanel::subscriptionReleased);
 
   QTest::keyClick(&row(kRecordedX), Qt::Key_Delete);
@@ -209,14 +209,14 @@ TEST_F(RecordedCurveTest, ARemovedCurveIsReleasedAndTheOthersStay) {
   EXPECT_NE(view().curve(kLiveX), nullptr);
 }
 
-TEST_F(RecordedCurveTest, OnlySignalsOfTheSystemCountAsPlotted) {
+TEST_F(RecordedCurvesTest, OnlySignalsOfTheSystemCountAsPlotted) {
   EXPECT_EQ(panel_.paths(), QStringList{kLiveX});
   EXPECT_EQ(view().curves().newestTime(), 29'999 * kMillisecond);
   ASSERT_EQ(view().curves().figures(view().now()).size(), 1U);
   EXPECT_EQ(view().curves().figures(view().now()).front().source, "robot/arm/state");
 }
 
-TEST_F(RecordedCurveTest, AJumpInTheRecordingKeepsTheLiveSamples) {
+TEST_F(RecordedCurvesTest, AJumpInTheRecordingKeepsTheLiveSamples) {
   panel_.removeSamples(kRunFile);
 
   EXPECT_TRUE(curve(kRecordedX).samples().empty());
@@ -224,21 +224,21 @@ TEST_F(RecordedCurveTest, AJumpInTheRecordingKeepsTheLiveSamples) {
   EXPECT_EQ(curve(kRecordedX).staleReason(), "nothing recorded at this time");
 }
 
-TEST_F(RecordedCurveTest, AJumpOfTheShownSystemKeepsTheRecordedSamples) {
+TEST_F(RecordedCurvesTest, AJumpOfTheShownSystemKeepsTheRecordedSamples) {
   panel_.removeSamples();
 
   EXPECT_TRUE(curve(kLiveX).samples().empty());
   EXPECT_FALSE(curve(kRecordedX).samples().empty());
 }
 
-TEST_F(RecordedCurveTest, CursorsReadTheShiftedValue) {
+TEST_F(RecordedCurvesTest, CursorsReadTheShiftedValue) {
   panel_.append(kRecordedX, Rows(10'000, 11'000, [](double t) { return t; }));
 
   EXPECT_EQ(curve(kRecordedX).numberAt(15'500 * kMillisecond)->nearest(), 10.5);
   EXPECT_EQ(curve(kRecordedX).numberAt(4 * kSecond), std::nullopt);
 }
 
-TEST_F(RecordedCurveTest, ThereIsNoValueAfterTheEndOfTheRecording) {
+TEST_F(RecordedCurvesTest, ThereIsNoValueAfterTheEndOfTheRecording) {
   panel_.setRecordedTime(kRunFile, {.from_ns = 0, .to_ns = 10 * kSecond});
 
   EXPECT_TRUE(curve(kRecordedX).numberAt(15 * kSecond));
@@ -247,7 +247,7 @@ TEST_F(RecordedCurveTest, ThereIsNoValueAfterTheEndOfTheRecording) {
   EXPECT_NE(row(kLiveX).entry().value, "");
 }
 
-TEST_F(RecordedCurveTest, TheOldestPartIsShiftedAlthoughItsSamplesAreGone) {
+TEST_F(RecordedCurvesTest, TheOldestPartIsShiftedAlthoughItsSamplesAreGone) {
   Curve thinned({kRecordedX, "rad"}, 0);
   thinned.setBudget(8 * 1024 * SampleRing::kBytesPerSample);
   thinned.append(Rows(0, 20'000, [](double t) { return t < 1 ? 7.0 : 0.0; }));
@@ -261,7 +261,7 @@ TEST_F(RecordedCurveTest, TheOldestPartIsShiftedAlthoughItsSamplesAreGone) {
   EXPECT_GT(thinned.envelope(before).lowest(), thinned.envelope(before).highest());
 }
 
-TEST_F(RecordedCurveTest, HasTheColourOfItsLiveCurveUnlessAnotherRecordingHasIt) {
+TEST_F(RecordedCurvesTest, HasTheColourOfItsLiveCurveUnlessAnotherRecordingHasIt) {
   const QString other = RecordedPath("/runs/other.mcap", kLiveX);
   panel_.addSignal(other, "rad");
 
@@ -269,7 +269,7 @@ TEST_F(RecordedCurveTest, HasTheColourOfItsLiveCurveUnlessAnotherRecordingHasIt)
   EXPECT_NE(curve(other).colorIndex(), curve(kLiveX).colorIndex());
 }
 
-TEST_F(RecordedCurveTest, AnotherUnitHasAnAxisOfItsOwn) {
+TEST_F(RecordedCurvesTest, AnotherUnitHasAnAxisOfItsOwn) {
   panel_.addSignal(kRecordedY, "deg");
 
   EXPECT_EQ(curve(kRecordedX).axis(), curve(kLiveX).axis());
@@ -277,7 +277,7 @@ TEST_F(RecordedCurveTest, AnotherUnitHasAnAxisOfItsOwn) {
   EXPECT_EQ(view().curves().axes().size(), 2U);
 }
 
-TEST_F(RecordedCurveTest, TheLegendNamesTheFileAndTheShift) {
+TEST_F(RecordedCurvesTest, TheLegendNamesTheFileAndTheShift) {
   const LegendEntry& entry = row(kRecordedX).entry();
 
   EXPECT_EQ(entry.recording, "run.mcap");
@@ -286,7 +286,7 @@ TEST_F(RecordedCurveTest, TheLegendNamesTheFileAndTheShift) {
   EXPECT_EQ(row(kLiveX).entry().recording, "");
 }
 
-TEST_F(RecordedCurveTest, ARecordedCurveIsNotMappedToAnotherSignal) {
+TEST_F(RecordedCurvesTest, ARecordedCurveIsNotMappedToAnotherSignal) {
   QSignalSpy remap(&view(), &PlotView::remapRequested);
 
   QTest::keyClick(&row(kRecordedX), Qt::Key_R);
@@ -294,7 +294,7 @@ TEST_F(RecordedCurveTest, ARecordedCurveIsNotMappedToAnotherSignal) {
   EXPECT_EQ(remap.count(), 0);
 }
 
-TEST_F(RecordedCurveTest, TheEditorSetsAnExactShiftAndRefusesWhatIsNone) {
+TEST_F(RecordedCurvesTest, TheEditorSetsAnExactShiftAndRefusesWhatIsNone) {
   QTest::keyClick(view().canvas(), Qt::Key_T);
   auto* field = panel_.findChild<QLineEdit*>("curveEditor.shift");
   ASSERT_NE(field, nullptr);
@@ -310,14 +310,14 @@ TEST_F(RecordedCurveTest, TheEditorSetsAnExactShiftAndRefusesWhatIsNone) {
   EXPECT_EQ(view().recordedCurves().shift(kRunFile), -250'000'001);
 }
 
-TEST_F(RecordedCurveTest, TheEditorOfALiveCurveHasNoShift) {
+TEST_F(RecordedCurvesTest, TheEditorOfALiveCurveHasNoShift) {
   QTest::keyClick(&row(kLiveX), Qt::Key_Return);
 
   EXPECT_NE(panel_.findChild<QLineEdit*>("curveEditor.factor"), nullptr);
   EXPECT_EQ(panel_.findChild<QLineEdit*>("curveEditor.shift"), nullptr);
 }
 
-TEST_F(RecordedCurveTest, CsvHasTheTimeOfThePlotAndNamesTheShift) {
+TEST_F(RecordedCurvesTest, CsvHasTheTimeOfThePlotAndNamesTheShift) {
   view().recordedCurves().setShift(kRunFile, -2 * kSecond - kSecond / 2);
   QBuffer buffer;
   ASSERT_TRUE(buffer.open(QIODevice::WriteOnly));
@@ -333,7 +333,7 @@ TEST_F(RecordedCurveTest, CsvHasTheTimeOfThePlotAndNamesTheShift) {
   EXPECT_EQ(QString(lines[1]), "-2.000000000,1969-12-31T23:59:58.000000Z,,4,,");
 }
 
-TEST_F(RecordedCurveTest, ALayoutKeepsTheRecordingAndItsShift) {
+TEST_F(RecordedCurvesTest, ALayoutKeepsTheRecordingAndItsShift) {
   view().recordedCurves().setShift(kRunFile, -kLongestShift + 1);
   const QByteArray layout = LayoutOf(panel_);
 
@@ -348,7 +348,7 @@ TEST_F(RecordedCurveTest, ALayoutKeepsTheRecordingAndItsShift) {
   EXPECT_FALSE(other.currentPlot().gestures().hasFormerView());
 }
 
-TEST_F(RecordedCurveTest, ALayoutWithoutAWholeShiftIsRefused) {
+TEST_F(RecordedCurvesTest, ALayoutWithoutAWholeShiftIsRefused) {
   for (const char* shift : {"\"2 h\"", "1.5", "1e300", "3155760000000000001"}) {
     const QByteArray layout = QByteArray(R"({"version": 1, "plots": [{"window": 30, "curves": [
         {"path": "a/b/state.C", "recording": "/runs/run.mcap", "shift_ns": )") +
@@ -360,7 +360,7 @@ TEST_F(RecordedCurveTest, ALayoutWithoutAWholeShiftIsRefused) {
   EXPECT_NE(view().curve(kLiveX), nullptr);
 }
 
-TEST_F(RecordedCurveTest, ADragFromTheWindowOfARecordingPutsItsMomentAtTheRightEdge) {
+TEST_F(RecordedCurvesTest, ADragFromTheWindowOfARecordingPutsItsMomentAtTheRightEdge) {
   const std::int64_t moment = 1'700'000'000 * kSecond;
   QMimeData data;
   ShowMoment({.steady_ns = 1000 * kSecond, .wall_ns = moment, .recording = "/runs/third.mcap"});
@@ -377,7 +377,7 @@ TEST_F(RecordedCurveTest, ADragFromTheWindowOfARecordingPutsItsMomentAtTheRightE
               2 * kSecond);
 }
 
-TEST_F(RecordedCurveTest, ADragWithinTheWindowOfARecordingIsOneOfItsOwnSignals) {
+TEST_F(RecordedCurvesTest, ADragWithinTheWindowOfARecordingIsOneOfItsOwnSignals) {
   QMimeData data;
   ShowMoment({.steady_ns = kSecond, .wall_ns = kSecond, .recording = kRunFile});
   SetPaths(data, {{kLiveY, "rad"}});
@@ -388,7 +388,7 @@ TEST_F(RecordedCurveTest, ADragWithinTheWindowOfARecordingIsOneOfItsOwnSignals) 
   EXPECT_EQ(view().curve(kRecordedY), nullptr);
 }
 
-TEST_F(RecordedCurveTest, TheMenuOffersAnotherCurveAndTheShiftOfEachRecording) {
+TEST_F(RecordedCurvesTest, TheMenuOffersAnotherCurveAndTheShiftOfEachRecording) {
   QSignalSpy wanted(&panel_, &PlotPanel::recordingRequested);
   panel_.setRecordedTime(kRunFile, {.from_ns = 0, .to_ns = 10 * kSecond});
   Q_EMIT view().menuRequested({10, 10});

@@ -23,9 +23,9 @@ const InterfaceName kOperated{"desk", "operator", "Robot"};
 const InterfaceName kPlantControl{"robot", "plant", "Control"};
 
 /// A GCM and two processes with real components over loopback, and the window's session.
-class SessionTest : public ::testing::Test {
+class GcmSessionTest : public ::testing::Test {
  protected:
-  SessionTest() {
+  GcmSessionTest() {
     auto manager = GlobalManager::Start(
         Node(), {.address = "127.0.0.1:0", .state_folder = folder_.path().toStdString()});
     manager_ = std::move(*manager);
@@ -69,12 +69,12 @@ class SessionTest : public ::testing::Test {
   std::unique_ptr<GcmSession> session_;
 };
 
-TEST_F(SessionTest, LoadsTheCatalogueByItself) {
+TEST_F(GcmSessionTest, LoadsTheCatalogueByItself) {
   EXPECT_TRUE(EverythingIsThere());
   EXPECT_EQ(session_->link().state(), LinkState::State::kConnected);
 }
 
-TEST_F(SessionTest, ConnectsDisconnectsAndUndoesWithoutWaiting) {
+TEST_F(GcmSessionTest, ConnectsDisconnectsAndUndoesWithoutWaiting) {
   ASSERT_TRUE(EverythingIsThere());
 
   session_->connectInterfaces(kOperated, kPlantControl);
@@ -92,7 +92,7 @@ TEST_F(SessionTest, ConnectsDisconnectsAndUndoesWithoutWaiting) {
   EXPECT_FALSE(session_->activity().action(0).refusal.isEmpty());
 }
 
-TEST_F(SessionTest, UndoOfAnothersConnectNeedsASecondRequest) {
+TEST_F(GcmSessionTest, UndoOfAnothersConnectNeedsASecondRequest) {
   ASSERT_TRUE(EverythingIsThere());
   GcmClient console(Node(), {.name = "gcm connect", .address = manager_->address()});
   ASSERT_TRUE(console.WaitUntilWatching().ok());
@@ -112,7 +112,7 @@ TEST_F(SessionTest, UndoOfAnothersConnectNeedsASecondRequest) {
   EXPECT_TRUE(Eventually([&] { return Known().FindConnection(kOperated) == nullptr; }));
 }
 
-TEST_F(SessionTest, UndoOfAnothersStopNeedsASecondRequest) {
+TEST_F(GcmSessionTest, UndoOfAnothersStopNeedsASecondRequest) {
   ASSERT_TRUE(EverythingIsThere());
   GcmClient console(Node(), {.name = "gcm stop", .address = manager_->address()});
   ASSERT_TRUE(console.WaitUntilWatching().ok());
@@ -131,7 +131,7 @@ TEST_F(SessionTest, UndoOfAnothersStopNeedsASecondRequest) {
   EXPECT_EQ(robot_->Find("plant")->state(), ComponentState::kFinished);
 }
 
-TEST_F(SessionTest, FindsTheTypeOfACommandAndCallsIt) {
+TEST_F(GcmSessionTest, FindsTheTypeOfACommandAndCallsIt) {
   ASSERT_TRUE(EverythingIsThere());
   const auto& commands = Known().FindProvided(kPlantControl)->commands;
   const auto move_to = std::find_if(commands.begin(), commands.end(),
@@ -155,7 +155,7 @@ TEST_F(SessionTest, FindsTheTypeOfACommandAndCallsIt) {
   EXPECT_TRUE(Eventually([&] { return plant->moves.size() == 1; }));
 }
 
-TEST_F(SessionTest, TheActivityShowsARefusedCall) {
+TEST_F(GcmSessionTest, TheActivityShowsARefusedCall) {
   ASSERT_TRUE(EverythingIsThere());
   std::optional<Error> refusal;
 
@@ -167,7 +167,7 @@ TEST_F(SessionTest, TheActivityShowsARefusedCall) {
   EXPECT_EQ(session_->activity().action(0).refusal, QString::fromStdString(refusal->message));
 }
 
-TEST_F(SessionTest, ACallFailsWhenItsProcessIsLost) {
+TEST_F(GcmSessionTest, ACallFailsWhenItsProcessIsLost) {
   session_ = std::make_unique<GcmSession>(Node(), manager_->address(), true, Role::kOperator,
                                           std::chrono::seconds(40));
   ASSERT_TRUE(EverythingIsThere());
@@ -197,7 +197,7 @@ TEST_F(SessionTest, ACallFailsWhenItsProcessIsLost) {
   EXPECT_EQ(session_->activity().action(0).outcome, Action::Outcome::kRefused);
 }
 
-TEST_F(SessionTest, ReplacesAConnectionAndUndoesItInOneStep) {
+TEST_F(GcmSessionTest, ReplacesAConnectionAndUndoesItInOneStep) {
   const InterfaceName other{"robot", "spare", "Control"};
   robot_->Add<plant::Plant>("spare");
   ASSERT_TRUE(EverythingIsThere());
@@ -219,7 +219,7 @@ TEST_F(SessionTest, ReplacesAConnectionAndUndoesItInOneStep) {
   EXPECT_TRUE(Eventually([&] { return session_->activity().action(1).undone; }));
 }
 
-TEST_F(SessionTest, NothingIsReplacedIfTheInterfaceIsNotConnected) {
+TEST_F(GcmSessionTest, NothingIsReplacedIfTheInterfaceIsNotConnected) {
   ASSERT_TRUE(EverythingIsThere());
 
   session_->connectOrReplace(kOperated, kPlantControl);
@@ -228,7 +228,7 @@ TEST_F(SessionTest, NothingIsReplacedIfTheInterfaceIsNotConnected) {
   EXPECT_EQ(session_->activity().action(0).verb, Action::Verb::kConnect);
 }
 
-TEST_F(SessionTest, ARefusedReplacementKeepsTheConnection) {
+TEST_F(GcmSessionTest, ARefusedReplacementKeepsTheConnection) {
   ASSERT_TRUE(EverythingIsThere());
   session_->connectInterfaces(kOperated, kPlantControl);
   ASSERT_TRUE(Eventually([&] { return session_->activity().canUndo(0); }));
@@ -240,7 +240,7 @@ TEST_F(SessionTest, ARefusedReplacementKeepsTheConnection) {
   EXPECT_TRUE(Eventually([&] { return IsConnected(); }));
 }
 
-TEST_F(SessionTest, DeliversEveryRowOfASignalOnce) {
+TEST_F(GcmSessionTest, DeliversEveryRowOfASignalOnce) {
   ASSERT_TRUE(EverythingIsThere());
   std::vector<Sample> rows;
   QObject::connect(&session_->liveSignals(), &SignalSource::samplesArrived, session_.get(),
@@ -254,7 +254,7 @@ TEST_F(SessionTest, DeliversEveryRowOfASignalOnce) {
   for (std::size_t i = 1; i < rows.size(); ++i) ASSERT_EQ(rows[i].tick, rows[i - 1].tick + 1);
 }
 
-TEST_F(SessionTest, RowsResumeWhenALostProcessReturns) {
+TEST_F(GcmSessionTest, RowsResumeWhenALostProcessReturns) {
   ASSERT_TRUE(EverythingIsThere());
   QStringList heard;
   auto& live = session_->liveSignals();
@@ -275,7 +275,7 @@ TEST_F(SessionTest, RowsResumeWhenALostProcessReturns) {
   EXPECT_TRUE(Eventually([&] { return heard.contains("rows"); }));
 }
 
-TEST_F(SessionTest, ReconnectsToALostGcm) {
+TEST_F(GcmSessionTest, ReconnectsToALostGcm) {
   ASSERT_TRUE(EverythingIsThere());
   const std::string address = manager_->address();
 
@@ -291,7 +291,7 @@ TEST_F(SessionTest, ReconnectsToALostGcm) {
   EXPECT_TRUE(EverythingIsThere());
 }
 
-TEST_F(SessionTest, CanBeDestroyedDuringARequest) {
+TEST_F(GcmSessionTest, CanBeDestroyedDuringARequest) {
   ASSERT_TRUE(EverythingIsThere());
 
   session_->connectInterfaces(kOperated, kPlantControl);

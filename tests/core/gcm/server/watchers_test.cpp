@@ -10,11 +10,12 @@ namespace {
 using test::FakeProcess;
 using test::Recorder;
 
-class Watching : public test::GcmFixture {};
+class WatchersTest : public test::GcmFixture {};
 
-INSTANTIATE_TEST_SUITE_P(Over, Watching, testing::Values("loopback", "tcp"), test::NameOfParameter);
+INSTANTIATE_TEST_SUITE_P(Over, WatchersTest, testing::Values("loopback", "tcp"),
+                         test::NameOfParameter);
 
-TEST_P(Watching, ASnapshotComesFirstThenChanges) {
+TEST_P(WatchersTest, ASnapshotComesFirstThenChanges) {
   const auto robot = Join("robot", {test::Arm()});
   const auto recorder = std::make_shared<Recorder>();
   const auto client = Watch(recorder);
@@ -28,7 +29,7 @@ TEST_P(Watching, ASnapshotComesFirstThenChanges) {
   EXPECT_EQ(recorder->snapshots(), 1);
 }
 
-TEST_P(Watching, AResyncSendsASnapshotThenChanges) {
+TEST_P(WatchersTest, AResyncSendsASnapshotThenChanges) {
   const auto robot = Join("robot", {test::Arm()});
   const auto recorder = std::make_shared<Recorder>();
   const auto client = Watch(recorder);
@@ -42,7 +43,7 @@ TEST_P(Watching, AResyncSendsASnapshotThenChanges) {
   EXPECT_EQ(recorder->holes(), 0);
 }
 
-TEST_P(Watching, AViewerStoresEqualInterfacesOnce) {
+TEST_P(WatchersTest, AViewerStoresEqualInterfacesOnce) {
   const auto robot = Join("robot", {test::Arm()});
   const auto client = Watch();
   const auto spare = Join("spare", {test::Arm()});
@@ -55,7 +56,7 @@ TEST_P(Watching, AViewerStoresEqualInterfacesOnce) {
   EXPECT_EQ(interfaces, test::Arm().provided);
 }
 
-TEST_P(Watching, AllWatchersSeeTheSameSequenceOfChanges) {
+TEST_P(WatchersTest, AllWatchersSeeTheSameSequenceOfChanges) {
   const auto one = std::make_shared<Recorder>();
   const auto two = std::make_shared<Recorder>();
   const auto first = Watch(one);
@@ -115,7 +116,7 @@ class StuckListener final : public Recorder {
   std::atomic<bool> is_released_ = false;
 };
 
-TEST_P(Watching, ASlowWatcherCatchesUpByASnapshot) {
+TEST_P(WatchersTest, ASlowWatcherCatchesUpByASnapshot) {
   const auto robot = Join("robot", {test::Arm()});
   const auto stuck = std::make_shared<StuckListener>();
   const auto quick = std::make_shared<Recorder>();
@@ -151,7 +152,7 @@ TEST_P(Watching, ASlowWatcherCatchesUpByASnapshot) {
   EXPECT_LT(stuck->changes().size(), quick->changes().size());
 }
 
-TEST_P(Watching, AClientWithoutAGcmReportsAddressAndRemedy) {
+TEST_P(WatchersTest, AClientWithoutAGcmReportsAddressAndRemedy) {
   gcm_.reset();
   const auto recorder = std::make_shared<Recorder>();
   GcmClient client(NewMiddleware(),
@@ -173,7 +174,7 @@ TEST_P(Watching, AClientWithoutAGcmReportsAddressAndRemedy) {
   EXPECT_EQ(recorder->losses()[0].message, watching.error().message);
 }
 
-TEST_P(Watching, AClientReconnectsToItsGcm) {
+TEST_P(WatchersTest, AClientReconnectsToItsGcm) {
   auto robot = Join("robot", {test::Arm()});
   const auto recorder = std::make_shared<Recorder>();
   const auto client = Watch(recorder);
@@ -190,7 +191,7 @@ TEST_P(Watching, AClientReconnectsToItsGcm) {
   EXPECT_EQ(recorder->losses().size(), 1U);
 }
 
-TEST_P(Watching, AClientWithAnotherCookieIsRefusedAtOnce) {
+TEST_P(WatchersTest, AClientWithAnotherCookieIsRefusedAtOnce) {
   const auto middleware = NewMiddleware();
   const auto handler = std::make_shared<ChannelHandler>();
   const auto channel = Channel::Open(

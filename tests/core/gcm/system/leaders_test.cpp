@@ -22,7 +22,7 @@ std::string MistakeIn(const std::string& text) {
   return system ? "" : system.error().message;
 }
 
-TEST(RunsAfter, IsReadFromAndWrittenToAFile) {
+TEST(LeadersTest, AreReadFromAndWrittenToAFile) {
   const auto system =
       ParseSystemFile(RobotWith(R"("runs_after": "arm", "thread": {"cpus": [900]})"), "x");
 
@@ -35,7 +35,7 @@ TEST(RunsAfter, IsReadFromAndWrittenToAFile) {
   EXPECT_EQ(*ParseSystemFile(*SystemFileText(*system), "x"), *system);
 }
 
-TEST(RunsAfter, ErrorsNameTheirPosition) {
+TEST(LeadersTest, ErrorsNameTheirPosition) {
   const auto error = [](const std::string& members) { return MistakeIn(RobotWith(members)); };
 
   EXPECT_EQ(
@@ -51,7 +51,7 @@ TEST(RunsAfter, ErrorsNameTheirPosition) {
             "runs after 'host'");
 }
 
-TEST(RunsAfter, RefusesARingNamingItsMembers) {
+TEST(LeadersTest, RefusesARingNamingItsMembers) {
   const auto ring = [](int size) {
     std::string components;
     for (int i = 0; i < size; ++i) {

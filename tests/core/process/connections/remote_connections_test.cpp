@@ -24,7 +24,9 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-TEST_P(RemoteConnection, CarriesEveryKindOfCommandAndEvent) {
+using RemoteConnections = RemoteConnection;
+
+TEST_P(RemoteConnections, CarriesEveryKindOfCommandAndEvent) {
   StartRobot();
   StartDesk();
   Connect();
@@ -57,7 +59,7 @@ TEST_P(RemoteConnection, CarriesEveryKindOfCommandAndEvent) {
   EXPECT_EQ(answer, 42U);
 }
 
-TEST_P(RemoteConnection, ExecutesEachAcceptedCommandOnceAndInOrderUnderLoad) {
+TEST_P(RemoteConnections, ExecutesEachAcceptedCommandOnceAndInOrderUnderLoad) {
   constexpr std::uint64_t kMoves = 20'000;
   constexpr std::uint64_t kMostUnderWay = 500;  // their events fit into the operator's mailbox
   StartRobot();
@@ -86,7 +88,7 @@ TEST_P(RemoteConnection, ExecutesEachAcceptedCommandOnceAndInOrderUnderLoad) {
   }
 }
 
-TEST_P(RemoteConnection, RefusesCallsBeyondTheServersRoom) {
+TEST_P(RemoteConnections, RefusesCallsBeyondTheServersRoom) {
   StartRobot();
   StartDesk(16);
   Connect();
@@ -108,7 +110,7 @@ TEST_P(RemoteConnection, RefusesCallsBeyondTheServersRoom) {
   for (std::size_t i = 0; i < accepted.size(); ++i) ASSERT_EQ(executed[i].number, accepted[i]);
 }
 
-TEST_P(RemoteConnection, ReportsItsCounts) {
+TEST_P(RemoteConnections, ReportsItsCounts) {
   StartDesk(16);
   ASSERT_TRUE(desk->Connect(kRobot, kControl).ok());
   const auto pending = desk->Counts(kRobot);
@@ -131,7 +133,7 @@ TEST_P(RemoteConnection, ReportsItsCounts) {
   EXPECT_EQ(desk->Counts(kRobot)->capacity, 16U);
 }
 
-TEST_P(RemoteConnection, ReportsThatTheServerDoesNotRun) {
+TEST_P(RemoteConnections, ReportsThatTheServerDoesNotRun) {
   StartRobot();
   StartDesk();
   Connect();
@@ -144,7 +146,7 @@ TEST_P(RemoteConnection, ReportsThatTheServerDoesNotRun) {
   EXPECT_TRUE(EventuallyQueued([&] { return user->stop(); }));
 }
 
-TEST_P(RemoteConnection, GivesUpAReadAtItsDeadline) {
+TEST_P(RemoteConnections, GivesUpAReadAtItsDeadline) {
   StartRobot();
   StartDesk();
   Connect();
@@ -158,7 +160,7 @@ TEST_P(RemoteConnection, GivesUpAReadAtItsDeadline) {
   EXPECT_TRUE(EventuallyTrue([&] { return bool(user->ask(answer)); }));
 }
 
-TEST_P(RemoteConnection, IsRefusedIfTheInterfacesAreIncompatible) {
+TEST_P(RemoteConnections, IsRefusedIfTheInterfacesAreIncompatible) {
   StartRobot();
   StartDesk();
   robot->Add<plant::Impostor>("impostor");
@@ -175,7 +177,7 @@ TEST_P(RemoteConnection, IsRefusedIfTheInterfacesAreIncompatible) {
   EXPECT_EQ(user->stop(), Status(Status::kNotConnected));
 }
 
-TEST_P(RemoteConnection, RefusesARequiredInterfaceOfAnotherProcess) {
+TEST_P(RemoteConnections, RefusesARequiredInterfaceOfAnotherProcess) {
   StartRobot();
 
   const auto id = robot->Connect(kRobot, kControl);
@@ -185,7 +187,7 @@ TEST_P(RemoteConnection, RefusesARequiredInterfaceOfAnotherProcess) {
   EXPECT_THAT(id.error().message, HasSubstr("is not in process 'robot'"));
 }
 
-TEST_P(RemoteConnection, RefusesADuplicate) {
+TEST_P(RemoteConnections, RefusesADuplicate) {
   StartRobot();
   StartDesk();
   desk->Add<Plant>("plant");
@@ -200,7 +202,7 @@ TEST_P(RemoteConnection, RefusesADuplicate) {
   EXPECT_EQ(here.error().code, ErrorCode::kExists);
 }
 
-TEST_P(RemoteConnection, CanBeDisconnectedAndReconnected) {
+TEST_P(RemoteConnections, CanBeDisconnectedAndReconnected) {
   StartRobot();
   StartDesk();
   for (int round = 0; round < 3; ++round) {
@@ -220,7 +222,7 @@ TEST_P(RemoteConnection, CanBeDisconnectedAndReconnected) {
   EXPECT_EQ(again.error().code, ErrorCode::kNotFound);
 }
 
-TEST_P(RemoteConnection, DisconnectingUnderLoadExecutesOnlyAcceptedCalls) {
+TEST_P(RemoteConnections, DisconnectingUnderLoadExecutesOnlyAcceptedCalls) {
   StartRobot();
   StartDesk();
   Connect();
@@ -243,7 +245,7 @@ TEST_P(RemoteConnection, DisconnectingUnderLoadExecutesOnlyAcceptedCalls) {
   for (std::size_t i = 0; i < executed.size(); ++i) ASSERT_EQ(executed[i].number, i);
 }
 
-TEST_P(RemoteConnection, AuditsItsOpeningClosingAndCommandCount) {
+TEST_P(RemoteConnections, AuditsItsOpeningClosingAndCommandCount) {
   const tendon_test::LogRecord audit("audit");
   const std::string kInterface = "): interface robot/plant/Control for desk/operator/Robot: ";
   const std::string kClosed = kInterface + "closed, ";
@@ -266,7 +268,7 @@ TEST_P(RemoteConnection, AuditsItsOpeningClosingAndCommandCount) {
   EXPECT_THAT(last(), EndsWith(kClosed + "commands: 3"));
 }
 
-TEST_P(RemoteConnection, WaitsForAnAbsentProcess) {
+TEST_P(RemoteConnections, WaitsForAnAbsentProcess) {
   StartDesk();
   const auto id = desk->Connect(kRobot, kControl);
   ASSERT_TRUE(id.ok()) << id.error().message;
@@ -282,7 +284,7 @@ TEST_P(RemoteConnection, WaitsForAnAbsentProcess) {
   EXPECT_TRUE(EventuallyQueued([&] { return user->stop(); }));
 }
 
-TEST_P(RemoteConnection, WaitsForAnAbsentComponent) {
+TEST_P(RemoteConnections, WaitsForAnAbsentComponent) {
   robot = Start("robot");
   StartDesk();
   const tendon_test::LogRecord audit("audit");
@@ -297,7 +299,7 @@ TEST_P(RemoteConnection, WaitsForAnAbsentComponent) {
   EXPECT_TRUE(EventuallyActive(*desk, 1)) << Reason();
 }
 
-TEST_P(RemoteConnection, IsRestoredWhenALostProcessReturns) {
+TEST_P(RemoteConnections, IsRestoredWhenALostProcessReturns) {
   const tendon_test::LogRecord log("connection");
   StartRobot();
   StartDesk();
@@ -326,7 +328,7 @@ TEST_P(RemoteConnection, IsRestoredWhenALostProcessReturns) {
   EXPECT_EQ(lines.at(2), kEnds + "is active");
 }
 
-TEST_P(RemoteConnection, RestoredByTheGcmSatisfiesTheProgramsConnect) {
+TEST_P(RemoteConnections, RestoredByTheGcmSatisfiesTheProgramsConnect) {
   StartRobot();
   StartDesk();
   Connect();
@@ -350,7 +352,7 @@ TEST_P(RemoteConnection, RestoredByTheGcmSatisfiesTheProgramsConnect) {
   EXPECT_TRUE(desk->connections().empty());
 }
 
-TEST_P(RemoteConnection, RestoredWithinAProcessSatisfiesTheProgram) {
+TEST_P(RemoteConnections, RestoredWithinAProcessSatisfiesTheProgram) {
   const InterfaceName control("desk", "plant", "Control");
   const auto start = [&] {
     desk = Start("desk");
@@ -371,7 +373,7 @@ TEST_P(RemoteConnection, RestoredWithinAProcessSatisfiesTheProgram) {
   EXPECT_EQ(desk->Connect(kRobot, control).error().code, ErrorCode::kExists);
 }
 
-TEST_P(RemoteConnection, IsRestoredWhenARemovedComponentReturns) {
+TEST_P(RemoteConnections, IsRestoredWhenARemovedComponentReturns) {
   StartRobot();
   StartDesk();
   Connect();
@@ -388,7 +390,7 @@ TEST_P(RemoteConnection, IsRestoredWhenARemovedComponentReturns) {
   EXPECT_TRUE(EventuallyQueued([&] { return user->stop(); }));
 }
 
-TEST_P(RemoteConnection, EndsWithItsOwnComponent) {
+TEST_P(RemoteConnections, EndsWithItsOwnComponent) {
   StartRobot();
   StartDesk();
   Connect();
@@ -400,7 +402,7 @@ TEST_P(RemoteConnection, EndsWithItsOwnComponent) {
   EXPECT_TRUE(EventuallyTrue([&] { return robot->proxies().empty(); }));
 }
 
-TEST_P(RemoteConnection, WorksInBothDirectionsAtOnce) {
+TEST_P(RemoteConnections, WorksInBothDirectionsAtOnce) {
   StartRobot();
   StartDesk();
   auto& other_user = robot->Add<Operator>("operator");
@@ -421,6 +423,6 @@ TEST_P(RemoteConnection, WorksInBothDirectionsAtOnce) {
   EXPECT_TRUE(EventuallyQueued([&] { return other_user.stop(); }));
 }
 
-INSTANTIATE_TEST_SUITE_P(Over, RemoteConnection, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
+INSTANTIATE_TEST_SUITE_P(Over, RemoteConnections, testing::ValuesIn(NetworkKinds()), NameOfNetwork);
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace {
 using namespace std::chrono_literals;
 
 // A curve of 1 kHz that receives samples during every gesture.
-class PlotNavigation : public testing::Test {
+class PlotNavigatorTest : public testing::Test {
  protected:
   void SetUp() override {
     ShowView(view_);
@@ -65,7 +65,7 @@ class PlotNavigation : public testing::Test {
   std::uint64_t tick_ = 0;
 };
 
-TEST_F(PlotNavigation, TheWheelZoomsInTimeAroundTheMouse) {
+TEST_F(PlotNavigatorTest, TheWheelZoomsInTimeAroundTheMouse) {
   const double under_mouse = view_.invTransform(QwtAxis::XBottom, 300);
 
   turnWheel({300, 100}, {0, 120});
@@ -75,7 +75,7 @@ TEST_F(PlotNavigation, TheWheelZoomsInTimeAroundTheMouse) {
   EXPECT_FALSE(view_.isLive());
 }
 
-TEST_F(PlotNavigation, AZoomedViewStaysWhileSamplesArrive) {
+TEST_F(PlotNavigatorTest, AZoomedViewStaysWhileSamplesArrive) {
   turnWheel({300, 100}, {0, 120});
   const std::int64_t from = view_.window().timeAt(view_.window().from());
 
@@ -86,7 +86,7 @@ TEST_F(PlotNavigation, AZoomedViewStaysWhileSamplesArrive) {
   EXPECT_EQ(curve_->samples().endIndex(), tick_);
 }
 
-TEST_F(PlotNavigation, CtrlWheelZoomsInValuesAndStaysLiveInTime) {
+TEST_F(PlotNavigatorTest, CtrlWheelZoomsInValuesAndStaysLiveInTime) {
   const double before = valueSpan();
 
   turnWheel({300, 100}, {0, 120}, Qt::ControlModifier);
@@ -97,7 +97,7 @@ TEST_F(PlotNavigation, CtrlWheelZoomsInValuesAndStaysLiveInTime) {
   EXPECT_EQ(pill().text(), "Fit") << "it is live";
 }
 
-TEST_F(PlotNavigation, DraggingZoomsToTheRectangle) {
+TEST_F(PlotNavigatorTest, DraggingZoomsToTheRectangle) {
   const double left = view_.invTransform(QwtAxis::XBottom, 100);
   const double right = view_.invTransform(QwtAxis::XBottom, 220);
   const double top = view_.invTransform(QwtAxis::YLeft, 60);
@@ -109,7 +109,7 @@ TEST_F(PlotNavigation, DraggingZoomsToTheRectangle) {
   EXPECT_NEAR(view_.axisInterval(QwtAxis::YLeft).maxValue(), top, 1e-9);
 }
 
-TEST_F(PlotNavigation, EscapeCancelsTheRectangle) {
+TEST_F(PlotNavigatorTest, EscapeCancelsTheRectangle) {
   QTest::mousePress(view_.canvas(), Qt::LeftButton, {}, {100, 60});
   moveTo({220, 160}, {});
   QTest::keyClick(view_.canvas(), Qt::Key_Escape);
@@ -118,14 +118,14 @@ TEST_F(PlotNavigation, EscapeCancelsTheRectangle) {
   EXPECT_TRUE(view_.isLive());
 }
 
-TEST_F(PlotNavigation, AClickDoesNotZoom) {
+TEST_F(PlotNavigatorTest, AClickDoesNotZoom) {
   QTest::mouseClick(view_.canvas(), Qt::LeftButton, {}, {100, 60});
 
   EXPECT_TRUE(view_.isLive());
   EXPECT_NEAR(timeSpan(), 10, 1e-9);
 }
 
-TEST_F(PlotNavigation, ShiftDragMovesThePicture) {
+TEST_F(PlotNavigatorTest, ShiftDragMovesThePicture) {
   const double under_mouse = view_.invTransform(QwtAxis::XBottom, 100);
 
   drag({100, 100}, {300, 104}, Qt::ShiftModifier);
@@ -134,13 +134,13 @@ TEST_F(PlotNavigation, ShiftDragMovesThePicture) {
   EXPECT_TRUE(view_.curves().axes().front().fitted) << "a few pixels up are no wish to move values";
 }
 
-TEST_F(PlotNavigation, ShiftDragUpwardsMovesValues) {
+TEST_F(PlotNavigatorTest, ShiftDragUpwardsMovesValues) {
   drag({100, 100}, {100, 180}, Qt::ShiftModifier);
 
   EXPECT_FALSE(view_.curves().axes().front().fitted);
 }
 
-TEST_F(PlotNavigation, ADoubleClickGoesLive) {
+TEST_F(PlotNavigatorTest, ADoubleClickGoesLive) {
   drag({100, 60}, {220, 160});
   EXPECT_TRUE(pill().isVisible());
 
@@ -153,7 +153,7 @@ TEST_F(PlotNavigation, ADoubleClickGoesLive) {
   EXPECT_FALSE(pill().isVisible());
 }
 
-TEST_F(PlotNavigation, TheLiveButtonGoesLive) {
+TEST_F(PlotNavigatorTest, TheLiveButtonGoesLive) {
   turnWheel({300, 100}, {0, 120});
 
   QTest::mouseClick(&pill(), Qt::LeftButton);
@@ -161,7 +161,7 @@ TEST_F(PlotNavigation, TheLiveButtonGoesLive) {
   EXPECT_TRUE(view_.isLive());
 }
 
-TEST_F(PlotNavigation, AltLeftGoesBackStepByStep) {
+TEST_F(PlotNavigatorTest, AltLeftGoesBackStepByStep) {
   drag({100, 60}, {220, 160});
   const double first = timeSpan();
   drag({100, 60}, {220, 160});
@@ -175,7 +175,7 @@ TEST_F(PlotNavigation, AltLeftGoesBackStepByStep) {
   EXPECT_TRUE(view_.isLive());
 }
 
-TEST_F(PlotNavigation, WorksFromTheKeyboard) {
+TEST_F(PlotNavigatorTest, WorksFromTheKeyboard) {
   QTest::keyClick(view_.canvas(), Qt::Key_Plus);
   EXPECT_NEAR(timeSpan(), 8, 1e-9);
   const double from = view_.window().from();
@@ -185,7 +185,7 @@ TEST_F(PlotNavigation, WorksFromTheKeyboard) {
   EXPECT_TRUE(view_.isLive());
 }
 
-TEST_F(PlotNavigation, AnEmptyPlotHasNothingToZoom) {
+TEST_F(PlotNavigatorTest, AnEmptyPlotHasNothingToZoom) {
   view_.removeCurve("p/a/state.x");
   const QPoint at(300, 100);
   QWheelEvent event(at, view_.canvas()->mapToGlobal(at), {}, {0, 120}, Qt::NoButton, {},
