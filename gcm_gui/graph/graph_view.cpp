@@ -52,8 +52,13 @@ QPoint WayOf(int key) {
 
 }  // namespace
 
-GraphView::GraphView(GraphScene& scene, Selection& selection, ConnectMode& mode, QWidget* parent)
-    : QGraphicsView(&scene, parent), scene_(scene), selection_(selection), mode_(mode) {
+GraphView::GraphView(GraphScene& scene, Selection& selection, ConnectMode& mode,
+                     std::chrono::milliseconds pointer_timeout, QWidget* parent)
+    : QGraphicsView(&scene, parent),
+      scene_(scene),
+      selection_(selection),
+      mode_(mode),
+      pointer_timeout_(pointer_timeout) {
   setObjectName(QStringLiteral("graph"));
   setAccessibleName(Words::tr("System graph"));
   setFrameShape(QFrame::NoFrame);

@@ -25,13 +25,15 @@ class GraphView : public QGraphicsView {
   Q_OBJECT
 
  public:
-  GraphView(GraphScene& scene, Selection& selection, ConnectMode& mode, QWidget* parent = nullptr);
+  static constexpr std::chrono::milliseconds kPointerTimeout{3000};
+
+  /// The pointer still counts as moving for `pointer_timeout` after its last move.
+  GraphView(GraphScene& scene, Selection& selection, ConnectMode& mode,
+            std::chrono::milliseconds pointer_timeout = kPointerTimeout, QWidget* parent = nullptr);
 
   [[nodiscard]] GraphScene& graph() const { return scene_; }
   /// Returns the centre of a port's disc in viewport coordinates; empty if the port does not exist.
   [[nodiscard]] std::optional<QPoint> pointOf(const PortName& port) const;
-  /// Sets how long the pointer still counts as moving after its last move; 3 s by default.
-  void setPointerTimeout(std::chrono::milliseconds timeout) { pointer_timeout_ = timeout; }
   /// The visible part, in scene coordinates.
   [[nodiscard]] QRectF seen() const;
   /// The required interfaces of the working connections that are visible.
@@ -98,6 +100,7 @@ class GraphView : public QGraphicsView {
   GraphScene& scene_;
   Selection& selection_;
   ConnectMode& mode_;
+  const std::chrono::milliseconds pointer_timeout_;
   bool following_ = true;
   std::optional<QPoint> pressed_;
   std::optional<PortName> pressed_port_;
@@ -105,7 +108,6 @@ class GraphView : public QGraphicsView {
   std::optional<NodeDrag> node_drag_;
   bool dragging_ = false;
   std::optional<QPoint> pointer_;
-  std::chrono::milliseconds pointer_timeout_{3000};
   QElapsedTimer pointer_moved_;  // time since the last move of the pointer in this view
 };
 

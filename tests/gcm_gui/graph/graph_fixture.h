@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QTest>
+#include <chrono>
 #include <utility>
 
 #include "support/announcing.h"
@@ -17,7 +18,9 @@ inline constexpr int kGraphPatience = 120'000;  // ms; bounds a test that fails
 /// The graph of a system that exists only as a catalogue; it is empty until Show().
 class GraphFixture : public ::testing::Test {
  protected:
-  explicit GraphFixture(SystemBuilder system) : system_(std::move(system)) {}
+  explicit GraphFixture(SystemBuilder system,
+                        std::chrono::milliseconds pointer_timeout = GraphView::kPointerTimeout)
+      : system_(std::move(system)), view_(scene_, selection_, mode_, pointer_timeout) {}
 
   /// Shows the graph, and waits until all items have their positions.
   void Show() {
@@ -32,7 +35,7 @@ class GraphFixture : public ::testing::Test {
   Selection selection_;
   ConnectMode mode_{store_, actions_};
   GraphScene scene_{store_, selection_, mode_};
-  GraphView view_{scene_, selection_, mode_};
+  GraphView view_;
 };
 
 }  // namespace tendon::gui

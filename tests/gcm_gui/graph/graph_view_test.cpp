@@ -21,7 +21,8 @@ const PortName kDrives{Side::kProvided, {"robot", "arm", "Drives"}};
 
 class GraphViewTest : public GraphFixture {
  protected:
-  GraphViewTest() : GraphFixture(LookSystem(0)) {
+  explicit GraphViewTest(std::chrono::milliseconds pointer_timeout = GraphView::kPointerTimeout)
+      : GraphFixture(LookSystem(0), pointer_timeout) {
     Show();
     view_.resize(900, 480);
     view_.show();
@@ -50,6 +51,12 @@ class GraphViewTest : public GraphFixture {
     }
     return cards;
   }
+};
+
+/// The pointer counts as moving during the whole test.
+class MovingPointerTest : public GraphViewTest {
+ protected:
+  MovingPointerTest() : GraphViewTest(std::chrono::hours(1)) {}
 };
 
 TEST_F(GraphViewTest, TwoClicksConnect) {
@@ -254,8 +261,7 @@ TEST_F(GraphViewTest, NewProcessesDoNotMoveTheViewInConnectMode) {
   EXPECT_EQ(view_.pointOf(kControl).value(), before);
 }
 
-TEST_F(GraphViewTest, NewProcessesDoNotMoveTheViewUnderAMovingPointer) {
-  view_.setPointerTimeout(std::chrono::hours(1));
+TEST_F(MovingPointerTest, NewProcessesDoNotMoveTheView) {
   view_.resize(1600, 900);
   Hover(kControl);
   Hover(kDrives);

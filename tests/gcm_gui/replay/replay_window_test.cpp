@@ -175,7 +175,7 @@ TEST_F(ReplayWindow, ShowsTheSystemAsItWasAndSaysThatItIsARecording) {
   OpenRun();
 
   EXPECT_EQ(window_->windowTitle(), "REPLAY run.mcap – gcm-gui");
-  ReplayStripe& stripe = window_->replay()->strip().stripe();
+  const ReplayStripe& stripe = *window_->replay()->strip().findChild<ReplayStripe*>();
   EXPECT_TRUE(stripe.isVisible());
   EXPECT_EQ(stripe.width(), window_->width());
   EXPECT_THAT(stripe.text().toStdString(), HasSubstr("REPLAY run.mcap recorded on"));
