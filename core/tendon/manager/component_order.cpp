@@ -1,5 +1,4 @@
 #include <tendon/manager/component_order.h>
-#include <tendon/manager/request_serializer.h>
 #include <tendon/task/task.h>
 
 #include <algorithm>

@@ -5,14 +5,6 @@
 
 namespace tendon {
 
-bool RunsAfter(const Component& component, const Component& leader) {
-  const auto* task = dynamic_cast<const Task*>(&component);
-  while (task != nullptr && (task = task->leader()) != nullptr) {
-    if (task == &leader) return true;
-  }
-  return false;
-}
-
 RequestSerializer::Turn::Turn(RequestSerializer& serializer, const Component& component,
                               std::unique_lock<std::recursive_mutex>& lock, SteadyTime deadline)
     : serializer_(serializer), component_(component) {

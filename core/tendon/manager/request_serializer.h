@@ -9,9 +9,6 @@
 
 namespace tendon {
 
-/// Returns true if `component` runs after `leader`, directly or through other components.
-[[nodiscard]] bool RunsAfter(const Component& component, const Component& leader);
-
 /// Lets only one request at a time be in progress for each component. Requests for different
 /// components may overlap. All functions must be called while the owner's lock is held.
 class RequestSerializer {

@@ -194,4 +194,12 @@ void Task::FaultFromOutside(const std::string& reason) {
   TaskLifecycle::WakeThread(*this);
 }
 
+bool RunsAfter(const Component& component, const Component& leader) {
+  const auto* task = dynamic_cast<const Task*>(&component);
+  while (task != nullptr && (task = task->leader()) != nullptr) {
+    if (task == &leader) return true;
+  }
+  return false;
+}
+
 }  // namespace tendon

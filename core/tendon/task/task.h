@@ -162,4 +162,7 @@ class Task : public Component {
   GuardedPointer<TaskFollowers> followers_;
 };
 
+/// Returns true if `component` runs after `leader`, directly or through other tasks.
+[[nodiscard]] bool RunsAfter(const Component& component, const Component& leader);
+
 }  // namespace tendon
