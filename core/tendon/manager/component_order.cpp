@@ -22,7 +22,7 @@ ComponentOrder::ComponentOrder(Components components)
     }
     int leaders = 0;
     while (task != nullptr && (task = task->leader()) != nullptr) ++leaders;
-    leaders_.push_back(leaders);
+    leader_counts_.push_back(leaders);
   }
 }
 
@@ -37,8 +37,9 @@ void ComponentOrder::AddConnection(const std::string& client, const std::string&
 ComponentOrder::Components ComponentOrder::StartOrder() const {
   std::vector<std::size_t> order(components_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return leaders_[a] < leaders_[b]; });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return leader_counts_[a] < leader_counts_[b];
+  });
   Components all;
   for (const std::size_t number : order) all.push_back(components_[number]);
   return all;

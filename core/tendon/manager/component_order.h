@@ -36,8 +36,8 @@ class ComponentOrder {
  private:
   const Components components_;
   std::map<std::string, std::size_t> numbers_;  // index of each component, by name
-  std::vector<int> leaders_;  // of each component: the length of its chain of leaders
-  Dependencies needed_;       // of each component: the components that must not end before it
+  std::vector<int> leader_counts_;              // number of leaders above each component
+  Dependencies needed_;  // the components that each component still needs while it ends
 };
 
 }  // namespace tendon
