@@ -1,9 +1,12 @@
 #include <tendon/base/log.h>
+#include <tendon/manager/component_order.h>
 #include <tendon/manager/local_manager.h>
+#include <tendon/manager/state_requests.h>
 #include <tendon/task/threaded_task.h>
 
 #include <algorithm>
 #include <thread>
+#include <utility>
 
 namespace tendon {
 namespace {
@@ -56,6 +59,14 @@ ConnectionCounts CountsOf(const Connection& connection) {
           .lost_events = connection.lost_events()};
 }
 
+LocalManager::LocalManager()
+    : requests_(std::make_unique<StateRequests>(StateRequests::Manager{
+          .lock = [this] { return Lock(); },
+          .find = [this](const std::string& name) { return Require(name); },
+          .order = [this] { return Order(); },
+          .has_calls_under_way = [this](const Component& one) { return HasCallsUnderWay(one); }})) {
+}
+
 LocalManager::~LocalManager() {
   SetObserver(nullptr);
   EndAll(SteadyClock().Now() + kEndPatience);
@@ -66,7 +77,7 @@ void LocalManager::Clear() {
   SetObserver(nullptr);
   const auto lock = Lock();
   connections_.clear();
-  Components components = InOrder();
+  ComponentOrder::Components components = Order().StartOrder();
   for (auto one = components.rbegin(); one != components.rend(); ++one) (*one)->End();
   for (const auto& one : components) watchdog_.Forget(*one);
   entries_.clear();
@@ -111,7 +122,7 @@ Result<void> LocalManager::Remove(const std::string& component, Patience patienc
     removed = *found;
   }
   const SteadyTime deadline = DeadlineAfter(patience);
-  (void)StopInOrder(
+  (void)requests_->StopInOrder(
       [&](const Component& one) { return &one == removed.get() || RunsAfter(one, *removed); },
       std::min<SteadyTime>(deadline, SteadyClock().Now() + kEndPatience));
   {
@@ -124,8 +135,7 @@ Result<void> LocalManager::Remove(const std::string& component, Patience patienc
     DisconnectAll(component);
   }
   if (!removed->is_at_rest() && !removed->is_stopping()) {
-    const auto stop = [](Component& one) { return one.Stop(kNoWait); };
-    (void)MakeRequest(removed, stop, deadline);
+    (void)requests_->RequestStop(removed, deadline);
   }
   Result<void> stopped;
   if (!removed->is_at_rest()) {
@@ -147,7 +157,7 @@ Result<void> LocalManager::Remove(const std::string& component, Patience patienc
 
 Result<void> LocalManager::TryTakeOut(const std::shared_ptr<Component>& component,
                                       SteadyTime deadline) {
-  if (serializer_.IsInUse(*component)) return RequestInProgress(component->name());
+  if (const auto none = requests_->RequireNoRequest(*component); !none) return none;
   if (!component->is_at_rest()) {
     return Error{ErrorCode::kFailed,
                  "component '" + component->name() + "' is not removed, because it runs again"};
@@ -273,6 +283,101 @@ void LocalManager::Close(const LocalConnection& connection, std::chrono::millise
   Log(LogLevel::kWarning, ends.required.component,
       "the disconnect of " + ToString(ends.required) + " from " + ToString(ends.provided) +
           " has dropped " + std::to_string(dropped) + " calls and events that were not executed");
+}
+
+Result<void> LocalManager::RunAfter(const std::string& component, const std::string& leader,
+                                    Patience patience) {
+  const auto done = Retry(
+      patience, [&](SteadyTime deadline) { return TryRunAfter(component, leader, deadline); });
+  if (done) NotifyChanged();
+  return done;
+}
+
+Result<void> LocalManager::TryRunAfter(const std::string& component, const std::string& leader,
+                                       SteadyTime deadline) {
+  const auto follower = Require(component);
+  if (!follower) return follower.error();
+  const auto first = Require(leader);
+  if (!first) return first.error();
+  auto* task = dynamic_cast<ThreadedTask*>(follower->get());
+  auto* leading = dynamic_cast<Task*>(first->get());
+  if (task == nullptr || leading == nullptr) {
+    return Error{ErrorCode::kFailed, "component '" + component + "' cannot run after '" + leader +
+                                         "': '" +
+                                         (task == nullptr ? component + "' has no thread"
+                                                          : leader + "' does not run in cycles")};
+  }
+  if (const auto none = requests_->RequireNoRequest(*task); !none) return none;
+  return task->RunAfter(*leading, deadline);
+}
+
+Result<void> LocalManager::Start(const std::string& component, Patience patience) {
+  return requests_->Start(component, patience);
+}
+
+Result<void> LocalManager::Start(const std::string& component, Patience patience,
+                                 std::function<bool()> proceed) {
+  return requests_->Start(component, patience, std::move(proceed));
+}
+
+Result<void> LocalManager::Suspend(const std::string& component, Patience patience) {
+  return requests_->Suspend(component, patience);
+}
+
+Result<void> LocalManager::Stop(const std::string& component, Patience patience) {
+  return requests_->Stop(component, patience);
+}
+
+Result<void> LocalManager::TransitionTo(const std::string& component, ComponentState wanted,
+                                        Patience patience) {
+  return requests_->TransitionTo(component, wanted, patience);
+}
+
+Result<void> LocalManager::StartAll(Patience patience) { return requests_->StartAll(patience); }
+
+Result<void> LocalManager::SuspendAll(Patience patience) { return requests_->SuspendAll(patience); }
+
+Result<void> LocalManager::StopAll(Patience patience) { return requests_->StopAll(patience); }
+
+Result<void> LocalManager::WaitFor(const std::string& component, ComponentState state,
+                                   Patience patience) {
+  return requests_->WaitFor(component, state, patience);
+}
+
+Result<void> LocalManager::WaitForAll(ComponentState state, Patience patience) {
+  return requests_->WaitForAll(state, patience);
+}
+
+void LocalManager::EndAll(SteadyTime deadline) {
+  const auto ended =
+      requests_->StopInOrder([](const Component& /*one*/) { return true; }, deadline);
+  if (ended) return;
+  Log(LogLevel::kWarning, "manager", "the shutdown is not complete: " + ended.error().message);
+}
+
+/// Ignores servers whose calls this thread executes, because they execute nothing while this thread
+/// waits.
+bool LocalManager::HasCallsUnderWay(const Component& client) const {
+  const auto lock = Lock();
+  return std::ranges::any_of(connections_, [&](const auto& one) {
+    const ConnectionDescription& ends = one.second.description;
+    if (ends.required.component != client.name()) return false;
+    if (one.second.connection->waiting() == 0) return false;
+    const auto server = FindProvided(ends.provided);
+    const Inbox* const inbox = server ? (*server)->inbox() : nullptr;
+    return inbox != nullptr && inbox->accepting() && inbox->IsForeignThread();
+  });
+}
+
+ComponentOrder LocalManager::Order() const {
+  ComponentOrder::Components components;
+  for (const Entry& entry : entries_) components.push_back(entry.component);
+  ComponentOrder order(std::move(components));
+  for (const auto& [id, connection] : connections_) {
+    const ConnectionDescription& ends = connection.description;
+    order.AddConnection(ends.required.component, ends.provided.component);
+  }
+  return order;
 }
 
 Component* LocalManager::Find(const std::string& component) const {
@@ -439,7 +544,7 @@ Result<void> LocalManager::TryReplace(Entry& given, SteadyTime deadline) {
   const auto present = Require(name);
   if (!present) return present.error();
   Component& former = **present;
-  if (serializer_.IsInUse(former)) return RequestInProgress(name);
+  if (const auto none = requests_->RequireNoRequest(former); !none) return none;
   if (!former.is_at_rest()) return NotReplaced(name, "it runs; stop it first");
   const auto settings = SettingsOf(name);
   if (!settings->followers.empty()) {

@@ -1,10 +1,9 @@
 #pragma once
 
+#include <tendon/base/clock.h>
 #include <tendon/base/result.h>
 #include <tendon/interface/connection.h>
 #include <tendon/manager/component_description.h>
-#include <tendon/manager/orderly_shutdown.h>
-#include <tendon/manager/request_serializer.h>
 #include <tendon/manager/watchdog.h>
 #include <tendon/task/component.h>
 #include <tendon/task/thread_options.h>
@@ -45,6 +44,7 @@ struct RunSettings {
 
 class ComponentOrder;
 class LocalManager;
+class StateRequests;
 
 /// The second base class of a component that works on all components of its manager, such as a
 /// recorder.
@@ -68,7 +68,7 @@ class ManagerClient {
 /// of a component, it delays only other requests for this component.
 class LocalManager {
  public:
-  LocalManager() = default;
+  LocalManager();
   LocalManager(const LocalManager&) = delete;
   LocalManager& operator=(const LocalManager&) = delete;
   /// Stops all components like StopAll(), within kEndPatience. Then disconnects and destroys them.
@@ -220,8 +220,6 @@ class LocalManager {
     std::shared_ptr<Component> component;  // shared, because threads may wait for its state
     ComponentOrigin origin;
   };
-  using Components = std::vector<std::shared_ptr<Component>>;
-  using Request = std::function<Result<void>(Component&)>;
   struct LocalConnection {
     ConnectionDescription description;
     std::unique_ptr<Connection> connection;
@@ -233,24 +231,6 @@ class LocalManager {
   [[nodiscard]] Result<std::shared_ptr<Component>> Require(const std::string& component) const;
   /// Called while the lock is held.
   [[nodiscard]] ComponentOrder Order() const;
-  using IsMeant = std::function<bool(const Component&)>;
-  // See ComponentOrder.
-  [[nodiscard]] Components InOrder() const;
-  [[nodiscard]] std::vector<OrderlyShutdown::Member> InEndOrder(const IsMeant& is_meant) const;
-  Result<void> StopInOrder(const IsMeant& is_meant, SteadyTime deadline);
-  [[nodiscard]] bool IsAtRest(const Component& component) const;
-  /// Waits until servers have executed the calls of `client`. Logs a warning if this takes longer
-  /// than until `deadline`.
-  void LetExecute(const Component& client, SteadyTime deadline) const;
-  Result<void> RequestState(const std::string& component, const Request& request,
-                            ComponentState wanted, Patience patience);
-  Result<void> RequestStateOfAll(const Components& components, const Request& request,
-                                 ComponentState wanted, Patience patience);
-  /// Waits until no other request for the component is in progress, then makes the request. Does
-  /// not wait until the request takes effect.
-  Result<void> MakeRequest(const std::shared_ptr<Component>& component, const Request& request,
-                           SteadyTime deadline);
-  [[nodiscard]] static Error RequestInProgress(const std::string& component);
   [[nodiscard]] std::vector<std::string> component_names() const;
   [[nodiscard]] Result<ConnectionId> FindConnection(const InterfaceName& required) const;
   /// Closes a connection and logs how many calls and events were dropped.
@@ -272,9 +252,9 @@ class LocalManager {
 
   mutable std::recursive_mutex mutex_;
   std::vector<Entry> entries_;
-  RequestSerializer serializer_;  // guarded by mutex_
   std::map<ConnectionId, LocalConnection> connections_;
   ConnectionId last_connection_ = 0;
+  const std::unique_ptr<StateRequests> requests_;
   mutable std::mutex observer_mutex_;
   std::function<void()> observer_;
   Watchdog watchdog_{[this] { NotifyChanged(); }};  // last member, so that its thread ends first

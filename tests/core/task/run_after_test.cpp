@@ -49,6 +49,16 @@ TEST_F(RunAfter, SharesTheThreadAndTheCycleOfTheLeader) {
   EXPECT_GT(follower.Newest<CycleStatistics>("Cycle").period, 0.0);
 }
 
+TEST_F(RunAfter, IsKnownForDirectAndIndirectLeaders) {
+  auto& last = manager.Add<Periodic>("last", 1h);
+  ASSERT_TRUE(manager.RunAfter("last", "follower").ok());
+
+  EXPECT_TRUE(tendon::RunsAfter(follower, leader));
+  EXPECT_TRUE(tendon::RunsAfter(last, leader));
+  EXPECT_FALSE(tendon::RunsAfter(leader, last));
+  EXPECT_FALSE(tendon::RunsAfter(leader, leader));
+}
+
 TEST_F(RunAfter, RunsOneCycleAfterEachOfTheLeader) {
   tendon::LocalManager other;
   auto& driver = other.Add<Callback>("driver");

@@ -1,7 +1,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <tendon/manager/state_requests.h>
 
 #include <atomic>
+#include <memory>
+#include <mutex>
+#include <string>
 #include <thread>
 
 #include "core/task/scripted.h"
@@ -123,6 +127,24 @@ TEST_F(BusyComponent, KeepsItsLeader) {
   EXPECT_EQ(removed.error().code, ErrorCode::kTimeout);
   Release();
   EXPECT_TRUE(manager.Remove("arm").ok());
+}
+
+TEST(StateRequestsTest, AStopOfARemovedComponentIsRefused) {
+  std::recursive_mutex mutex;
+  tendon::StateRequests requests(
+      {.lock = [&mutex] { return std::unique_lock(mutex); },
+       .find = [](const std::string& name) -> tendon::Result<std::shared_ptr<tendon::Component>> {
+         return tendon::Error{ErrorCode::kNotFound, "no component '" + name + "'"};
+       },
+       .order = [] { return tendon::ComponentOrder({}); },
+       .has_calls_under_way = [](const tendon::Component&) { return false; }});
+  const auto removed = std::make_shared<Periodic>("arm", 1ms);
+
+  const auto stopped = requests.RequestStop(removed, tendon::SteadyClock().Now());
+
+  ASSERT_FALSE(stopped.ok());
+  EXPECT_EQ(stopped.error().code, ErrorCode::kNotFound);
+  EXPECT_EQ(stopped.error().message, "component 'arm' was removed by another request");
 }
 
 }  // namespace
