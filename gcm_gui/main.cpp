@@ -4,6 +4,7 @@
 #include <gcm_gui/help/tour.h>
 #include <gcm_gui/language/language.h>
 #include <gcm_gui/language/words.h>
+#include <gcm_gui/plot/plot_files.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/recording/window_recording.h>
 #include <gcm_gui/replay/replay_session.h>
@@ -198,7 +199,8 @@ void ShowWindow(tendon::gui::MainWindow& window, tendon::gui::SavedSettings& val
   }
   KeepLayout(window, values);
   window.show();
-  if (!options.layout.empty()) window.plots().openLayout(QString::fromStdString(options.layout));
+  if (!options.layout.empty())
+    window.plots().files().openLayout(QString::fromStdString(options.layout));
 }
 
 /// Shows a recording, with no connection to any running system.

@@ -14,6 +14,7 @@
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/lifecycle/lifecycle_card.h>
 #include <gcm_gui/lifecycle/lifecycle_commands.h>
+#include <gcm_gui/plot/plot_files.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
 #include <gcm_gui/recording/window_recording.h>
@@ -228,10 +229,12 @@ void WindowCommands::addPlotCommands() {
   add(Words::tr("Add a curve of a recor&ding…"), {}, [this] { window_.overlay().ask(); });
   commands_->menu(Commands::Menu::kPlot).addSeparator();
   add(Words::tr("&Save the visible samples as CSV…"), QKeySequence(Qt::CTRL | Qt::Key_E),
-      [this] { window_.plots().askForCsv(); });
-  add(Words::tr("Save a p&icture…"), {}, [this] { window_.plots().askForPicture(); });
-  add(Words::tr("&Open a layout of plots…"), {}, [this] { window_.plots().askForLayout(); });
-  add(Words::tr("Save the layou&t of plots…"), {}, [this] { window_.plots().askToSaveLayout(); });
+      [this] { window_.plots().files().askForCsv(); });
+  add(Words::tr("Save a p&icture…"), {}, [this] { window_.plots().files().askForPicture(); });
+  add(Words::tr("&Open a layout of plots…"), {},
+      [this] { window_.plots().files().askForLayout(); });
+  add(Words::tr("Save the layou&t of plots…"), {},
+      [this] { window_.plots().files().askToSaveLayout(); });
 }
 
 void WindowCommands::addHelpCommands() {

@@ -121,7 +121,7 @@ QString ReadPlot(const QJsonValue& json, PlotLayout& plot) {
 QByteArray LayoutOf(const PlotPanel& panel) {
   QJsonArray plots;
   for (int i = 0; i < panel.plotCount(); ++i) {
-    plots.append(JsonOf(panel.plot(i), panel.name(i), panel.isBelow(i)));
+    plots.append(JsonOf(panel.plot(i), panel.tabs().name(panel.plot(i)), panel.isBelow(i)));
   }
   QJsonObject layout{{"version", kVersion}, {"plots", plots}};
   if (!panel.areMarksShown()) layout["marks"] = false;
@@ -154,7 +154,7 @@ std::optional<QString> ShowLayout(PlotPanel& panel, const QByteArray& layout) {
     using Motion = TimeWindow::Motion;
     view.setMotion(plot.is_sweeping ? Motion::kSweep : Motion::kScroll);
     view.setScale(plot.is_logarithmic ? ValueScale::kLogarithmic : ValueScale::kLinear);
-    if (!plot.is_below) panel.setName(view, plot.name);
+    if (!plot.is_below) panel.tabs().setName(view, plot.name);
     for (const CurveLayout& curve : plot.curves) {
       const QString recording = RecordingOf(curve.key.path);
       if (!recording.isEmpty()) view.recordedCurves().setShift(recording, curve.shift_ns);

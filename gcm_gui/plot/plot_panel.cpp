@@ -1,22 +1,16 @@
-#include <gcm_gui/files/file_reader.h>
-#include <gcm_gui/files/file_writer.h>
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/controls/plot_header.h>
 #include <gcm_gui/plot/controls/plot_menu.h>
-#include <gcm_gui/plot/plot_layout.h>
+#include <gcm_gui/plot/plot_files.h>
 #include <gcm_gui/plot/plot_page.h>
 #include <gcm_gui/plot/plot_panel.h>
-#include <gcm_gui/plot/plot_picture.h>
 #include <gcm_gui/plot/plot_view.h>
-#include <gcm_gui/plot/series/shown_time.h>
 #include <gcm_gui/plot/series/time_shift.h>
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QMenu>
-#include <QSet>
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QVBoxLayout>
@@ -30,33 +24,14 @@ namespace {
 
 constexpr int kHeadPeriod = 250;  // ms
 
-/// Returns the column of a signal: `Joints`. If another of the signals has a column of this name in
-/// another component, also returns the component: `arm.Joints`.
-QString TabTitle(const QString& path, const QStringList& signals_of_all_tabs) {
-  const auto whole = [](const QString& signal) {
-    return ShortName(SourceOf(signal) + '.' + ColumnOf(signal));
-  };
-  const QString column = ColumnOf(path);
-  const bool is_ambiguous = std::any_of(
-      signals_of_all_tabs.begin(), signals_of_all_tabs.end(), [&](const QString& other) {
-        return ColumnOf(other) == column && whole(other) != whole(path);
-      });
-  return is_ambiguous ? whole(path) : column;
-}
-
-CsvTable InSight(const PlotView& view) {
-  const TimeWindow& window = view.window();
-  return CsvTableOf(view.curves(), window.firstTime(), window.lastTime(),
-                    ShownWallTime() - view.now());
-}
-
 }  // namespace
 
 PlotPanel::PlotPanel(QWidget* parent)
     : QWidget(parent),
-      reader_(new FileReader(this)),
       head_(new PlotHeader(this)),
-      pages_(new QStackedWidget(this)) {
+      pages_(new QStackedWidget(this)),
+      tabs_(head_->tabs(), *pages_),
+      files_(new PlotFiles(*this)) {
   setObjectName("plotPanel");
   setAccessibleName(Words::tr("Plots"));
   auto* column = new QVBoxLayout(this);
@@ -66,7 +41,7 @@ PlotPanel::PlotPanel(QWidget* parent)
   column->addWidget(pages_, 1);
   buildTabs();
   connectHead();
-  connect(&csv_, &CsvExport::finished, this, &PlotPanel::notice);
+  connect(files_, &PlotFiles::notice, this, &PlotPanel::notice);
   connect(&head_timer_, &QTimer::timeout, this, Guarded(this, &PlotPanel::updateHead));
   head_timer_.start(kHeadPeriod);
   addPlot();
@@ -85,7 +60,7 @@ void PlotPanel::connectHead() {
   connect(head_, &PlotHeader::pauseToggled, this, &PlotPanel::setPaused);
   connect(head_, &PlotHeader::cursorsToggled, this,
           [this](bool shown) { currentPlot().cursors().show(shown); });
-  connect(head_, &PlotHeader::csvRequested, this, &PlotPanel::askForCsv);
+  connect(head_, &PlotHeader::csvRequested, files_, &PlotFiles::askForCsv);
 }
 
 void PlotPanel::buildTabs() {
@@ -122,7 +97,7 @@ void PlotPanel::prepare(PlotView& given) {
   connect(view, &PlotView::marksToggled, this, [this] { setMarksShown(!marks_shown_); });
   connect(view, &PlotView::remapRequested, this, &PlotPanel::askForRemap);
   connect(view, &PlotView::menuRequested, this, [this, view](const QPoint& position) {
-    pageOf(*view).setCurrent(*view);
+    tabs_.pageOf(*view).setCurrent(*view);
     showPlotMenu(*view, position);
   });
 }
@@ -142,7 +117,7 @@ void PlotPanel::add(PlotView& view, const CurveKey& key) {
   if (time != recorded_times_.end()) curve.setRecordedEnd(time->second.to_ns);
   if (losses_ && !curve.isRecorded()) curve.setLossesBefore(losses_(key.path));
   shareMemory();
-  nameTab(view);
+  tabs_.update(tabs_.pageOf(view));
   updateHead();
   if (wanted) Q_EMIT subscriptionWanted(key.path);
 }
@@ -152,7 +127,7 @@ void PlotPanel::removeFrom(PlotView& view, const QString& given) {
   const QString path = given;  // a copy, because `given` may refer to the path in the curve itself
   view.removeCurve(path);
   shareMemory();
-  nameTab(view);
+  tabs_.update(tabs_.pageOf(view));
   updateHead();
   if (!isPlotted(path)) Q_EMIT subscriptionReleased(path);
 }
@@ -160,21 +135,21 @@ void PlotPanel::removeFrom(PlotView& view, const QString& given) {
 // Returns the names of the values of this signal, from any plot that shows the signal. The source
 // announces these names only once.
 ValueNamesPointer PlotPanel::namesOf(const QString& path) const {
-  for (const PlotView* view : plots()) {
+  for (const PlotView* view : tabs_.plots()) {
     if (const Curve* curve = view->curve(path)) return curve->allNames();
   }
   return nullptr;
 }
 
 bool PlotPanel::isPlotted(const QString& path) const {
-  const std::vector<PlotView*> all = plots();
+  const std::vector<PlotView*> all = tabs_.plots();
   return std::any_of(all.begin(), all.end(),
                      [&](const PlotView* view) { return view->curve(path) != nullptr; });
 }
 
 QStringList PlotPanel::paths() const {
   QStringList paths;
-  for (PlotView* view : plots()) {
+  for (PlotView* view : tabs_.plots()) {
     for (const auto& curve : view->curves().curves()) {
       if (!curve->isRecorded() && !paths.contains(curve->path())) paths << curve->path();
     }
@@ -183,7 +158,7 @@ QStringList PlotPanel::paths() const {
 }
 
 void PlotPanel::append(const QString& path, std::span<const Sample> samples) {
-  for (PlotView* view : plots()) {
+  for (PlotView* view : tabs_.plots()) {
     Curve* curve = view->curve(path);
     if (curve == nullptr) continue;
     curve->append(samples);
@@ -193,28 +168,28 @@ void PlotPanel::append(const QString& path, std::span<const Sample> samples) {
 }
 
 void PlotPanel::setNames(const QString& path, const ValueNamesPointer& names) {
-  for (PlotView* view : plots()) view->setNames(path, names);
+  for (PlotView* view : tabs_.plots()) view->setNames(path, names);
 }
 
 void PlotPanel::addMark(Mark mark) {
   marks_.add(std::move(mark));
-  for (PlotView* view : plots()) view->changed();
+  for (PlotView* view : tabs_.plots()) view->changed();
 }
 
 void PlotPanel::removeMarks() {
   marks_.clear();
-  for (PlotView* view : plots()) view->changed();
+  for (PlotView* view : tabs_.plots()) view->changed();
 }
 
 void PlotPanel::setMarksShown(bool shown) {
   if (shown == marks_shown_) return;
   marks_shown_ = shown;
-  for (PlotView* view : plots()) view->marks().setShown(shown);
+  for (PlotView* view : tabs_.plots()) view->marks().setShown(shown);
   Q_EMIT marksShownChanged(shown);
 }
 
 void PlotPanel::removeSamples(const QString& recording) {
-  for (PlotView* view : plots()) {
+  for (PlotView* view : tabs_.plots()) {
     for (const auto& curve : view->curves().curves()) {
       if (curve->recording() == recording) curve->removeSamples();
     }
@@ -224,7 +199,7 @@ void PlotPanel::removeSamples(const QString& recording) {
 
 void PlotPanel::setRecordedTime(const QString& recording, const TimeSpan& time) {
   recorded_times_[recording] = time;
-  for (PlotView* view : plots()) {
+  for (PlotView* view : tabs_.plots()) {
     for (const auto& curve : view->curves().curves()) {
       if (curve->recording() == recording) curve->setRecordedEnd(time.to_ns);
     }
@@ -240,7 +215,7 @@ void PlotPanel::showBegin(PlotView& view, const QString& recording) {
 }
 
 std::optional<TimeSpan> PlotPanel::seenOf(const QString& recording) const {
-  for (PlotView* view : page(pages_->currentIndex()).views()) {
+  for (PlotView* view : tabs_.currentPage().views()) {
     if (!view->recordedCurves().recordings().contains(recording)) continue;
     const std::int64_t back_ns = -view->recordedCurves().shift(recording);
     return TimeSpan{.from_ns = MovedTime(view->window().firstTime(), back_ns),
@@ -250,13 +225,13 @@ std::optional<TimeSpan> PlotPanel::seenOf(const QString& recording) const {
 }
 
 void PlotPanel::beginEpoch(const QString& path) {
-  for (PlotView* view : plots()) {
+  for (PlotView* view : tabs_.plots()) {
     if (Curve* curve = view->curve(path)) curve->beginEpoch();
   }
 }
 
 void PlotPanel::setStale(const QString& path, const QString& reason) {
-  for (PlotView* view : plots()) {
+  for (PlotView* view : tabs_.plots()) {
     Curve* curve = view->curve(path);
     if (curve != nullptr) curve->setStale(reason.isEmpty() ? WaitingFor(path) : reason);
   }
@@ -269,7 +244,7 @@ void PlotPanel::setStandstills(Standstills standstills) {
 
 void PlotPanel::updateStandstills() {
   if (!standstills_) return;
-  for (PlotView* view : plots()) {
+  for (PlotView* view : tabs_.plots()) {
     for (const auto& curve : view->curves().curves()) {
       if (curve->isRecorded()) continue;
       const SampleRing& samples = curve->samples();
@@ -286,7 +261,7 @@ void PlotPanel::updateStandstills() {
 void PlotPanel::setPaused(bool paused) {
   if (paused == paused_) return;
   paused_ = paused;
-  for (PlotView* view : plots()) view->setPaused(paused);
+  for (PlotView* view : tabs_.plots()) view->setPaused(paused);
   head_->setPaused(paused);
   Q_EMIT pausedChanged(paused);
 }
@@ -294,72 +269,6 @@ void PlotPanel::setPaused(bool paused) {
 void PlotPanel::setWindow(std::chrono::nanoseconds length) {
   currentPlot().setWindow(length);
   updateHead();
-}
-
-void PlotPanel::askForCsv() {
-  auto table = std::make_shared<CsvTable>(InSight(currentPlot()));
-  if (table->empty()) {
-    Q_EMIT notice(Words::tr("There is nothing to save as CSV: the plot shows no samples"));
-    return;
-  }
-  askForFile(Words::tr("Save the visible samples as CSV"), Words::tr("CSV (*.csv)"), "csv",
-             [this, table](const QString& file) { csv_.save(std::move(*table), file); });
-}
-
-void PlotPanel::askForFile(const QString& title, const QString& filter, const QString& suffix,
-                           FileHandler handler) {
-  auto* dialog = new QFileDialog(this, title);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setNameFilter(filter);
-  dialog->setDefaultSuffix(suffix);
-  dialog->selectFile(head_->tabs().tabText(pages_->currentIndex()) + '.' + suffix);
-  connect(dialog, &QFileDialog::fileSelected, this, std::move(handler));
-  dialog->open();
-}
-
-void PlotPanel::askForPicture() {
-  askForFile(Words::tr("Save a picture of the plot"), Words::tr("PNG (*.png);;SVG (*.svg)"), "png",
-             [this](const QString& file) {
-               SavePicture(currentPlot(), file, this,
-                           [this](const QString& sentence) { Q_EMIT notice(sentence); });
-             });
-}
-
-void PlotPanel::askToSaveLayout() {
-  askForFile(Words::tr("Save the layout of all plots"), Words::tr("Plot layout (*.plots.json)"),
-             "plots.json", [this](const QString& file) { saveLayout(file); });
-}
-
-void PlotPanel::askForLayout() {
-  auto* dialog = new QFileDialog(this, Words::tr("Open a layout of plots"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  dialog->setNameFilter(Words::tr("Plot layout (*.plots.json *.json)"));
-  connect(dialog, &QFileDialog::fileSelected, this, &PlotPanel::openLayout);
-  dialog->open();
-}
-
-void PlotPanel::saveLayout(const QString& name) {
-  FileWriter::instance().write(name, LayoutOf(*this), this, [this, name](const QString& refusal) {
-    Q_EMIT notice(refusal.isEmpty() ? name + Words::tr(" saved") : NotSaved(name, refusal));
-  });
-}
-
-void PlotPanel::openLayout(const QString& name) {
-  reader_->read(name, [this, name](const QByteArray& content, const QString& refusal) {
-    if (!refusal.isEmpty()) {
-      return Q_EMIT notice(name + Words::tr(" cannot be read: ") + refusal);
-    }
-    try {
-      if (const auto reason = ShowLayout(*this, content)) {
-        Q_EMIT notice(name + Words::tr(" is not a layout of plots: ") + *reason);
-      }
-    } catch (...) {
-      ExceptionGuard::instance().recordException(this, ViewWork::kHandling);
-      Q_EMIT notice(name + Words::tr(" cannot be shown: ") + CurrentExceptionText());
-    }
-  });
 }
 
 void PlotPanel::setCandidates(std::function<QList<CurveKey>(const QString& path)> candidates) {
@@ -396,7 +305,7 @@ void PlotPanel::remap(const QString& given, const CurveKey& to) {
   // Copied, because `given` may refer to the path of a curve that this function removes.
   const QString from = given;
   if (from == to.path || to.path.isEmpty()) return;
-  for (PlotView* view : plots()) {
+  for (PlotView* view : tabs_.plots()) {
     if (view->curve(from) == nullptr) continue;
     const CurveLook look = view->curve(from)->look();
     const bool is_new = view->curve(to.path) == nullptr;
@@ -425,9 +334,9 @@ void PlotPanel::setMemoryBudget(std::size_t bytes) {
 
 void PlotPanel::shareMemory() {
   std::size_t count = 0;
-  for (const PlotView* view : plots()) count += view->curves().curves().size();
+  for (const PlotView* view : tabs_.plots()) count += view->curves().curves().size();
   const std::size_t budget = memory_ / std::max<std::size_t>(count, 1);
-  for (PlotView* view : plots()) {
+  for (PlotView* view : tabs_.plots()) {
     for (const auto& curve : view->curves().curves()) curve->setBudget(budget);
   }
 }
@@ -437,7 +346,7 @@ void PlotPanel::updateHead() {
   updateStandstills();
   std::size_t used = 0;
   bool is_thinned = false;
-  for (PlotView* view : plots()) {
+  for (PlotView* view : tabs_.plots()) {
     for (const auto& curve : view->curves().curves()) {
       used += curve->bytes();
       is_thinned = is_thinned || curve->isThinned();
@@ -463,15 +372,15 @@ PlotView& PlotPanel::addPlot() {
   const int index = head_->tabs().addTab({});
   PlotView& view = page->current();
   prepare(view);
-  nameTab(view);
+  tabs_.update(tabs_.pageOf(view));
   showPage(index);
   return view;
 }
 
 PlotView& PlotPanel::splitPlot() {
-  PlotView& view = page(pages_->currentIndex()).split();
+  PlotView& view = tabs_.currentPage().split();
   prepare(view);
-  nameTab(view);
+  tabs_.update(tabs_.pageOf(view));
   updateHead();
   return view;
 }
@@ -482,21 +391,21 @@ void PlotPanel::closePlot(PlotView& view) {
   QStringList paths;
   for (const auto& curve : view.curves().curves()) paths << curve->path();
   for (const QString& path : paths) removeFrom(view, path);
-  PlotPage& page = pageOf(view);
+  PlotPage& page = tabs_.pageOf(view);
   if (page.views().size() > 1) {
     page.close(view);
-    return nameTab(page.current());
+    return tabs_.update(page);
   }
   if (pages_->count() == 1) return;
   head_->tabs().removeTab(pages_->indexOf(&page));
   pages_->removeWidget(&page);
   page.deleteLater();
-  nameTabs();
+  tabs_.update();
   showPage(head_->tabs().currentIndex());
 }
 
 void PlotPanel::closePage(int index) {
-  const std::vector<PlotView*> views = page(index).views();
+  const std::vector<PlotView*> views = tabs_.page(index).views();
   for (PlotView* view : views) closePlot(*view);
 }
 
@@ -505,7 +414,7 @@ void PlotPanel::showTabMenu(const QPoint& position) {
   if (index < 0) return;
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  const bool are_several = page(index).views().size() > 1;
+  const bool are_several = tabs_.page(index).views().size() > 1;
   menu->addAction(Words::tr("Rename…"), this, [this, index] {
     showPage(index);
     askForName();
@@ -523,7 +432,7 @@ void PlotPanel::showPage(int index) {
 
 void PlotPanel::showPlot(int index) {
   PlotView& view = plot(index);
-  PlotPage& page = pageOf(view);
+  PlotPage& page = tabs_.pageOf(view);
   page.setCurrent(view);
   showPage(pages_->indexOf(&page));
 }
@@ -534,105 +443,42 @@ void PlotPanel::askForName() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(Words::tr("Rename this plot"));
   dialog->setLabelText(Words::tr("Name; leave it empty for the default name"));
-  dialog->setTextValue(pageOf(view).name());
+  dialog->setTextValue(tabs_.name(view));
   connect(dialog, &QInputDialog::textValueSelected, &view,
-          [this, &view](const QString& name) { setName(view, name); });
+          [this, &view](const QString& name) { tabs_.setName(view, name); });
   dialog->open();
 }
 
-void PlotPanel::setName(PlotView& view, const QString& name) {
-  pageOf(view).setName(name.simplified());
-  nameTab(view);
+PlotView& PlotPanel::plot(int index) const {
+  return *tabs_.plots().at(static_cast<std::size_t>(index));
 }
-
-QString PlotPanel::name(int index) const { return pageOf(plot(index)).name(); }
-
-// Names the plots of a page, and the tabs. All plots of a page except the first also get a number.
-void PlotPanel::nameTab(PlotView& view) {
-  const PlotPage& page = pageOf(view);
-  const auto& views = page.views();
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    const auto& curves = views[i]->curves().curves();
-    const QString name = curves.empty() ? QString::number(pages_->indexOf(&page) + 1)
-                                        : ColumnOf(curves.front()->path());
-    const QString number = i == 0 ? QString() : ' ' + QString::number(i + 1);
-    views[i]->setAccessibleName(Words::tr("Plot ") + name + number);
-    views[i]->canvas()->setAccessibleName(views[i]->accessibleName());
-    ExceptionGuard::setName(*views[i], {});
-  }
-  nameTabs();
-}
-
-// Sets the titles of all tabs: the name given by the user; otherwise TabTitle() the first curve;
-// for an empty page, a number. A title that an earlier tab has also gets a number.
-void PlotPanel::nameTabs() {
-  QStringList firsts;
-  for (int i = 0; i < pages_->count(); ++i) {
-    QString first;
-    for (const PlotView* view : page(i).views()) {
-      if (first.isEmpty() && !view->curves().empty())
-        first = view->curves().curves().front()->path();
-    }
-    firsts << first;
-  }
-  QStringList titles;
-  for (int i = 0; i < pages_->count(); ++i) {
-    const QString title =
-        firsts[i].isEmpty() ? Words::tr("Plot %1").arg(i + 1) : TabTitle(firsts[i], firsts);
-    const auto same = titles.count(title);
-    titles << title;
-    const QString number = same == 0 ? QString() : ' ' + QString::number(same + 1);
-    head_->tabs().setTabText(i, page(i).name().isEmpty() ? title + number : page(i).name());
-  }
-}
-
-PlotPage& PlotPanel::page(int index) const {
-  return static_cast<PlotPage&>(*pages_->widget(index));
-}
-
-PlotPage& PlotPanel::pageOf(const PlotView& view) const {
-  int index = 0;
-  while (!page(index).holds(view)) ++index;
-  return page(index);
-}
-
-std::vector<PlotView*> PlotPanel::plots() const {
-  std::vector<PlotView*> plots;
-  for (int i = 0; i < pages_->count(); ++i) {
-    const auto& views = page(i).views();
-    plots.insert(plots.end(), views.begin(), views.end());
-  }
-  return plots;
-}
-
-PlotView& PlotPanel::plot(int index) const { return *plots().at(static_cast<std::size_t>(index)); }
 
 bool PlotPanel::isBelow(int index) const {
   const PlotView& view = plot(index);
-  return pageOf(view).views().front() != &view;
+  return tabs_.pageOf(view).views().front() != &view;
 }
 
-int PlotPanel::plotCount() const { return static_cast<int>(plots().size()); }
+int PlotPanel::plotCount() const { return static_cast<int>(tabs_.plots().size()); }
 
-PlotView& PlotPanel::currentPlot() const { return page(pages_->currentIndex()).current(); }
+PlotView& PlotPanel::currentPlot() const { return tabs_.currentPage().current(); }
 
 int PlotPanel::currentIndex() const {
-  const std::vector<PlotView*> all = plots();
+  const std::vector<PlotView*> all = tabs_.plots();
   return static_cast<int>(std::find(all.begin(), all.end(), &currentPlot()) - all.begin());
 }
 
 // Moves a curve with its samples to `to`. If that plot already has the path, only removes the
 // curve.
 void PlotPanel::move(const QString& path, quint64 from, PlotView& to) {
-  for (PlotView* view : plots()) {
+  for (PlotView* view : tabs_.plots()) {
     if (view->id() != from || view == &to) continue;
     std::unique_ptr<Curve> curve = view->takeCurve(path);
     if (curve == nullptr) return;
     if (to.curve(path) == nullptr) to.adoptCurve(std::move(curve));
     shareMemory();
-    nameTab(*view);
-    nameTab(to);
-    pageOf(to).setCurrent(to);
+    tabs_.update(tabs_.pageOf(*view));
+    tabs_.update(tabs_.pageOf(to));
+    tabs_.pageOf(to).setCurrent(to);
     updateHead();
   }
 }

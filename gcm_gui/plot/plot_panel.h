@@ -1,6 +1,6 @@
 #pragma once
 
-#include <gcm_gui/plot/series/csv_export.h>
+#include <gcm_gui/plot/plot_tabs.h>
 #include <gcm_gui/plot/series/mark_track.h>
 #include <gcm_gui/plot/series/sample_ring.h>
 #include <gcm_gui/plot/series/signal_path.h>
@@ -21,9 +21,8 @@ class QStackedWidget;
 
 namespace tendon::gui {
 
-class FileReader;
+class PlotFiles;
 class PlotHeader;
-class PlotPage;
 class PlotView;
 
 /// The plots of the window. Each page has a tab and contains plots below each other that show the
@@ -40,6 +39,8 @@ class PlotPanel : public QWidget {
 
   explicit PlotPanel(QWidget* parent = nullptr);
 
+  // Signals and their samples.
+
   /// Adds the signal to the current plot. Does nothing if the plot already has it.
   void addSignal(const QString& path, const QString& unit);
   /// Appends samples to all curves of the path. Ignored if no plot has this path.
@@ -47,18 +48,6 @@ class PlotPanel : public QWidget {
   /// Sets the names of a signal's values in all present and future plots; null if the values are
   /// plain numbers.
   void setNames(const QString& path, const ValueNamesPointer& names);
-  /// Clears all curves of the shown system or of a recording, because samples of another time
-  /// follow.
-  void removeSamples(const QString& recording = {});
-  /// Sets the time span of a recording, in ns of the plots' clock without the recording's shift.
-  /// Its curves have no values outside of this span.
-  void setRecordedTime(const QString& recording, const TimeSpan& time);
-  /// Shifts a recording so that its beginning is at the left edge of the plot. The time of the
-  /// recording must be known.
-  void showBegin(PlotView& view, const QString& recording);
-  /// Returns the part of a recording that the current page shows, in ns of the plots' clock without
-  /// the recording's shift; returns nothing if the page shows no curve of this recording.
-  [[nodiscard]] std::optional<TimeSpan> seenOf(const QString& recording) const;
   /// Called when the source was restarted, so that its ticks start again.
   void beginEpoch(const QString& path);
   /// Called when no samples will arrive until the next append(). With an empty `reason`, the curve
@@ -66,31 +55,9 @@ class PlotPanel : public QWidget {
   void setStale(const QString& path, const QString& reason = {});
   /// The signals of the shown system that are plotted.
   [[nodiscard]] QStringList paths() const;
-  /// Adds a mark to all plots.
-  void addMark(Mark mark);
-  void removeMarks();
-  [[nodiscard]] const MarkTrack& marks() const { return marks_; }
-  /// Shows or hides the marks in all plots. Marks that are added while hidden are stored.
-  void setMarksShown(bool shown);
-  [[nodiscard]] bool areMarksShown() const { return marks_shown_; }
-
-  /// True stops all plots at the present time; false makes them live. Samples are stored meanwhile.
-  void setPaused(bool paused);
-  [[nodiscard]] bool isPaused() const { return paused_; }
-  /// Sets the time span of the current plot.
-  void setWindow(std::chrono::nanoseconds length);
-  /// Asks for a file name, and saves all samples that are visible in the current plot at the time
-  /// of the answer. The file is written in the background.
-  void askForCsv();
-  /// Asks for a file name, and saves a picture of the current plot as PNG or SVG.
-  void askForPicture();
-  /// Asks for a file name, and saves the layout of the plots; see LayoutOf().
-  void askToSaveLayout();
-  void askForLayout();
-  /// Reads `file` in the background and replaces all plots by its layout. A mistake in the file is
-  /// reported by notice().
-  void openLayout(const QString& file);
-  void saveLayout(const QString& file);
+  /// Clears all curves of the shown system or of a recording, because samples of another time
+  /// follow.
+  void removeSamples(const QString& recording = {});
   /// Replaces the signal `from` by the signal `to` in all plots.
   void remap(const QString& from, const CurveKey& to);
   /// Sets the function that suggests replacements for a signal, the most likely first.
@@ -103,10 +70,22 @@ class PlotPanel : public QWidget {
   using Standstills =
       std::function<QString(const QString& path, std::optional<std::int64_t> newest_ns)>;
   void setStandstills(Standstills standstills);
-  void toggleCursors();
-
   /// Sets the memory in bytes for the samples of all plots together.
   void setMemoryBudget(std::size_t bytes);
+
+  // Recordings.
+
+  /// Sets the time span of a recording, in ns of the plots' clock without the recording's shift.
+  /// Its curves have no values outside of this span.
+  void setRecordedTime(const QString& recording, const TimeSpan& time);
+  /// Shifts a recording so that its beginning is at the left edge of the plot. The time of the
+  /// recording must be known.
+  void showBegin(PlotView& view, const QString& recording);
+  /// Returns the part of a recording that the current page shows, in ns of the plots' clock without
+  /// the recording's shift; returns nothing if the page shows no curve of this recording.
+  [[nodiscard]] std::optional<TimeSpan> seenOf(const QString& recording) const;
+
+  // Plots and pages.
 
   /// Adds an empty plot on a new page and makes it current.
   PlotView& addPlot();
@@ -124,9 +103,24 @@ class PlotPanel : public QWidget {
   [[nodiscard]] bool isBelow(int index) const;
   /// Asks for a name for the current page.
   void askForName();
-  /// Sets the name of the plot's page. With an empty name, the tab shows the contents of the page.
-  void setName(PlotView& view, const QString& name);
-  [[nodiscard]] QString name(int index) const;
+  /// Adds a mark to all plots.
+  void addMark(Mark mark);
+  void removeMarks();
+  [[nodiscard]] const MarkTrack& marks() const { return marks_; }
+  /// Shows or hides the marks in all plots. Marks that are added while hidden are stored.
+  void setMarksShown(bool shown);
+  [[nodiscard]] bool areMarksShown() const { return marks_shown_; }
+
+  /// True stops all plots at the present time; false makes them live. Samples are stored meanwhile.
+  void setPaused(bool paused);
+  [[nodiscard]] bool isPaused() const { return paused_; }
+  /// Sets the time span of the current plot.
+  void setWindow(std::chrono::nanoseconds length);
+  void toggleCursors();
+  /// The names of the plots and their tabs.
+  [[nodiscard]] PlotTabs& tabs() { return tabs_; }
+  [[nodiscard]] const PlotTabs& tabs() const { return tabs_; }
+  [[nodiscard]] PlotFiles& files() const { return *files_; }
 
  Q_SIGNALS:
   void subscriptionWanted(const QString& path);
@@ -145,19 +139,11 @@ class PlotPanel : public QWidget {
   void closePage(int index);
   void showPage(int index);
   void move(const QString& path, quint64 from, PlotView& to);
-  [[nodiscard]] PlotPage& page(int index) const;
-  [[nodiscard]] PlotPage& pageOf(const PlotView& view) const;
-  [[nodiscard]] std::vector<PlotView*> plots() const;
   void add(PlotView& view, const CurveKey& key);
   void removeFrom(PlotView& view, const QString& path);
   void showTabMenu(const QPoint& position);
   void showPlotMenu(PlotView& view, const QPoint& position);
   void askForRemap(const QString& path);
-  using FileHandler = std::function<void(const QString& file)>;
-  void askForFile(const QString& title, const QString& filter, const QString& suffix,
-                  FileHandler handler);
-  void nameTab(PlotView& view);
-  void nameTabs();
   void updateHead();
   void updateStandstills();
   void shareMemory();
@@ -165,11 +151,11 @@ class PlotPanel : public QWidget {
   [[nodiscard]] ValueNamesPointer namesOf(const QString& path) const;
 
   std::map<QString, TimeSpan> recorded_times_;  // by the file of the recording
-  CsvExport csv_;
-  FileReader* reader_;
   MarkTrack marks_;
   PlotHeader* head_;
   QStackedWidget* pages_;
+  PlotTabs tabs_;
+  PlotFiles* files_;
   std::function<QList<CurveKey>(const QString& path)> candidates_;
   std::function<RowLosses(const QString& path)> losses_;
   Standstills standstills_;

@@ -1,5 +1,6 @@
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/controls/plot_menu.h>
+#include <gcm_gui/plot/plot_files.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_picture.h>
 #include <gcm_gui/plot/plot_view.h>
@@ -80,11 +81,13 @@ void FillPlotMenu(QMenu& menu, PlotPanel& panel, PlotView& view) {
   menu.addAction(Words::tr("Close this plot"), &panel, [&panel, &view] { panel.closePlot(view); });
   menu.addSeparator();
   menu.addAction(Words::tr("Copy picture"), &view, [&view] { CopyPicture(view); });
-  menu.addAction(Words::tr("Save picture…"), &panel, &PlotPanel::askForPicture);
-  menu.addAction(Words::tr("Save the visible samples as CSV…"), &panel, &PlotPanel::askForCsv);
+  menu.addAction(Words::tr("Save picture…"), &panel.files(), &PlotFiles::askForPicture);
+  menu.addAction(Words::tr("Save the visible samples as CSV…"), &panel.files(),
+                 &PlotFiles::askForCsv);
   menu.addSeparator();
-  menu.addAction(Words::tr("Open layout…"), &panel, &PlotPanel::askForLayout);
-  menu.addAction(Words::tr("Save layout of all plots…"), &panel, &PlotPanel::askToSaveLayout);
+  menu.addAction(Words::tr("Open layout…"), &panel.files(), &PlotFiles::askForLayout);
+  menu.addAction(Words::tr("Save layout of all plots…"), &panel.files(),
+                 &PlotFiles::askToSaveLayout);
 }
 
 }  // namespace tendon::gui

@@ -1,5 +1,6 @@
 #include <gcm_gui/plot/canvas/axis_labels.h>
 #include <gcm_gui/plot/controls/legend.h>
+#include <gcm_gui/plot/plot_files.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
 #include <gtest/gtest.h>
@@ -80,7 +81,7 @@ TEST_F(EdgeNumbersFlow, AWindowPlotsExtremeNumbersCorrectly) {
   const QString system = Write("edges.json", SystemOfEdges());
   const auto edges = StartLcm("edges", system.toStdString());
   window_->resize(1280, 1400);
-  window_->plots().openLayout(Write("edges.plots.json", LayoutOfEdges()));
+  window_->plots().files().openLayout(Write("edges.plots.json", LayoutOfEdges()));
   ASSERT_TRUE(Eventually([this] { return window_->plots().plotCount() == 8; }));
 
   const auto have_come = [this] {

@@ -1,4 +1,5 @@
 #include <gcm_gui/plot/controls/rate_badge.h>
+#include <gcm_gui/plot/plot_files.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
 #include <gtest/gtest.h>
@@ -99,7 +100,7 @@ TEST_F(PlotFlow, AHundredSignalsAtOneKilohertzLoseNoRow) {
   const auto may_lose = [&] { return test::IsSanitized() || stalls.has_stood_still(); };
   const QString system = Write("arms.json", SystemOfArms());
   const auto load = StartLcm("load", system.toStdString());
-  window_->plots().openLayout(Write("arms.plots.json", LayoutOfArms()));
+  window_->plots().files().openLayout(Write("arms.plots.json", LayoutOfArms()));
   ASSERT_TRUE(Eventually([this] { return Curves().size() == 100; }));
   const std::vector<const Curve*> curves = Curves();
   const std::uint64_t rows = Rows();

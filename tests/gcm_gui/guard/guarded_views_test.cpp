@@ -4,6 +4,7 @@
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/guard/view_cover.h>
 #include <gcm_gui/inspector/inspector.h>
+#include <gcm_gui/plot/plot_files.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
 #include <gcm_gui/views/catalogue_panel.h>
@@ -280,7 +281,7 @@ TEST_F(GuardedViews, AFailingLayoutIsReported) {
   QObject::connect(&window_.plots(), &PlotPanel::subscriptionWanted, &window_,
                    [] { throw std::length_error("cannot create"); });
 
-  window_.plots().openLayout(file.fileName());
+  window_.plots().files().openLayout(file.fileName());
 
   EXPECT_TRUE(WaitForProblem("Plots had an error: cannot create"));
   EXPECT_TRUE(QTest::qWaitFor(

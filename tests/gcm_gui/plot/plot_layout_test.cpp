@@ -4,10 +4,8 @@
 #include <gcm_gui/plot/plot_view.h>
 #include <gmock/gmock.h>
 
-#include <QFile>
 #include <QInputDialog>
 #include <QSignalSpy>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include "samples.h"
@@ -34,7 +32,7 @@ TEST_F(PlotLayoutTest, ALayoutIsTheSameInAnotherPanel) {
   panel_.addPlot();
   panel_.setWindow(5s);
   panel_.addSignal("desk/host_monitor/state.Cpu.load", "");
-  panel_.setName(panel_.currentPlot(), "load of the desk");
+  panel_.tabs().setName(panel_.currentPlot(), "load of the desk");
 
   PlotPanel other;
   other.addSignal("gone/with/the.last", "");
@@ -42,7 +40,7 @@ TEST_F(PlotLayoutTest, ALayoutIsTheSameInAnotherPanel) {
   EXPECT_EQ(ShowLayout(other, LayoutOf(panel_)), std::nullopt);
 
   EXPECT_EQ(LayoutOf(other), LayoutOf(panel_));
-  EXPECT_EQ(other.name(1), "load of the desk");
+  EXPECT_EQ(other.tabs().name(other.plot(1)), "load of the desk");
   EXPECT_EQ(wanted.count(), 3);
   EXPECT_FALSE(other.paths().contains("gone/with/the.last"));
 }
@@ -75,24 +73,6 @@ TEST_F(PlotLayoutTest, RejectsABadLayoutWithAReason) {
   }
 
   EXPECT_EQ(LayoutOf(panel_), before);
-}
-
-TEST_F(PlotLayoutTest, SavesAndOpensAFileAndReportsAMissingOne) {
-  const QTemporaryDir folder;
-  const QString file = folder.filePath("mine.plots.json");
-  panel_.addSignal(kOld, "rad");
-  QSignalSpy saved(&panel_, &PlotPanel::notice);
-  panel_.saveLayout(file);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return saved.count() == 1; }, 120'000));
-  EXPECT_EQ(saved[0][0].toString(), file + " saved");
-  PlotPanel other;
-  other.openLayout(file);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return other.paths() == QStringList{kOld}; }, 120'000));
-
-  QSignalSpy notice(&other, &PlotPanel::notice);
-  other.openLayout(folder.filePath("none"));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return notice.count() == 1; }, 120'000));
-  EXPECT_THAT(notice[0][0].toString().toStdString(), testing::HasSubstr("cannot be read"));
 }
 
 TEST_F(PlotLayoutTest, AStaleSignalCanBeRemappedFromTheLegend) {

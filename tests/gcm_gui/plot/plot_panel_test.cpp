@@ -7,7 +7,6 @@
 #include <QInputDialog>
 #include <QMenu>
 #include <QSignalSpy>
-#include <QTabBar>
 #include <QTest>
 #include <QToolButton>
 
@@ -75,36 +74,6 @@ TEST_F(PlotPanelTest, DroppedPathsAreAddedToTheirPlot) {
 
   EXPECT_EQ(panel_.paths(), (QStringList{kX, kY}));
   EXPECT_EQ(wanted_.count(), 2);
-}
-
-TEST_F(PlotPanelTest, ATabIsNamedByItsFirstColumn) {
-  QTabBar& tabs = child<QTabBar>("plotTabs");
-  EXPECT_EQ(tabs.tabText(0), "Plot 1");
-
-  panel_.addSignal(kX, "rad");
-  QTest::mouseClick(&child<QToolButton>("newPlot"), Qt::LeftButton);
-
-  EXPECT_EQ(tabs.tabText(0), "Joints");
-  EXPECT_EQ(tabs.tabText(1), "Plot 2");
-  EXPECT_EQ(panel_.currentIndex(), 1);
-  EXPECT_EQ(panel_.plot(0).accessibleName(), "Plot Joints");
-}
-
-TEST_F(PlotPanelTest, TabsWithTheSameColumnAreToldApart) {
-  QTabBar& tabs = child<QTabBar>("plotTabs");
-  panel_.addSignal(kX, "rad");
-  panel_.addPlot();
-  panel_.addSignal("robot/old_arm/state.Joints.position[0]", "deg");
-  EXPECT_EQ(tabs.tabText(0), "arm.Joints");
-  EXPECT_EQ(tabs.tabText(1), "old_arm.Joints");
-
-  panel_.closePlot(0);
-  EXPECT_EQ(tabs.tabText(0), "Joints");
-
-  panel_.addPlot();
-  panel_.addSignal("robot/old_arm/state.Joints.position[1]", "deg");
-  EXPECT_EQ(tabs.tabText(0), "Joints");
-  EXPECT_EQ(tabs.tabText(1), "Joints 2");
 }
 
 TEST_F(PlotPanelTest, ClosingAPlotReleasesItsSignals) {
@@ -194,7 +163,7 @@ TEST_F(PlotPanelTest, ARenameStartsWithTheGivenName) {
   };
 
   EXPECT_EQ(asked(), "") << "its title is not a name";
-  panel_.setName(panel_.currentPlot(), "left arm");
+  panel_.tabs().setName(panel_.currentPlot(), "left arm");
   EXPECT_EQ(asked(), "left arm");
 }
 

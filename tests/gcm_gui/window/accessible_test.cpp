@@ -137,7 +137,7 @@ TEST_F(AccessibleTest, TheRenameDialogHasNames) {
 
   dialog->setTextValue("joints");
   QTest::keyClick(dialog, Qt::Key_Return);
-  EXPECT_EQ(window_.plots().name(0), "joints");
+  EXPECT_EQ(window_.plots().tabs().name(window_.plots().plot(0)), "joints");
   EXPECT_EQ(window_.findChild<QTabBar*>("plotTabs")->tabText(0), "joints");
 }
 
