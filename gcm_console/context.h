@@ -54,7 +54,7 @@ class Context {
   /// Returns how tables are printed.
   [[nodiscard]] TableLayout layout() const;
 
-  /// Sends a request through the client, and waits for the answer. `start(client, handler)` calls
+  /// Sends a request through the client, and waits for the reply. `start(client, handler)` calls
   /// one of the client's functions, which may take `times` times the time-out. Waits 500 ms longer
   /// than the client, because the client's own time-out error gives the best reason.
   template <typename T, typename Start>

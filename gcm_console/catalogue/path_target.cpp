@@ -76,11 +76,11 @@ Result<PathTarget> FindTarget(const tendon::Catalogue& catalogue, const std::str
 
 std::string TypesOf(const tendon::MemberDescription& member) {
   const std::string in = TakesArgument(member.signature) ? member.in_type : "";
-  const std::string out = HasAnswer(member) ? member.out_type : "";
+  const std::string out = HasResult(member) ? member.out_type : "";
   return in + (in.empty() || out.empty() ? "" : " -> ") + out;
 }
 
-bool HasAnswer(const tendon::MemberDescription& member) {
+bool HasResult(const tendon::MemberDescription& member) {
   return member.signature.out != tendon::FingerprintOf<tendon::None>();
 }
 

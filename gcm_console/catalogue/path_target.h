@@ -26,6 +26,6 @@ tendon::Result<PathTarget> FindTarget(const tendon::Catalogue& catalogue, const 
 /// Returns the types of a member: "arm.LinkId -> geometry_msgs.Pose", "double[7]". Empty if it has
 /// neither an argument nor a result.
 std::string TypesOf(const tendon::MemberDescription& member);
-bool HasAnswer(const tendon::MemberDescription& member);
+bool HasResult(const tendon::MemberDescription& member);
 
 }  // namespace console

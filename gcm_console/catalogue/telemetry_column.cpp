@@ -222,7 +222,8 @@ std::optional<StaleValues> StaleValuesOf(tendon::GcmClient& client, const tendon
 
 std::string ToText(const StaleValues& values) {
   std::string text = values.component + " is " + std::string(ToString(values.why));
-  if (values.why == tendon::StaleReason::kNoAnswer) text = values.component + " does not answer";
+  if (values.why == tendon::StaleReason::kUnresponsive)
+    text = values.component + " does not answer";
   return values.age ? text + ": " + tendon::AgeText(*values.age) + " old" : text;
 }
 

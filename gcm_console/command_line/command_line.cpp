@@ -179,7 +179,7 @@ void CommandLine::AddSettings() {
   timeout_ms_ = static_cast<int>(settings_.timeout.count());
   app_.add_option(
           "--timeout", timeout_ms_,
-          "maximum time to wait for an answer: 500ms, 5s, 2min or a number of ms (default: 2s)")
+          "maximum time to wait for a reply: 500ms, 5s, 2min or a number of ms (default: 2s)")
       ->type_name("TIME")
       ->transform(CLI::Validator(&program::TransformMilliseconds, ""));
   app_.add_flag("--json,--jsonl", settings_.json,

@@ -17,27 +17,27 @@ using tendon::Schema;
 using tendon::message::Classes;
 using Clock = std::chrono::steady_clock;
 
-/// After this time, an answer is requested again.
+/// After this time, a reply is requested again.
 constexpr std::chrono::seconds kFresh(2);
 
-/// Returns an earlier answer at once if there is one. Otherwise waits for the answer until
+/// Returns an earlier reply at once if there is one. Otherwise waits for the reply until
 /// `deadline`; returns null if none arrives. `start` sends the request; it is called with a handler
-/// for the answer.
+/// for the reply.
 template <typename T, typename Start>
-const T* Ask(CachedAnswer<T>& cached, std::uint64_t instance, Clock::time_point deadline,
+const T* Ask(CachedReply<T>& cached, std::uint64_t instance, Clock::time_point deadline,
              Start start) {
   const auto now = Clock::now();
   if (cached.instance != instance) cached = {.instance = instance, .since = now - kFresh};
-  if (!cached.answer.valid() && now - cached.since >= kFresh) {
-    const auto answer = std::make_shared<std::promise<tendon::Result<T>>>();
-    cached.answer = answer->get_future();
+  if (!cached.reply.valid() && now - cached.since >= kFresh) {
+    const auto reply = std::make_shared<std::promise<tendon::Result<T>>>();
+    cached.reply = reply->get_future();
     cached.since = now;
-    start([answer](tendon::Result<T> result) { answer->set_value(std::move(result)); });
+    start([reply](tendon::Result<T> result) { reply->set_value(std::move(result)); });
   }
-  if (cached.answer.valid()) {
+  if (cached.reply.valid()) {
     const auto until = cached.known ? now : deadline;
-    if (cached.answer.wait_until(until) == std::future_status::ready) {
-      if (auto result = cached.answer.get()) cached.known = *std::move(result);
+    if (cached.reply.wait_until(until) == std::future_status::ready) {
+      if (auto result = cached.reply.get()) cached.known = *std::move(result);
     }
   }
   return cached.known ? &*cached.known : nullptr;

@@ -13,18 +13,18 @@
 
 namespace console {
 
-/// A request to a process, and the latest answer to it.
+/// A request to a process, and the latest reply to it.
 template <typename T>
-struct CachedAnswer {
+struct CachedReply {
   std::uint64_t instance = 0;  ///< instance id of the process
   std::chrono::steady_clock::time_point since;
-  std::future<tendon::Result<T>> answer = {};  ///< valid while an answer is expected
+  std::future<tendon::Result<T>> reply = {};  ///< valid while a reply is expected
   std::optional<T> known = std::nullopt;
 };
 
 /// Returns words that only the processes know: parameters and their values, arguments of commands,
 /// classes, plug-ins. Cached words are returned at once and are requested again in the background.
-/// If an answer arrives too late for one call, the next call uses it. For one thread.
+/// If a reply arrives too late for one call, the next call uses it. For one thread.
 class LiveCompletion {
  public:
   /// `patience` is the maximum time that one call may wait in total.
@@ -47,8 +47,8 @@ class LiveCompletion {
 
   const std::chrono::milliseconds patience_;
   TimePoint deadline_;
-  std::map<std::string, CachedAnswer<tendon::message::Classes>> classes_;  // by process
-  std::map<tendon::Fingerprint, CachedAnswer<tendon::Schema>> schemas_;
+  std::map<std::string, CachedReply<tendon::message::Classes>> classes_;  // by process
+  std::map<tendon::Fingerprint, CachedReply<tendon::Schema>> schemas_;
 };
 
 }  // namespace console

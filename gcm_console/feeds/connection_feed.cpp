@@ -23,7 +23,7 @@ bool CanTell(const tendon::Catalogue& catalogue, const ConnectionDescription& co
 
 }  // namespace
 
-struct ConnectionFeed::LatestAnswer {
+struct ConnectionFeed::LatestReply {
   std::uint64_t id = 0;  // id of the connection
   bool can_be_told = false;
 
@@ -46,26 +46,26 @@ struct ConnectionFeed::LatestAnswer {
     figures.capacity = counts->capacity;
   }
 
-  /// Stores an answer. The rate is computed with the clock of the process that counts.
-  void OnAnswer(const tendon::Result<ConnectionCounts>& answer) {
+  /// Stores a reply. The rate is computed with the clock of the process that counts.
+  void OnReply(const tendon::Result<ConnectionCounts>& reply) {
     const std::scoped_lock lock(mutex);
-    if (!answer) {
+    if (!reply) {
       counts.reset();
       rate = -1.0;
       return;
     }
-    const bool goes_on = counts && answer->age > counts->age && answer->taken >= counts->taken;
+    const bool goes_on = counts && reply->age > counts->age && reply->taken >= counts->taken;
     if (goes_on) {
-      const std::chrono::duration<double> passed = answer->age - counts->age;
-      rate = static_cast<double>(answer->taken - counts->taken) / passed.count();
+      const std::chrono::duration<double> passed = reply->age - counts->age;
+      rate = static_cast<double>(reply->taken - counts->taken) / passed.count();
     }
-    counts = *answer;
+    counts = *reply;
   }
 };
 
 std::vector<ConnectionFigures> ConnectionFeed::Look(const std::string& filter) {
   std::vector<ConnectionFigures> all;
-  std::map<tendon::InterfaceName, std::shared_ptr<LatestAnswer>> there;
+  std::map<tendon::InterfaceName, std::shared_ptr<LatestReply>> there;
   client_.WithCatalogue([&](const tendon::Catalogue& catalogue) {
     for (const ConnectionDescription& one : catalogue.connections()) {
       ConnectionFigures figures{.required = ToString(one.required),
@@ -74,7 +74,7 @@ std::vector<ConnectionFigures> ConnectionFeed::Look(const std::string& filter) {
       if ((figures.required + " " + figures.provided).find(filter) == filter.npos) continue;
       auto known = latest_.extract(one.required);
       const bool is_same = !known.empty() && known.mapped()->id == one.id;
-      const auto latest = is_same ? known.mapped() : std::make_shared<LatestAnswer>();
+      const auto latest = is_same ? known.mapped() : std::make_shared<LatestReply>();
       latest->id = one.id;
       latest->can_be_told = CanTell(catalogue, one);
       latest->Fill(figures);
@@ -94,11 +94,11 @@ void ConnectionFeed::AskSome() const {
   }
   for (const auto& required : throttle_->Begin(there, SteadyClock().Now())) {
     // The destructor of `query` calls End(). It runs when the last copy of the handler is
-    // destroyed, even if no answer arrives.
+    // destroyed, even if no reply arrives.
     const std::shared_ptr<void> query(
         nullptr, [throttle = throttle_, required](void* /*nothing*/) { throttle->End(required); });
-    client_.GetCounts(required, [query, latest = latest_.at(required)](const auto& answer) {
-      latest->OnAnswer(answer);
+    client_.GetCounts(required, [query, latest = latest_.at(required)](const auto& reply) {
+      latest->OnReply(reply);
     });
   }
 }

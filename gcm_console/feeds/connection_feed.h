@@ -21,8 +21,8 @@ struct ConnectionFigures {
   std::uint64_t lost = 0;     ///< calls that were refused or replaced, and events that were lost
   std::uint64_t waiting = 0;  ///< calls in the mailbox of the server
   std::uint64_t capacity = 0;
-  bool is_known = false;    ///< true after two answers
-  bool is_awaited = false;  ///< true if answers may still arrive soon
+  bool is_known = false;    ///< true after two replies
+  bool is_awaited = false;  ///< true if replies may still arrive soon
 };
 
 /// Requests the health of connections from their processes while Look() is called regularly.
@@ -36,12 +36,12 @@ class ConnectionFeed {
   [[nodiscard]] std::vector<ConnectionFigures> Look(const std::string& filter = "");
 
  private:
-  struct LatestAnswer;
+  struct LatestReply;
 
   void AskSome() const;
 
   tendon::GcmClient& client_;
-  std::map<tendon::InterfaceName, std::shared_ptr<LatestAnswer>> latest_;  // by required interface
+  std::map<tendon::InterfaceName, std::shared_ptr<LatestReply>> latest_;  // by required interface
   const std::shared_ptr<QueryThrottle> throttle_ = std::make_shared<QueryThrottle>();
 };
 

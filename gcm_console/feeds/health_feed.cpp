@@ -7,7 +7,7 @@ namespace console {
 using tendon::SteadyClock;
 using tendon::message::SystemHealth;
 
-struct HealthFeed::LatestAnswer {
+struct HealthFeed::LatestReply {
   std::mutex mutex;
   SystemHealth health;
   tendon::SteadyTime when{};
@@ -15,7 +15,7 @@ struct HealthFeed::LatestAnswer {
 };
 
 HealthFeed::HealthFeed(tendon::GcmClient& client)
-    : client_(client), latest_(std::make_shared<LatestAnswer>()) {}
+    : client_(client), latest_(std::make_shared<LatestReply>()) {}
 
 SystemHealth HealthFeed::Look() {
   constexpr std::chrono::milliseconds kBetween(1000);
@@ -31,9 +31,9 @@ SystemHealth HealthFeed::Look() {
   }
   if (!asks) return health;
   next_ = now + kBetween;
-  client_.GetHealth([latest = latest_](tendon::Result<SystemHealth> answer) {
+  client_.GetHealth([latest = latest_](tendon::Result<SystemHealth> reply) {
     const std::scoped_lock lock(latest->mutex);
-    latest->health = answer ? *std::move(answer) : SystemHealth{};
+    latest->health = reply ? *std::move(reply) : SystemHealth{};
     latest->when = SteadyClock().Now();
     latest->is_asking = false;
   });

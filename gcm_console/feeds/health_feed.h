@@ -18,10 +18,10 @@ class HealthFeed {
   [[nodiscard]] tendon::message::SystemHealth Look();
 
  private:
-  struct LatestAnswer;
+  struct LatestReply;
 
   tendon::GcmClient& client_;
-  const std::shared_ptr<LatestAnswer> latest_;
+  const std::shared_ptr<LatestReply> latest_;
   tendon::SteadyTime next_{};
 };
 

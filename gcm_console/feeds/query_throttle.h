@@ -24,7 +24,7 @@ class QueryThrottle {
   /// longest come first. The caller must call End() for each returned connection.
   [[nodiscard]] std::vector<tendon::InterfaceName> Begin(
       const std::vector<tendon::InterfaceName>& there, tendon::SteadyTime now);
-  /// Called when the answer has arrived, or when it cannot arrive any more.
+  /// Called when the reply has arrived, or when it cannot arrive any more.
   void End(const tendon::InterfaceName& required);
 
  private:

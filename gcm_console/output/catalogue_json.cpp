@@ -101,7 +101,7 @@ ordered_json ToJson(const tendon::RequiredDescription& interface) {
 ordered_json ToJson(const tendon::MemberDescription& member) {
   ordered_json json = {{"name", member.name}, {"kind", ToString(member.signature.kind)}};
   if (TakesArgument(member.signature)) json["in"] = member.in_type;
-  if (HasAnswer(member)) json["out"] = member.out_type;
+  if (HasResult(member)) json["out"] = member.out_type;
   if (member.optional) json["optional"] = true;
   if (!member.hazard.empty()) json["hazard"] = member.hazard;
   if (member.expires_after > 0.0) json["expires_after"] = member.expires_after;

@@ -30,7 +30,7 @@ class Shell {
   /// Returns the prompt with the path to which relative paths are relative: "robot/arm> ".
   [[nodiscard]] std::string prompt() const;
   /// Returns the completions of a line, from the catalogue as known now. Waits at most 100 ms, and
-  /// only for the first answer of a process: some words, such as names of parameters, are known
+  /// only for the first reply of a process: some words, such as names of parameters, are known
   /// only to the process.
   [[nodiscard]] WordCompletion Complete(const PartialCommand& line);
   /// Returns the complete lines that background jobs have written since the last call; empty if

@@ -83,15 +83,15 @@ Result<ExitCode> Call(Context& context, const CallWords& words) {
   const auto argument = ArgumentFor(context, words);
   if (!argument) return argument.error();
   if (words.dry_run) return PrintDryRun(context, words.path, *argument);
-  const auto answer = context.Ask<std::string>([&](tendon::GcmClient& client, auto handler) {
+  const auto result = context.Ask<std::string>([&](tendon::GcmClient& client, auto handler) {
     client.Call(words.path, *argument, handler);
   });
-  if (!answer) return answer.error();
+  if (!result) return result.error();
   if (context.settings().json) {
-    const auto value = tendon::JsonOrText(answer->empty() ? "null" : *answer);
+    const auto value = tendon::JsonOrText(result->empty() ? "null" : *result);
     context.PrintJson({{"path", words.path}, {"value", value}, {"dry_run", false}});
-  } else if (!answer->empty()) {
-    context.out() << *answer << '\n';
+  } else if (!result->empty()) {
+    context.out() << *result << '\n';
   }
   return program::kOk;
 }

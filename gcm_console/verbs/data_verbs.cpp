@@ -403,7 +403,7 @@ class StandstillNotices {
     StaleReason reported = StaleReason::kNone;
   };
 
-  /// Checks one component. Returns true if the check may have waited for an answer.
+  /// Checks one component. Returns true if the check may have waited for a reply.
   bool LookAt(const tendon::Catalogue& catalogue, Watched& watched) {
     const StaleReason why = StaleReasonOf(catalogue, watched.path.process, watched.path.component);
     // A lost process is not reported here, because the end of its rows is reported.

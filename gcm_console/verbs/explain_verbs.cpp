@@ -80,14 +80,14 @@ Result<InterfaceName> LikelyProvider(const Catalogue& catalogue, const Interface
 /// Measures the time of a request that the process answers without a thread of a component.
 Result<std::chrono::microseconds> RoundTrip(Context& context, const std::string& process) {
   const auto begin = std::chrono::steady_clock::now();
-  const auto answer = context.Ask<tendon::message::ProgramVersion>(
+  const auto reply = context.Ask<tendon::message::ProgramVersion>(
       [&](tendon::GcmClient& client, auto handler) { client.GetVersion(process, handler); });
-  if (!answer) return answer.error();
+  if (!reply) return reply.error();
   return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() -
                                                                begin);
 }
 
-/// Returns the problems of a working connection, found by comparing two answers of its process.
+/// Returns the problems of a working connection, found by comparing two replies of its process.
 std::vector<tendon::ConnectionFlaw> AskForFlaws(Context& context, const InterfaceName& required) {
   constexpr std::chrono::milliseconds kBetween(500);
   const auto counts = [&] {

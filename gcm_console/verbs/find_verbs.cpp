@@ -57,10 +57,10 @@ std::string StatesOf(const tendon::ProcessEntry& entry) {
 using Waits = std::map<tendon::InterfaceName, std::string>;
 
 /// Requests the reasons from the processes. Sends no more requests than are allowed at once, and
-/// waits only briefly for the answers.
+/// waits only briefly for the replies.
 Waits AskForWaits(tendon::GcmClient& client, const Catalogue& catalogue) {
   constexpr std::chrono::milliseconds kSoon(500);
-  struct Answers {
+  struct Replies {
     std::mutex mutex;
     std::condition_variable changed;
     std::size_t missing = 0;
@@ -73,20 +73,20 @@ Waits AskForWaits(tendon::GcmClient& client, const Catalogue& catalogue) {
     if (one.state != tendon::ConnectionState::kActive && can_tell) broken.push_back(one.required);
   }
   const auto asked = QueryThrottle().Begin(broken, tendon::SteadyClock().Now());
-  const auto answers = std::make_shared<Answers>();
-  answers->missing = asked.size();
+  const auto replies = std::make_shared<Replies>();
+  replies->missing = asked.size();
   for (const auto& one : asked) {
-    client.GetCounts(one, [answers, required = one](const auto& counts) {
-      const std::scoped_lock lock(answers->mutex);
-      --answers->missing;
+    client.GetCounts(one, [replies, required = one](const auto& counts) {
+      const std::scoped_lock lock(replies->mutex);
+      --replies->missing;
       const bool is_told = !counts && counts.error().code == ErrorCode::kFailed;
-      if (is_told) answers->waits.emplace(required, counts.error().message);
-      answers->changed.notify_all();
+      if (is_told) replies->waits.emplace(required, counts.error().message);
+      replies->changed.notify_all();
     });
   }
-  std::unique_lock lock(answers->mutex);
-  answers->changed.wait_for(lock, kSoon, [&] { return answers->missing == 0; });
-  return answers->waits;
+  std::unique_lock lock(replies->mutex);
+  replies->changed.wait_for(lock, kSoon, [&] { return replies->missing == 0; });
+  return replies->waits;
 }
 
 /// A row in the table of all objects with problems.

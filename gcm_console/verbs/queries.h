@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-/// Requests of verbs to the GCM and to processes. Each function waits for the answer, at most
+/// Requests of verbs to the GCM and to processes. Each function waits for the reply, at most
 /// --timeout.
 namespace console {
 

@@ -234,7 +234,7 @@ void PrintPayloads(Context& context, const PathTarget& target, const std::string
   const std::string& process = target.process->process.name;
   const auto& signature = member.signature;
   if (TakesArgument(signature)) PrintPayload(context, process, "argument", signature.in);
-  if (HasAnswer(member)) PrintPayload(context, process, "answer", member.signature.out);
+  if (HasResult(member)) PrintPayload(context, process, "result", member.signature.out);
   if (target.noun == "command") PrintCall(context, target, path);
 }
 

@@ -46,7 +46,7 @@ struct Action {
   Outcome outcome = Outcome::kRunning;
   QString refusal;        ///< the reason of a refusal
   std::int64_t when = 0;  ///< the time of the request, ns since 1970
-  double seconds = 0;     ///< from the request to the answer
+  double seconds = 0;     ///< from the request to the reply
   bool undone = false;
   int times = 1;  ///< number of successive calls with the same argument
 };

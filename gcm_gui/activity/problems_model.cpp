@@ -91,11 +91,11 @@ void ProblemsModel::update(const Catalogue& catalogue) {
   for (const auto& [name, entry] : catalogue.processes()) {
     AddProblemsOf(entry, connections, of_system_);
   }
-  dropAnswered(catalogue);
+  dropRecovered(catalogue);
   show();
 }
 
-void ProblemsModel::dropAnswered(const Catalogue& catalogue) {
+void ProblemsModel::dropRecovered(const Catalogue& catalogue) {
   for (auto it = refusals_.begin(); it != refusals_.end();) {
     const auto* connection = catalogue.FindConnection(it->first);
     const bool connected = connection != nullptr && connection->state == ConnectionState::kActive;

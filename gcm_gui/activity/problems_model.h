@@ -47,7 +47,7 @@ class ProblemsModel : public RowListModel<ListedProblem> {
 
  private:
   void show();
-  void dropAnswered(const Catalogue& catalogue);
+  void dropRecovered(const Catalogue& catalogue);
 
   std::vector<ListedProblem> of_system_;
   std::map<InterfaceName, ListedProblem> refusals_;  // by the required interface

@@ -41,8 +41,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kMostFormHeight = 232;
 constexpr int kJsonHeight = 120;
-constexpr qsizetype kLongestAnswer = 1500;
-// The largest answer in bytes that is formatted. Formatting a larger one would block the window too
+constexpr qsizetype kLongestResult = 1500;
+// The largest result in bytes that is formatted. Formatting a larger one would block the window too
 // long.
 constexpr std::size_t kMostRead = 65536;
 constexpr std::chrono::seconds kSecondKey{2};
@@ -57,13 +57,13 @@ QString ValueText(const Json& value) {
   return '[' + elements.join(QStringLiteral(", ")) + ']';
 }
 
-QString Rest() { return Words::tr("…\nFor the whole answer, use Copy as command"); }
+QString Rest() { return Words::tr("…\nFor the whole result, use Copy as command"); }
 
-/// Formats an answer for people, with one field per line. A very long answer is truncated; the same
+/// Formats a result for people, with one field per line. A very long result is truncated; the same
 /// command in a terminal shows all of it.
 QString Readable(const std::string& json) {
   if (json.size() > kMostRead) {
-    return ToQString(std::string_view(json).substr(0, kLongestAnswer)) + Rest();
+    return ToQString(std::string_view(json).substr(0, kLongestResult)) + Rest();
   }
   const Json value = JsonOrText(json);
   QStringList lines;
@@ -75,13 +75,13 @@ QString Readable(const std::string& json) {
     lines << ValueText(value);
   }
   const QString text = lines.join('\n');
-  if (text.size() <= kLongestAnswer) return text;
-  return text.left(kLongestAnswer) + Rest();
+  if (text.size() <= kLongestResult) return text;
+  return text.left(kLongestResult) + Rest();
 }
 
-/// Returns the answer without rounding, escaped so that it is never read as markup.
-QString WholeAnswer(const std::string& json) {
-  if (json.size() > static_cast<std::size_t>(kLongestAnswer)) return {};
+/// Returns the result without rounding, escaped so that it is never read as markup.
+QString WholeResult(const std::string& json) {
+  if (json.size() > static_cast<std::size_t>(kLongestResult)) return {};
   return QStringLiteral("<qt>%1</qt>").arg(ToQString(json).toHtmlEscaped());
 }
 
@@ -117,15 +117,15 @@ void CallPanel::build() {
   SetRole(*kind_, QStringLiteral("dim mono"));
   head_->addRight(kind_);
   status_ = MakeWords(QStringLiteral("call.status"));
-  answer_ = MakeWords(QStringLiteral("call.answer"));
-  answer_->setAccessibleName(Words::tr("Answer"));
-  SetRole(*answer_, QStringLiteral("mono"));
+  result_ = MakeWords(QStringLiteral("call.result"));
+  result_->setAccessibleName(Words::tr("Result"));
+  SetRole(*result_, QStringLiteral("mono"));
   expiry_ = MakeWords(QStringLiteral("call.expiry"));
   SetRole(*expiry_, QStringLiteral("dim"));
   expiry_->setContentsMargins(kInset, 2 * kGrid, kInset, 0);
   picture_ = new ImageView(QString());
   connect(picture_, &ImageView::shown, this,
-          [this] { answer_->setVisible(picture_->image().isNull()); });
+          [this] { result_->setVisible(picture_->image().isNull()); });
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, kGap, 0, 0);
   column->setSpacing(0);
@@ -135,7 +135,7 @@ void CallPanel::build() {
   column->addWidget(buildButtons());
   column->addWidget(repeat_);
   column->addWidget(status_);
-  column->addWidget(answer_);
+  column->addWidget(result_);
   column->addWidget(picture_);
 }
 
@@ -228,7 +228,7 @@ void CallPanel::showCommand(const QString& path, const MemberDescription& comman
   head_->setToolTip(path);
   kind_->setText(ToQString(ToString(command.signature.kind)));
   as_json_->setChecked(false);
-  answer_->setVisible(false);
+  result_->setVisible(false);
   picture_->clear();
   showStatus({}, {});
   setVisible(true);
@@ -326,7 +326,7 @@ void CallPanel::askForValue(const std::string& read, const std::vector<std::stri
   });
 }
 
-/// Fills the form with `value`, the answer of the read command `read`. If `fields` is not empty,
+/// Fills the form with `value`, the result of the read command `read`. If `fields` is not empty,
 /// only these fields of the form are filled.
 void CallPanel::onValue(const std::string& read, const std::vector<std::string>& fields,
                         const Result<std::string>& value) {
@@ -432,27 +432,27 @@ void CallPanel::call() {
   const std::string said = argument();
   if (takes_argument_) last_arguments_[path_] = said;
   under_way_ = true;
-  answer_->setVisible(false);
+  result_->setVisible(false);
   picture_->clear();
   showStatus(Words::tr("Calling…"), QStringLiteral("dim"));
   calls_.callCommand(path_.toStdString(), said,
-                     [panel = QPointer(this), shown = shown_](const auto& answer, double seconds) {
+                     [panel = QPointer(this), shown = shown_](const auto& result, double seconds) {
                        if (panel != nullptr && panel->shown_ == shown) {
-                         panel->onAnswer(answer, seconds);
+                         panel->onResult(result, seconds);
                        }
                      });
 }
 
-void CallPanel::onAnswer(const Result<std::string>& answer, double seconds) {
+void CallPanel::onResult(const Result<std::string>& result, double seconds) {
   under_way_ = false;
   check();
-  if (!answer) return showStatus(ToQString(answer.error().message), QStringLiteral("bad"));
+  if (!result) return showStatus(ToQString(result.error().message), QStringLiteral("bad"));
   showStatus(Words::tr("Done in ") + DurationText(seconds), QStringLiteral("ok"));
-  if (answer->empty()) return;
-  answer_->setText(Readable(*answer));
-  answer_->setToolTip(WholeAnswer(*answer));
-  if (!LooksLikeImage(*answer)) return answer_->setVisible(true);
-  const auto json = std::make_shared<const std::string>(*answer);
+  if (result->empty()) return;
+  result_->setText(Readable(*result));
+  result_->setToolTip(WholeResult(*result));
+  if (!LooksLikeImage(*result)) return result_->setVisible(true);
+  const auto json = std::make_shared<const std::string>(*result);
   picture_->showFrom([json] { return RawImageOf(*json); });
 }
 

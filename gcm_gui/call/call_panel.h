@@ -68,7 +68,7 @@ class CallPanel : public QWidget {
   void buildRepeat();
   void askForSchema();
   void onSchema(const Result<Schema>& schema);
-  void onAnswer(const Result<std::string>& answer, double seconds);
+  void onResult(const Result<std::string>& result, double seconds);
   void showForm(const Schema& schema);
   // Tries the read commands from index `read` on: first requests their types, then their values.
   void askForOffer(std::size_t read);
@@ -114,8 +114,8 @@ class CallPanel : public QWidget {
   QToolButton* as_json_ = nullptr;
   QToolButton* retry_ = nullptr;
   QLabel* status_ = nullptr;
-  QLabel* answer_ = nullptr;
-  ImageView* picture_ = nullptr;  // shows an answer that is a picture
+  QLabel* result_ = nullptr;
+  ImageView* picture_ = nullptr;  // shows a result that is a picture
 };
 
 }  // namespace tendon::gui

@@ -97,9 +97,9 @@ void FavouriteBar::show(const Button& one) {
 }
 
 void FavouriteBar::call(const Favourite& favourite) {
-  // Does nothing with the answer, because the activity list shows the result.
+  // Does nothing with the result, because the activity list shows it.
   calls_.callCommand(favourite.path.toStdString(), favourite.argument.toStdString(),
-                     [](const auto& /*answer*/, double /*seconds*/) {});
+                     [](const auto& /*result*/, double /*seconds*/) {});
 }
 
 void FavouriteBar::openMenu(const Favourite& favourite, const QPoint& place) {

@@ -42,16 +42,16 @@ void Repeater::callNext() {
   ++called_;
   const std::uint64_t run = run_;
   calls_.callCommand(path_.toStdString(), argument_,
-                     [self = QPointer(this), run](const auto& answer, double) {
+                     [self = QPointer(this), run](const auto& result, double) {
                        if (self == nullptr) return;
                        self->under_way_ = false;
-                       if (self->run_ == run) self->onAnswer(answer);
+                       if (self->run_ == run) self->onResult(result);
                      });
   Q_EMIT progressed();
 }
 
-void Repeater::onAnswer(const Result<std::string>& answer) {
-  if (!answer) return end(ToQString(answer.error().message));
+void Repeater::onResult(const Result<std::string>& result) {
+  if (!result) return end(ToQString(result.error().message));
   if (times_ > 0 && called_ >= times_) end({});
 }
 

@@ -38,7 +38,7 @@ class Repeater : public QObject {
 
  private:
   void callNext();
-  void onAnswer(const Result<std::string>& answer);
+  void onResult(const Result<std::string>& result);
   void end(const QString& refusal);
 
   CommandCalls& calls_;
@@ -49,7 +49,7 @@ class Repeater : public QObject {
   int called_ = 0;
   int left_out_ = 0;
   bool under_way_ = false;
-  std::uint64_t run_ = 0;  // answers to an earlier run are ignored
+  std::uint64_t run_ = 0;  // results of an earlier run are ignored
 };
 
 }  // namespace tendon::gui

@@ -40,7 +40,7 @@ class ConsoleRunner : public QObject {
   void finished(int exit_code);
   /// Emitted with the new prompt, such as "robot/arm> ".
   void promptChanged(const QString& prompt);
-  /// Emitted with the answer to complete(); `line` is the line that was passed to it.
+  /// Emitted with the reply to complete(); `line` is the line that was passed to it.
   void completed(const QString& line, const console::WordCompletion& completion);
 
  private:

@@ -51,7 +51,7 @@ struct FileWriter::Job {
   std::vector<Listener> listeners;
 };
 
-struct FileWriter::Answer {
+struct FileWriter::FinishedJob {
   QString file;
   QString refusal;
   std::vector<Listener> listeners;
@@ -60,12 +60,12 @@ struct FileWriter::Answer {
 struct FileWriter::Queue {
   std::mutex mutex;
   std::condition_variable changed;
-  std::deque<Job> jobs;          // guarded by mutex, as are all members below
-  std::deque<Answer> answers;    // answers whose handlers were not called yet
-  QString current;               // the file being written
-  bool is_closed = false;        // no more jobs will be added
-  bool is_done = false;          // the thread has ended
-  FileWriter* writer = nullptr;  // receives the answers; null after it was destroyed
+  std::deque<Job> jobs;              // guarded by mutex, as are all members below
+  std::deque<FinishedJob> finished;  // jobs whose listeners were not called yet
+  QString current;                   // the file being written
+  bool is_closed = false;            // no more jobs will be added
+  bool is_done = false;              // the thread has ended
+  FileWriter* writer = nullptr;      // receives the finished jobs; null after it was destroyed
 };
 
 QString NotSaved(const QString& file, const QString& refusal) {
@@ -95,11 +95,11 @@ FileWriter::~FileWriter() {
   queue_->changed.notify_all();
   const bool is_done =
       queue_->changed.wait_for(lock, patience_, [this] { return queue_->is_done; });
-  for (const Answer& answer : queue_->answers) {
-    if (answer.refusal.isEmpty()) continue;
-    std::cerr << "gcm-gui: " << NotSaved(answer.file, answer.refusal).toStdString() << '\n';
+  for (const FinishedJob& job : queue_->finished) {
+    if (job.refusal.isEmpty()) continue;
+    std::cerr << "gcm-gui: " << NotSaved(job.file, job.refusal).toStdString() << '\n';
   }
-  queue_->answers.clear();
+  queue_->finished.clear();
   if (is_done) {
     lock.unlock();
     thread_.join();
@@ -147,11 +147,11 @@ bool FileWriter::waitForWritten(std::chrono::milliseconds patience) {
 
 void FileWriter::callNextHandler() {
   std::unique_lock lock(queue_->mutex);
-  const Answer answer = std::move(queue_->answers.front());
-  queue_->answers.pop_front();
+  const FinishedJob job = std::move(queue_->finished.front());
+  queue_->finished.pop_front();
   lock.unlock();
-  for (const Listener& listener : answer.listeners) {
-    if (listener.context != nullptr) listener.done(answer.refusal);
+  for (const Listener& listener : job.listeners) {
+    if (listener.context != nullptr) listener.done(job.refusal);
   }
 }
 
@@ -170,7 +170,7 @@ void FileWriter::work(const std::shared_ptr<Queue>& queue) {
     queue->current.clear();
     queue->changed.notify_all();
     if (job.listeners.empty()) continue;
-    queue->answers.push_back({job.file, refusal, std::move(job.listeners)});
+    queue->finished.push_back({job.file, refusal, std::move(job.listeners)});
     if (queue->writer == nullptr) continue;
     QMetaObject::invokeMethod(queue->writer, &FileWriter::callNextHandler, Qt::QueuedConnection);
   }

@@ -55,7 +55,7 @@ class FileWriter : public QObject {
 
  private:
   struct Job;
-  struct Answer;
+  struct FinishedJob;
   struct Queue;
 
   /// The main function of the thread: writes files until the queue is closed and empty. The thread

@@ -55,7 +55,7 @@ class EdgeHealth : public QObject {
   Seen seen_;
   QTimer second_;
   InterfaceName last_;             // the connection that was polled last
-  std::set<InterfaceName> asked_;  // connections whose answer has not arrived yet
+  std::set<InterfaceName> asked_;  // connections whose reply has not arrived yet
   std::optional<InterfaceName> pointed_;
   std::map<InterfaceName, ConnectionCounts> known_;
 };

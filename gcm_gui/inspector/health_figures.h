@@ -22,7 +22,7 @@ struct InterfaceHealth {
 };
 
 /// The health of a process and of the connections of one of its components. Both are polled every
-/// second while they are shown. The figures disappear if no answer comes.
+/// second while they are shown. The figures disappear if no reply comes.
 class HealthFigures : public QObject {
   Q_OBJECT
 
@@ -53,7 +53,7 @@ class HealthFigures : public QObject {
   QTimer timer_;
   std::string process_;
   std::string component_;
-  std::uint64_t shown_ = 0;  // number of the shown component; earlier answers are ignored
+  std::uint64_t shown_ = 0;  // number of the shown component; earlier replies are ignored
   message::SystemHealth health_;
   std::optional<message::ProcessHistoryState> history_;
   QHash<QString, InterfaceHealth> interfaces_;

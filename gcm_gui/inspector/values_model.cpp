@@ -137,7 +137,7 @@ QString ValuesModel::wholeOf(const RowPosition& position) {
 }
 
 bool ValuesModel::isSilent(const Block& block) const {
-  const bool can_answer = why_ == StaleReason::kNone || why_ == StaleReason::kNoAnswer;
+  const bool can_answer = why_ == StaleReason::kNone || why_ == StaleReason::kUnresponsive;
   if (block.isKnown() || !can_answer || block.awaited == SteadyTime::max()) return false;
   return !block.refusal.isEmpty() || clock_.Now() - block.awaited >= kPatience;
 }
@@ -215,7 +215,7 @@ void ValuesModel::show(const QString& path, const ComponentDescription* componen
     endResetModel();
   } else if (why != why_) {
     why_ = why;
-    for (Block& block : blocks_) {  // the time limit for the answer starts again
+    for (Block& block : blocks_) {  // the time limit for the reply starts again
       if (block.awaited != SteadyTime::max()) block.awaited = clock_.Now();
       block.refusal.clear();
     }

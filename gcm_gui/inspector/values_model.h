@@ -19,7 +19,7 @@ namespace tendon::gui {
 
 /// Every number in the state tables of one component, with its newest value, its unit and its
 /// recent trend. The first row of a column also shows the rate at which rows arrive. If the values
-/// are old, the first row shows their age and the reason instead. If no answer has come for a
+/// are old, the first row shows their age and the reason instead. If no reply has come for a
 /// column, the rows of this column say so.
 class ValuesModel : public QAbstractTableModel {
   Q_OBJECT
@@ -31,7 +31,7 @@ class ValuesModel : public QAbstractTableModel {
   static constexpr qsizetype kTrend = 100;
   /// A value counts as just changed for this time.
   static constexpr std::chrono::milliseconds kFresh{500};
-  /// After this time without an answer, the row of the column says so.
+  /// After this time without a reply, the row of the column says so.
   static constexpr std::chrono::seconds kPatience{1};
 
   explicit ValuesModel(QObject* parent = nullptr, const Clock& clock = ShownClock())
@@ -74,8 +74,8 @@ class ValuesModel : public QAbstractTableModel {
     ColumnValues values = {};
     std::vector<QList<std::optional<NumericValue>>> trends = {};  // by field
     std::vector<SteadyTime> changed = {};                         // by field
-    SteadyTime awaited = SteadyTime::max();  // the time when the time limit for the answer began
-    QString refusal = {};                    // why no answer came, if known
+    SteadyTime awaited = SteadyTime::max();  // the time when the time limit for the reply began
+    QString refusal = {};                    // why no reply came, if known
     SteadyTime arrived = {};                 // arrival time of its newest row
     RowRate rate = {};
     bool is_out = false;  // set while its rows are replaced

@@ -77,7 +77,7 @@
     </message>
     <message>
         <source>…
-For the whole answer, use Copy as command</source>
+For the whole result, use Copy as command</source>
         <translation>…
 Die ganze Antwort: Als Befehl kopieren</translation>
     </message>
@@ -86,7 +86,7 @@ Die ganze Antwort: Als Befehl kopieren</translation>
         <translation>Befehl aufrufen</translation>
     </message>
     <message>
-        <source>Answer</source>
+        <source>Result</source>
         <translation>Antwort</translation>
     </message>
     <message>

@@ -77,7 +77,7 @@
     </message>
     <message>
         <source>…
-For the whole answer, use Copy as command</source>
+For the whole result, use Copy as command</source>
         <translation>…
 La réponse entière&#xa0;: Copier en commande</translation>
     </message>
@@ -86,7 +86,7 @@ La réponse entière&#xa0;: Copier en commande</translation>
         <translation>Appeler une commande</translation>
     </message>
     <message>
-        <source>Answer</source>
+        <source>Result</source>
         <translation>Réponse</translation>
     </message>
     <message>

@@ -113,7 +113,7 @@ QString WordOf(StaleReason why) {
       return WordOf(StateMark::kFinished);
     case StaleReason::kFaulted:
       return WordOf(StateMark::kFaulted);
-    case StaleReason::kNoAnswer:
+    case StaleReason::kUnresponsive:
       return WordOf(ProcessState::kSuspect);
     case StaleReason::kLost:
       return WordOf(StateMark::kLost);

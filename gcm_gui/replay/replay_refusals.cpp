@@ -52,15 +52,15 @@ void ReplayRefusals::setLogLevel(const std::string& /*process*/, LogLevel /*leve
 void ReplayRefusals::findSchema(const std::string& /*process*/, Fingerprint type,
                                 SchemaHandler handler) {
   const auto found = types_.find(type);
-  const Result<Schema> answer =
+  const Result<Schema> reply =
       found != types_.end() ? Result<Schema>(found->second)
                             : Error{ErrorCode::kNotFound,
                                     Words::tr("this type is not in the recording").toStdString()};
-  QTimer::singleShot(0, this, [handler = std::move(handler), answer] { handler(answer); });
+  QTimer::singleShot(0, this, [handler = std::move(handler), reply] { handler(reply); });
 }
 
 void ReplayRefusals::callCommand(const std::string& /*path*/, const std::string& /*argument*/,
-                                 AnswerHandler handler) {
+                                 ResultHandler handler) {
   Q_EMIT notice(reason_);
   QTimer::singleShot(0, this, [handler = std::move(handler), error = refusal()] {
     handler(Result<std::string>(error), 0.0);

@@ -43,7 +43,7 @@ class ReplayRefusals final : public QObject,
 
   void findSchema(const std::string& process, Fingerprint type, SchemaHandler handler) override;
   void callCommand(const std::string& path, const std::string& argument,
-                   AnswerHandler handler) override;
+                   ResultHandler handler) override;
   void readValue(const std::string& path, ValueHandler handler) override;
 
   void diagnose(const message::Wire& wire, DiagnosisHandler handler) override;

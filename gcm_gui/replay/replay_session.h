@@ -93,7 +93,7 @@ class ReplaySession : public QObject {
   void onRefused(const QString& sentence);
   void onStep(const ReplayStep& step);
   void onFound(std::optional<std::int64_t> time);
-  /// Requests the next step, unless an answer of the reader is still missing.
+  /// Requests the next step, unless a reply of the reader is still missing.
   void advance();
   void startJump();
   void awaitFinds(int count);
@@ -125,7 +125,7 @@ class ReplaySession : public QObject {
   std::int64_t read_from_ = 0;          // earliest time with rows
   std::optional<std::int64_t> wanted_;  // target of the next jump
   std::optional<std::int64_t> reopened_at_;
-  int pending_ = 0;  // number of missing answers of the reader
+  int pending_ = 0;  // number of missing replies of the reader
   bool is_jumping_ = false;
   bool is_sought_ = false;
 

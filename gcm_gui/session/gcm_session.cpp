@@ -194,14 +194,14 @@ void GcmSession::undo() {
 
 void GcmSession::undoStep(ActivityModel::Id id, std::chrono::steady_clock::time_point start,
                           std::uint64_t step) {
-  const auto on_answer = [this, poster = poster_, id, start](const auto& result) {
+  const auto on_reply = [this, poster = poster_, id, start](const auto& result) {
     poster->post([this, id, start, result] {
       finish(id, SecondsSince(start), ErrorOf(result));
       if (!result.ok()) return;
       activity_.markUndone(id, ActionOf(*result));
     });
   };
-  client_->Undo(on_answer, step);
+  client_->Undo(on_reply, step);
 }
 
 void GcmSession::forget(const std::string& process) {
@@ -241,7 +241,7 @@ void GcmSession::findSchema(const std::string& process, Fingerprint type, Schema
 }
 
 void GcmSession::callCommand(const std::string& path, const std::string& argument,
-                             AnswerHandler handler) {
+                             ResultHandler handler) {
   Action action;
   action.verb = Action::Verb::kCall;
   action.command = ToQString(path);
@@ -249,8 +249,8 @@ void GcmSession::callCommand(const std::string& path, const std::string& argumen
   const ActivityModel::Id id = activity_.begin(std::move(action));
   pending_calls_[id] = {path.substr(0, path.find('/')), std::chrono::steady_clock::now(),
                         std::move(handler)};
-  client_->Call(path, argument, [this, poster = poster_, id](const auto& answer) {
-    poster->post([this, id, answer] { finishCall(id, answer); });
+  client_->Call(path, argument, [this, poster = poster_, id](const auto& result) {
+    poster->post([this, id, result] { finishCall(id, result); });
   });
 }
 
@@ -260,12 +260,12 @@ void GcmSession::readValue(const std::string& path, ValueHandler handler) {
   });
 }
 
-void GcmSession::finishCall(ActivityModel::Id id, const Result<std::string>& answer) {
+void GcmSession::finishCall(ActivityModel::Id id, const Result<std::string>& result) {
   const auto call = pending_calls_.extract(id);
   if (call.empty()) return;
   const double seconds = SecondsSince(call.mapped().start);
-  finish(id, seconds, ErrorOf(answer));
-  call.mapped().handler(answer, seconds);
+  finish(id, seconds, ErrorOf(result));
+  call.mapped().handler(result, seconds);
 }
 
 void GcmSession::failCallsToLostProcesses() {
@@ -307,18 +307,18 @@ void GcmSession::diagnose(const message::Wire& wire, DiagnosisHandler handler) {
         wire, [report, diagnosis](const auto& served) { report(*diagnosis, served); });
   }
   const auto start = std::chrono::steady_clock::now();
-  const auto on_answer = [report, diagnosis, start](const auto& answer) {
+  const auto on_reply = [report, diagnosis, start](const auto& result) {
     const auto end = std::chrono::steady_clock::now();
     auto complete = *diagnosis;
-    const bool answers = answer.ok() || answer.error().code == ErrorCode::kNotFound;
+    const bool answers = result.ok() || result.error().code == ErrorCode::kNotFound;
     AddRoundTrip(complete,
                  answers ? Result<std::chrono::microseconds>(
                                std::chrono::duration_cast<std::chrono::microseconds>(end - start))
-                         : Result<std::chrono::microseconds>(answer.error()));
-    report(complete, answers ? Result<ConnectionCounts>(ConnectionCounts()) : answer.error());
+                         : Result<std::chrono::microseconds>(result.error()));
+    report(complete, answers ? Result<ConnectionCounts>(ConnectionCounts()) : result.error());
   };
   // The process itself answers this request, without a thread of the component.
-  client_->GetFill(wire.provided.process, wire.provided.component, on_answer);
+  client_->GetFill(wire.provided.process, wire.provided.component, on_reply);
 }
 
 }  // namespace tendon::gui

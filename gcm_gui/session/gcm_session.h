@@ -58,7 +58,7 @@ class GcmSession : public QObject,
 
   void findSchema(const std::string& process, Fingerprint type, SchemaHandler handler) override;
   void callCommand(const std::string& path, const std::string& argument,
-                   AnswerHandler handler) override;
+                   ResultHandler handler) override;
   void readValue(const std::string& path, ValueHandler handler) override;
 
   void diagnose(const message::Wire& wire, DiagnosisHandler handler) override;
@@ -70,7 +70,7 @@ class GcmSession : public QObject,
   struct PendingCall {
     std::string process;
     std::chrono::steady_clock::time_point start;
-    AnswerHandler handler;
+    ResultHandler handler;
   };
 
   void onSnapshot(const Catalogue& catalogue);
@@ -83,7 +83,7 @@ class GcmSession : public QObject,
   void undoStep(ActivityModel::Id id, std::chrono::steady_clock::time_point start,
                 std::uint64_t step);
   /// Finishes a call in the activity list. Ignored if the call was already given up.
-  void finishCall(ActivityModel::Id id, const Result<std::string>& answer);
+  void finishCall(ActivityModel::Id id, const Result<std::string>& result);
   /// Gives up the calls to lost processes; they count as failed.
   void failCallsToLostProcesses();
   void finish(ActivityModel::Id id, double seconds, const std::optional<Error>& refusal);

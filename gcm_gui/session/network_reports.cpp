@@ -106,8 +106,7 @@ void NetworkReports::learn(const console::EventInbox::Content& content) {
   for (const auto& [type, process] : types_.takeDue(SteadyClock().Now())) {
     client_.GetSchema(
         process, type, [this, poster = poster_, type = type](const Result<Schema>& schema) {
-          poster->post(
-              [this, type, schema] { types_.onAnswer(type, schema, SteadyClock().Now()); });
+          poster->post([this, type, schema] { types_.onReply(type, schema, SteadyClock().Now()); });
         });
   }
 }

@@ -45,9 +45,9 @@ class SystemActions {
 class CommandCalls {
  public:
   using SchemaHandler = std::function<void(const Result<Schema>&)>;
-  /// Receives the answer as JSON, which is empty if the command has no result, and the duration in
+  /// Receives the result as JSON, which is empty if the command has no result, and the duration in
   /// s.
-  using AnswerHandler = std::function<void(const Result<std::string>&, double)>;
+  using ResultHandler = std::function<void(const Result<std::string>&, double)>;
 
   CommandCalls() = default;
   CommandCalls(const CommandCalls&) = delete;
@@ -59,7 +59,7 @@ class CommandCalls {
   /// Calls a command by its path, such as "robot/arm/Control.MoveTo"; `argument` is JSON, or empty
   /// for none. The call appears in the activity list.
   virtual void callCommand(const std::string& path, const std::string& argument,
-                           AnswerHandler handler) = 0;
+                           ResultHandler handler) = 0;
   /// Reads a value as JSON with a read command. The call is not in the activity list, because the
   /// user did not request it.
   using ValueHandler = std::function<void(const Result<std::string>&)>;

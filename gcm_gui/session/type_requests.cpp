@@ -9,7 +9,7 @@ void TypeRequests::want(Fingerprint type, const std::string& process) {
 std::vector<std::pair<Fingerprint, std::string>> TypeRequests::takeDue(SteadyTime now) {
   std::vector<std::pair<Fingerprint, std::string>> due;
   for (auto& [type, one] : wanted_) {
-    const bool is_known = one.answer && one.answer->ok();
+    const bool is_known = one.reply && one.reply->ok();
     if (is_known || one.is_asking || now < one.due) continue;
     one.is_asking = true;
     due.emplace_back(type, one.process);
@@ -17,16 +17,16 @@ std::vector<std::pair<Fingerprint, std::string>> TypeRequests::takeDue(SteadyTim
   return due;
 }
 
-void TypeRequests::onAnswer(Fingerprint type, const Result<Schema>& answer, SteadyTime now) {
+void TypeRequests::onReply(Fingerprint type, const Result<Schema>& reply, SteadyTime now) {
   Request& one = wanted_[type];
   one.is_asking = false;
-  one.answer = answer;
+  one.reply = reply;
   one.due = now + one.backoff.Next();
 }
 
 const Result<Schema>* TypeRequests::find(Fingerprint type) const {
   const auto found = wanted_.find(type);
-  return found == wanted_.end() || !found->second.answer ? nullptr : &*found->second.answer;
+  return found == wanted_.end() || !found->second.reply ? nullptr : &*found->second.reply;
 }
 
 }  // namespace tendon::gui

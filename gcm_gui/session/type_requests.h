@@ -24,17 +24,17 @@ class TypeRequests {
   /// process.
   void want(Fingerprint type, const std::string& process);
   /// Returns the types that must be requested now, each with its process. The caller must report
-  /// each answer by onAnswer().
+  /// each reply by onReply().
   [[nodiscard]] std::vector<std::pair<Fingerprint, std::string>> takeDue(SteadyTime now);
   /// Called with the result of a request.
-  void onAnswer(Fingerprint type, const Result<Schema>& answer, SteadyTime now);
-  /// Returns the last answer for a type; null if there is none.
+  void onReply(Fingerprint type, const Result<Schema>& reply, SteadyTime now);
+  /// Returns the last reply for a type; null if there is none.
   [[nodiscard]] const Result<Schema>* find(Fingerprint type) const;
 
  private:
   struct Request {
     std::string process;
-    std::optional<Result<Schema>> answer;
+    std::optional<Result<Schema>> reply;
     bool is_asking = false;
     SteadyTime due{};
     Backoff backoff{kFirstPause, kLongestPause};

@@ -46,7 +46,7 @@ class PlanController : public QObject {
   /// Makes a plan that restores the system to its state before execute(). The plan also stops the
   /// processes that were started after that state.
   void undo();
-  /// Ends the preview of an undo and shows the executed plan again. Answers that have not arrived
+  /// Ends the preview of an undo and shows the executed plan again. Replies that have not arrived
   /// yet are ignored.
   void leave();
 
@@ -62,7 +62,7 @@ class PlanController : public QObject {
     PlanOutcome outcome;
   };
 
-  /// The known classes for a plan, and the number of answers that are still missing.
+  /// The known classes for a plan, and the number of replies that are still missing.
   struct ClassQuery {
     KnownClasses known;
     std::size_t open = 0;
@@ -82,7 +82,7 @@ class PlanController : public QObject {
   QString goal_;
   SystemFile wanted_;  // the target of the newest plan
   Plan plan_;
-  // The query for the newest plan; null if no answer is missing.
+  // The query for the newest plan; null if no reply is missing.
   std::shared_ptr<ClassQuery> question_;
   std::vector<StepOutcome> outcomes_;
   PlanOutcome outcome_;

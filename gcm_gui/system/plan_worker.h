@@ -17,7 +17,7 @@ class PlanWorker final : public QObject, public PlanRunner {
   Q_OBJECT
 
  public:
-  /// `timeout` is the time that `client` waits for an answer.
+  /// `timeout` is the time that `client` waits for a reply.
   PlanWorker(std::shared_ptr<GcmClient> client, std::chrono::milliseconds timeout);
   /// Waits for a limited time until the present step is finished.
   ~PlanWorker() override;

@@ -223,22 +223,22 @@ void SystemDocument::read(const QString& path,
 }
 
 std::optional<SystemDocument::StartedProcesses> SystemDocument::startedBy(
-    const Result<message::Children>& answer) {
-  if (answer) return StartedProcesses{*answer, {}};
-  if (answer.error().code == ErrorCode::kDenied) {
+    const Result<message::Children>& reply) {
+  if (reply) return StartedProcesses{*reply, {}};
+  if (reply.error().code == ErrorCode::kDenied) {
     return StartedProcesses{
         {}, Words::tr("this GCM is too old to report which processes it has started")};
   }
-  Q_EMIT notice(ToQString(answer.error().message));
+  Q_EMIT notice(ToQString(reply.error().message));
   return std::nullopt;
 }
 
 void SystemDocument::save(const QString& path) {
   unsaved_.append(path);
-  reports_.askChildren([self = QPointer(this), path](const Result<message::Children>& answer) {
+  reports_.askChildren([self = QPointer(this), path](const Result<message::Children>& reply) {
     if (self == nullptr) return;
     self->unsaved_.removeOne(path);
-    if (const auto started = self->startedBy(answer)) self->write(path, *started);
+    if (const auto started = self->startedBy(reply)) self->write(path, *started);
   });
 }
 
@@ -263,9 +263,9 @@ void SystemDocument::write(const QString& path, const StartedProcesses& started)
 
 void SystemDocument::update(const std::string& what) {
   reports_.askChildren(
-      [self = QPointer(this), what, path = path_](const Result<message::Children>& answer) {
+      [self = QPointer(this), what, path = path_](const Result<message::Children>& reply) {
         if (self == nullptr || self->path_ != path) return;
-        if (const auto started = self->startedBy(answer)) self->writePart(what, *started);
+        if (const auto started = self->startedBy(reply)) self->writePart(what, *started);
       });
 }
 

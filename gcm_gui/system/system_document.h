@@ -30,7 +30,7 @@ class SystemDocument : public QObject {
  public:
   SystemDocument(const CatalogueStore& store, SystemReports& reports, QObject* parent = nullptr);
   /// Waits for a limited time until all files are read or written. If the GCM has not answered yet,
-  /// a requested save is executed without its answer.
+  /// a requested save is executed without its reply.
   ~SystemDocument() override;
 
   [[nodiscard]] bool isOpen() const { return !path_.isEmpty(); }
@@ -84,9 +84,9 @@ class SystemDocument : public QObject {
     message::Children children;
     QString note;
   };
-  /// Returns the processes in `answer`. If the answer is an error other than an old GCM, emits
+  /// Returns the processes in `reply`. If the reply is an error other than an old GCM, emits
   /// notice() and returns no value; the caller then writes nothing.
-  std::optional<StartedProcesses> startedBy(const Result<message::Children>& answer);
+  std::optional<StartedProcesses> startedBy(const Result<message::Children>& reply);
   void write(const QString& path, const StartedProcesses& started);
   void writePart(const std::string& what, const StartedProcesses& started);
 
@@ -94,7 +94,7 @@ class SystemDocument : public QObject {
   SystemReports& reports_;
   QString path_;
   QString imported_;     // path of an imported file; empty once a file is opened
-  QStringList unsaved_;  // files that will be written after the GCM's answer
+  QStringList unsaved_;  // files that will be written after the GCM's reply
   SystemFile file_;
   SystemComparison comparison_;
   std::int64_t modified_ = 0;  // ns since 1970; 0 while file and running system are the same

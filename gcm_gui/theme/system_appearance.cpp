@@ -19,7 +19,7 @@ constexpr auto kKey = "color-scheme";
 constexpr uint kPreferDark = 1;
 constexpr uint kPreferLight = 2;
 
-// Removes the variants around an answer. An older portal puts the answer into two variants.
+// Removes the variants around a reply. An older portal puts the reply into two variants.
 QVariant Unwrapped(QVariant value) {
   while (value.canConvert<QDBusVariant>()) value = value.value<QDBusVariant>().variant();
   return value;

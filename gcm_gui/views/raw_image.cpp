@@ -15,7 +15,7 @@ namespace {
 using Kind = Schema::Kind;
 using payload::CdrReader;
 
-// The number of bytes at the beginning of an answer that are examined; pixels come last.
+// The number of bytes at the beginning of a result that are examined; pixels come last.
 constexpr std::size_t kHead = 4096;
 
 struct Encoding {
@@ -194,19 +194,19 @@ bool LooksLikeImage(const std::string& json) {
 }
 
 std::optional<RawImage> RawImageOf(const std::string& json) {
-  const nlohmann::json answer = nlohmann::json::parse(json, nullptr, false);
-  if (!answer.is_object() || !answer.contains("data") || !answer["data"].is_array()) {
+  const nlohmann::json result = nlohmann::json::parse(json, nullptr, false);
+  if (!result.is_object() || !result.contains("data") || !result["data"].is_array()) {
     return std::nullopt;
   }
-  auto data = BytesIn(answer["data"]);
+  auto data = BytesIn(result["data"]);
   if (!data) return std::nullopt;
-  RawImage picture{.width = UnsignedIn(answer, "width"),
-                   .height = UnsignedIn(answer, "height"),
-                   .step = UnsignedIn(answer, "step"),
-                   .encoding = EncodingOfChannels(UnsignedIn(answer, "channels")),
-                   .is_bigendian = UnsignedIn(answer, "is_bigendian") != 0,
+  RawImage picture{.width = UnsignedIn(result, "width"),
+                   .height = UnsignedIn(result, "height"),
+                   .step = UnsignedIn(result, "step"),
+                   .encoding = EncodingOfChannels(UnsignedIn(result, "channels")),
+                   .is_bigendian = UnsignedIn(result, "is_bigendian") != 0,
                    .data = *std::move(data)};
-  if (const auto encoding = answer.find("encoding"); encoding != answer.end()) {
+  if (const auto encoding = result.find("encoding"); encoding != result.end()) {
     if (!encoding->is_string()) return std::nullopt;
     picture.encoding = QString::fromStdString(encoding->get<std::string>());
   }

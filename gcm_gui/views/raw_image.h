@@ -36,9 +36,9 @@ inline constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 25U;
 [[nodiscard]] std::optional<RawImage> RawImageOf(const Schema& schema,
                                                  std::span<const std::byte> body);
 
-/// Returns true if the beginning of an answer looks like a picture. O(1).
+/// Returns true if the beginning of a result looks like a picture. O(1).
 [[nodiscard]] bool LooksLikeImage(const std::string& json);
-/// Returns the picture in an answer; empty if it is not a picture. Takes about a second for ten
+/// Returns the picture in a result; empty if it is not a picture. Takes about a second for ten
 /// million pixels.
 [[nodiscard]] std::optional<RawImage> RawImageOf(const std::string& json);
 

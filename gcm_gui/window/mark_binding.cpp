@@ -139,7 +139,7 @@ bool MarkBinding::isRead(const QString& path) const {
   return kind == CommandKind::kRead || kind == CommandKind::kQualifiedRead;
 }
 
-// A call of this window is marked when its answer arrives. The call is in the activity list before
+// A call of this window is marked when its reply arrives. The call is in the activity list before
 // it is sent, so this function finds it there.
 bool MarkBinding::isOwnCall(const QString& path) const {
   const int newest = std::min(activity_.rowCount(), kOwnCalls);

@@ -12,7 +12,15 @@
 namespace tendon {
 
 /// The reason why the values of a component are not current.
-enum class StaleReason { kNone, kNotStarted, kSuspended, kFinished, kFaulted, kNoAnswer, kLost };
+enum class StaleReason {
+  kNone,
+  kNotStarted,
+  kSuspended,
+  kFinished,
+  kFaulted,
+  kUnresponsive,
+  kLost
+};
 
 /// "suspended", "not started", "no answer"; "running" for kNone.
 [[nodiscard]] constexpr std::string_view ToString(StaleReason why) noexcept {
@@ -27,7 +35,7 @@ enum class StaleReason { kNone, kNotStarted, kSuspended, kFinished, kFaulted, kN
       return "finished";
     case StaleReason::kFaulted:
       return "faulted";
-    case StaleReason::kNoAnswer:
+    case StaleReason::kUnresponsive:
       return "no answer";
     case StaleReason::kLost:
       break;
@@ -39,7 +47,7 @@ enum class StaleReason { kNone, kNotStarted, kSuspended, kFinished, kFaulted, kN
 /// of the component counts only while its process is alive.
 [[nodiscard]] constexpr StaleReason StaleReasonOf(ProcessState process,
                                                   ComponentState component) noexcept {
-  if (process == ProcessState::kSuspect) return StaleReason::kNoAnswer;
+  if (process == ProcessState::kSuspect) return StaleReason::kUnresponsive;
   if (process != ProcessState::kAlive) return StaleReason::kLost;
   switch (component) {
     case ComponentState::kConstructed:

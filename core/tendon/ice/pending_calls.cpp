@@ -60,7 +60,7 @@ void SendEmptyReply(IceInternal::IncomingAsync& call) noexcept {
 
 void SendFailure(IceInternal::IncomingAsync& call) noexcept {
   CallGuarded("ice", [&call] {
-    call.completed(std::make_exception_ptr(std::runtime_error("the answer could not be written")));
+    call.completed(std::make_exception_ptr(std::runtime_error("the reply could not be written")));
   });
 }
 

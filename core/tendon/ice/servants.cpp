@@ -38,7 +38,7 @@ bool Ask(IceLink& link, std::span<const std::byte> frame, IceInternal::Incoming&
   if (!reply.has_begun()) {
     incoming.startWriteParams()->writeSize(0);
   } else if (!reply.is_there()) {
-    throw std::runtime_error("the answer could not be written");  // makes Ice discard the reply
+    throw std::runtime_error("the reply could not be written");  // makes Ice discard the reply
   }
   incoming.endWriteParams();
   return true;

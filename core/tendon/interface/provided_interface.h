@@ -104,7 +104,7 @@ class ProvidedInterface {
                               })
         .SetReadsTableOnly();
   }
-  /// Adds a read that runs `function(row, question, answer)` with the newest value of a column.
+  /// Adds a read that runs `function(row, argument, result)` with the newest value of a column.
   template <Payload T, typename In, typename Out>
   Offer& AddCommandQualifiedRead(const StateTable& table, const T& variable,
                                  void (*function)(const T&, const In&, Out&), LocatedName name) {

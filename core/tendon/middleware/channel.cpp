@@ -70,7 +70,7 @@ Result<Reply> CopyOf(std::span<const std::byte> reply) {
   try {
     return Reply(Bytes(reply.begin(), reply.end()));
   } catch (const std::bad_alloc&) {
-    return Error{ErrorCode::kFailed, "there is not enough memory for the answer"};
+    return Error{ErrorCode::kFailed, "there is not enough memory for the reply"};
   }
 }
 
@@ -271,7 +271,7 @@ void Channel::OnMessage(const FrameHeader& header, std::span<const std::byte> bo
 /// Checks the whole batch first. If the batch is malformed, none of its replies is used.
 void Channel::OnReplies(std::span<const std::byte> body) {
   if (!IsReplyBatch(body)) {
-    return Fail({ErrorCode::kInvalid, peer_.name + " sent malformed answers"});
+    return Fail({ErrorCode::kInvalid, peer_.name + " sent malformed replies"});
   }
   while (const auto one = TakeReply(body)) {
     requests_.Finish(one->request, CopyOf(one->body));
@@ -478,7 +478,7 @@ bool Channel::SendReply(std::uint64_t request, std::span<const std::byte> body, 
   const Status sent = Send(MessageType::kReply, request, 0, body, lane);
   if (sent || sent == Status::kNotConnected) return bool(sent);
   const Error why = WhyNotSent(sent, PeerName(), body.size());
-  Log(LogLevel::kWarning, "channel", "an answer was lost: " + why.message);
+  Log(LogLevel::kWarning, "channel", "a reply was lost: " + why.message);
   SendRefusal(request, why);
   return false;
 }

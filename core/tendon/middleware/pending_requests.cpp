@@ -95,7 +95,7 @@ bool PendingRequests::Finish(std::uint64_t request, Result<Reply> outcome) {
     const Handler handler = std::exchange(slot->handler, nullptr);
     Free(*slot);
     lock.unlock();
-    Result<Bytes> taken = Error{ErrorCode::kFailed, "there is not enough memory for the answer"};
+    Result<Bytes> taken = Error{ErrorCode::kFailed, "there is not enough memory for the reply"};
     CallGuarded("request", [&] {
       taken = outcome ? Result<Bytes>((*std::move(outcome)).TakeBytes()) : outcome.error();
     });

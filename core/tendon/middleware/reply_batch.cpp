@@ -88,14 +88,14 @@ void ReplyBatcher::Send() {
   const auto channel = std::exchange(channel_, nullptr);
   bool is_sent = false;
   if (batch_.replies() > 1) {
-    CallGuarded("answers", [&] {
+    CallGuarded("replies", [&] {
       is_sent =
           channel->Send(MessageType::kReplies, 0, 0, batch_.body(), kOwnLane) == Status::kQueued;
     });
   }
   std::span<const std::byte> rest = is_sent ? std::span<const std::byte>() : batch_.body();
   while (const auto one = TakeReply(rest)) {
-    CallGuarded("answer", [&] { channel->SendReply(one->request, one->body, kOwnLane); });
+    CallGuarded("reply", [&] { channel->SendReply(one->request, one->body, kOwnLane); });
   }
   batch_.Clear();
 }

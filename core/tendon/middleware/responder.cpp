@@ -41,7 +41,7 @@ Responder& Responder::operator=(Responder&& other) noexcept {
 Responder::~Responder() {
   if (channel_.expired()) return;
   CallGuarded("request", [this] {
-    Refuse({ErrorCode::kFailed, "the request was dropped without an answer; see the peer's log"});
+    Refuse({ErrorCode::kFailed, "the request was dropped without a reply; see the peer's log"});
   });
 }
 

@@ -84,7 +84,7 @@ struct CallMember {
 /// The outcome of a call.
 struct CallMemberReply {
   std::uint8_t status = 0;        ///< Status::Code
-  std::vector<std::byte> answer;  ///< the encoded result; empty without a result
+  std::vector<std::byte> result;  ///< the encoded result; empty without a result
 };
 
 /// Subscribes to rows of one state table, until kUnsubscribe or the channel's end. No column may be
@@ -179,7 +179,7 @@ inline constexpr auto tendon::kPayload<tendon::message::CallMember> = tendon::De
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::CallMemberReply> = tendon::Describe(
     "tendon.CallMemberReply", tendon::Field{"status", &tendon::message::CallMemberReply::status},
-    tendon::Field{"answer", &tendon::message::CallMemberReply::answer});
+    tendon::Field{"result", &tendon::message::CallMemberReply::result});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::Subscribe> = tendon::Describe(

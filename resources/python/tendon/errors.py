@@ -52,7 +52,7 @@ class Incompatible(Error):
 
 
 class TimedOut(Error):
-    """There was no answer in time. It is unknown whether the request was executed."""
+    """There was no reply in time. It is unknown whether the request was executed."""
 
     code = "TIMEOUT"
 

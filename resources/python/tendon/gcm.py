@@ -32,13 +32,13 @@ class GcmLink:
         self._catalog = Catalogue()  # never changed, only replaced
         self._changes = 0
 
-    def request(self, message_type: MessageType, name: str, value: Any, answer: str) -> Any:
+    def request(self, message_type: MessageType, name: str, value: Any, reply: str) -> Any:
         """Sends a request to the GCM, which may have to ask a process."""
         return self._open().request(message_type, messages.encode(name, value), self._timeout,
-                                    reading(answer))
+                                    reading(reply))
 
     def fresh(self) -> Catalogue:
-        """The catalogue with all changes until now. Asks the GCM: its answer follows those
+        """The catalogue with all changes until now. Asks the GCM: its reply follows those
         changes."""
         try:
             self._ask_for_life()

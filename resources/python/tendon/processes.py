@@ -17,7 +17,7 @@ from .payload.schema_text import parse
 from .rows import Column, Feed, Feeds, Watch
 
 _TAKE_ARGUMENTS = ("write", "qualified_read", "write_return")  # kinds of commands
-_ANSWER_NOTHING = ("void", "write")
+_WITHOUT_RESULT = ("void", "write")
 
 # The text after the name of a command that was not executed, by Status::Code.
 _DONE = 2  # commands with a lower code were executed
@@ -82,9 +82,9 @@ class Processes:
         if called["status"] >= _DONE:
             kind, words = _REFUSALS[min(called["status"], len(_REFUSALS) - 1)]
             raise kind(f"{path.command}: {words}")
-        if signature["kind"] in _ANSWER_NOTHING:
+        if signature["kind"] in _WITHOUT_RESULT:
             return None
-        return select(self._schema(peer, signature["out"]).decode(called["answer"]), path.field)
+        return select(self._schema(peer, signature["out"]).decode(called["result"]), path.field)
 
     def watch(self, process: Description, wanted: Wanted, timeout: float | None) -> Watch:
         """Subscribes to rows of a table."""
@@ -92,18 +92,18 @@ class Processes:
         feed = Feed()
 
         def on_reply(body: bytes) -> Any:
-            answer = messages.decode("SubscribeReply", body)
-            peer.feeds.add(answer["handle"], feed)
-            return answer
+            reply = messages.decode("SubscribeReply", body)
+            peer.feeds.add(reply["handle"], feed)
+            return reply
 
         value = {"component": wanted.component, "table": wanted.table, "columns": wanted.names,
                  "rows": {"period": wanted.period, "delivery": "ALL"}}
-        answer = peer.link.request(MessageType.SUBSCRIBE, messages.encode("Subscribe", value),
+        reply = peer.link.request(MessageType.SUBSCRIBE, messages.encode("Subscribe", value),
                                    self._timeout, on_reply)
-        schemas = [parse(text) for text in answer["schemas"]]
+        schemas = [parse(text) for text in reply["schemas"]]
         if len(schemas) != len(wanted.names):
             raise Invalid(f"{process['name']} answered with another number of columns")
-        return Watch(peer.link, peer.feeds, answer["handle"], feed, schemas,
+        return Watch(peer.link, peer.feeds, reply["handle"], feed, schemas,
                      wanted.columns, timeout)
 
     def _peer(self, process: Description) -> _Peer:
@@ -130,9 +130,9 @@ class Processes:
     def _schema(self, peer: _Peer, fingerprint: Description) -> Schema:
         key = (fingerprint["high"], fingerprint["low"])
         if key not in peer.schemas:
-            answer = self._ask(peer, MessageType.GET_SCHEMAS, "GetSchemas",
+            reply = self._ask(peer, MessageType.GET_SCHEMAS, "GetSchemas",
                                {"fingerprints": [fingerprint]}, "Schemas")
-            text = next(iter(answer["texts"]), "")
+            text = next(iter(reply["texts"]), "")
             if not text:
                 raise NotFound(f"process '{peer.link.peer_name}' has no payload type with the "
                                f"fingerprint {key[0]:016x}{key[1]:016x}")
@@ -140,6 +140,6 @@ class Processes:
         return peer.schemas[key]
 
     def _ask(self, peer: _Peer, message_type: MessageType, name: str, value: Any,
-             answer: str) -> Any:
+             reply: str) -> Any:
         return peer.link.request(message_type, messages.encode(name, value), self._timeout,
-                                 reading(answer))
+                                 reading(reply))

@@ -26,7 +26,7 @@ DEFAULT_TIMEOUT = 2.0  # s; longer than the GCM waits for a process
 class System:
     """The result of connect(): lists, reads, calls, watches and connects the parts of a system.
 
-    Each function waits for an answer, at most `timeout` seconds, and raises an Error that says what
+    Each function waits for a reply, at most `timeout` seconds, and raises an Error that says what
     went wrong. Any thread may call them. A path is `process/component/interface.member`, as for the
     console `gcm`. Descriptions are dicts with the same fields as in C++.
     """

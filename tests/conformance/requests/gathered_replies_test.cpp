@@ -126,7 +126,7 @@ TEST_P(ChannelContract, AMalformedReplyBatchClosesTheChannel) {
   ASSERT_TRUE(server->channel_->Notify(MessageType::kReplies, 0, lie));
 
   ASSERT_TRUE(client->Wait([](const Oracle& one) { return one.closed_.size() == 1; }));
-  EXPECT_EQ(client->closed_.front(), (Error{ErrorCode::kInvalid, "robot sent malformed answers"}));
+  EXPECT_EQ(client->closed_.front(), (Error{ErrorCode::kInvalid, "robot sent malformed replies"}));
   EXPECT_TRUE(outcomes.WaitFor(0, 1));
   EXPECT_TRUE(outcomes.answered().empty());
 }

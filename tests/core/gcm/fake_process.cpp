@@ -170,7 +170,7 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
       if (!Decode(call.argument, factor)) return {.status = Status::kInvalid};
       for (double& joint : joints) joint *= factor;
     }
-    Encode(joints, called.answer);
+    Encode(joints, called.result);
     return called;
   }
 

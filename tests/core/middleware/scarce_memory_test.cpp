@@ -182,7 +182,7 @@ TEST(ChannelLowMemory, LosesOnlyTheReplyThatDoesNotFit) {
     const auto answer = (*channel)->Call(kAsk, 0, Bytes{}, kPatience);
 
     ASSERT_FALSE(answer);
-    EXPECT_THAT(answer.error().message, HasSubstr("there is not enough memory for the answer"));
+    EXPECT_THAT(answer.error().message, HasSubstr("there is not enough memory for the reply"));
   }
   EXPECT_TRUE((*channel)->Call(kAsk, 0, Bytes{}, kPatience));
 }

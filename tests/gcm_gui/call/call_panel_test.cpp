@@ -58,7 +58,7 @@ class CallPanelTest : public ::testing::Test {
   }
   QPushButton& Button() { return *panel_.findChild<QPushButton*>(QStringLiteral("call.call")); }
   QString Status() { return panel_.findChild<QLabel*>(QStringLiteral("call.status"))->text(); }
-  QLabel& Answer() { return *panel_.findChild<QLabel*>(QStringLiteral("call.answer")); }
+  QLabel& ResultLabel() { return *panel_.findChild<QLabel*>(QStringLiteral("call.result")); }
   QToolButton& Link(const QString& name) { return *panel_.findChild<QToolButton*>(name); }
   void Click() { QTest::mouseClick(&Button(), Qt::LeftButton); }
 
@@ -123,8 +123,8 @@ TEST_F(CallPanelTest, ShowsTheReplyOneFieldPerLine) {
   calls_.answer(std::string(R"({"position":[1,-0.7853981633974483],"valid":true})"), 0.003);
 
   EXPECT_EQ(Status(), "Done in 3.000 ms");
-  EXPECT_TRUE(Answer().isVisible());
-  EXPECT_EQ(Answer().text(), "position: [1, -0.785398]\nvalid: true");
+  EXPECT_TRUE(ResultLabel().isVisible());
+  EXPECT_EQ(ResultLabel().text(), "position: [1, -0.785398]\nvalid: true");
   Click();
   EXPECT_EQ(calls_.calls.size(), 2);
 }
@@ -136,7 +136,7 @@ TEST_F(CallPanelTest, ShowsTheTextOfARefusal) {
   calls_.answer(Error{ErrorCode::kTimeout, "no answer in 1 s; it may still be executed"}, 1);
 
   EXPECT_EQ(Status(), "no answer in 1 s; it may still be executed");
-  EXPECT_FALSE(Answer().isVisible());
+  EXPECT_FALSE(ResultLabel().isVisible());
 }
 
 TEST_F(CallPanelTest, ReportsInvalidInputBeforeTheCall) {

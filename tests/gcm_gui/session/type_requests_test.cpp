@@ -8,7 +8,7 @@ using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
 using Due = std::vector<std::pair<Fingerprint, std::string>>;
 
 constexpr Fingerprint kType{1, 2};
-const Error kNoAnswer{ErrorCode::kTimeout, "no answer"};
+const Error kNoReply{ErrorCode::kTimeout, "no answer"};
 
 TEST(TypeRequests, RequestsEachTypeOnce) {
   TypeRequests types;
@@ -17,7 +17,7 @@ TEST(TypeRequests, RequestsEachTypeOnce) {
   EXPECT_EQ(types.takeDue(SteadyTime()), (Due{{kType, "robot"}}));
   EXPECT_TRUE(types.takeDue(SteadyTime(1h)).empty());
   EXPECT_EQ(types.find(kType), nullptr);
-  types.onAnswer(kType, SchemaOf<double>(), SteadyTime(1h));
+  types.onReply(kType, SchemaOf<double>(), SteadyTime(1h));
   types.want(kType, "desk");
 
   EXPECT_TRUE(types.takeDue(SteadyTime(2h)).empty());
@@ -30,19 +30,19 @@ TEST(TypeRequests, RetriesAFailedRequestWithBackoff) {
   types.want(kType, "robot");
   SteadyTime now{};
   (void)types.takeDue(now);
-  types.onAnswer(kType, kNoAnswer, now);
+  types.onReply(kType, kNoReply, now);
   EXPECT_EQ(types.find(kType)->error().message, "no answer");
 
   for (const std::chrono::seconds pause : {1s, 2s, 4s, 8s, 16s, 30s, 30s}) {
     EXPECT_TRUE(types.takeDue(now + pause - 1ns).empty());
     now += pause;
     EXPECT_EQ(types.takeDue(now), (Due{{kType, "robot"}}));
-    types.onAnswer(kType, kNoAnswer, now);
+    types.onReply(kType, kNoReply, now);
   }
 
   types.want(kType, "desk");
   EXPECT_EQ(types.takeDue(now + 1min), (Due{{kType, "desk"}}));
-  types.onAnswer(kType, SchemaOf<double>(), now);
+  types.onReply(kType, SchemaOf<double>(), now);
   EXPECT_TRUE(types.find(kType)->ok());
 }
 

@@ -89,7 +89,7 @@ void ScriptedCalls::findSchema(const std::string& /*process*/, Fingerprint type,
 }
 
 void ScriptedCalls::callCommand(const std::string& path, const std::string& argument,
-                                AnswerHandler handler) {
+                                ResultHandler handler) {
   calls.append(QString::fromStdString(path + ' ' + argument).trimmed());
   answer = std::move(handler);
 }

@@ -45,14 +45,14 @@ class ScriptedCalls final : public CommandCalls {
  public:
   void findSchema(const std::string& process, Fingerprint type, SchemaHandler handler) override;
   void callCommand(const std::string& path, const std::string& argument,
-                   AnswerHandler handler) override;
+                   ResultHandler handler) override;
   void readValue(const std::string& path, ValueHandler handler) override;
 
   Result<Schema> schema = Error{ErrorCode::kTimeout, "no answer"};
   std::map<Fingerprint, Schema> schemas;  ///< schemas of further types
   int asked_for_schema = 0;
   QStringList calls;
-  AnswerHandler answer;  ///< the handler of the newest call
+  ResultHandler answer;  ///< the handler of the newest call
   QStringList read;      ///< paths of the read requests
   ValueHandler value;    ///< the handler of the newest read request
 };

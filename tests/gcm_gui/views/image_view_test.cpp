@@ -106,7 +106,7 @@ TEST(CallPanel, ShowsAnImageReplyAsAPicture) {
   panel.show();
   panel.showCommand("vision/camera/Video.Take", Void("Take"));
   auto& view = *panel.findChild<ImageView*>();
-  const auto& answer = *panel.findChild<QLabel*>("call.answer");
+  const auto& result = *panel.findChild<QLabel*>("call.result");
   const auto call = [&](const std::string& json) {
     QTest::mouseClick(panel.findChild<QPushButton*>("call.call"), Qt::LeftButton);
     calls.answer(Result<std::string>(json), 0.01);
@@ -114,16 +114,16 @@ TEST(CallPanel, ShowsAnImageReplyAsAPicture) {
 
   call(R"({"width":2,"height":1,"encoding":"mono8","data":[9,9]})");
   ASSERT_TRUE(Shows(view, 2, 9));
-  EXPECT_TRUE(answer.isHidden());
+  EXPECT_TRUE(result.isHidden());
 
   call(R"({"width":2,"height":2,"encoding":"mono8","data":[9,9]})");
   EXPECT_TRUE(
       QTest::qWaitFor([&] { return view.words().contains("do not match"); }, kDrawPatience));
-  EXPECT_FALSE(answer.isHidden());
+  EXPECT_FALSE(result.isHidden());
 
   call(R"({"width":2})");
   EXPECT_TRUE(view.isHidden());
-  EXPECT_EQ(answer.text(), "width: 2");
+  EXPECT_EQ(result.text(), "width: 2");
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ void SleepUntil(SteadyTime time) noexcept;
 /// default).
 void SetTimerSlack(std::uint64_t nanoseconds) noexcept;
 
-/// The kernel's answer to a request: granted, or the reason why it is not granted.
+/// The outcome of a request to the kernel: granted, or the reason why it is not granted.
 struct Permission {
   bool granted = true;
   std::string reason;

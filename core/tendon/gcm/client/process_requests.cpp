@@ -239,7 +239,7 @@ Result<std::string> ProcessRequests::Read(const Order& order,
                                              : Status::kFailed);
   if (!status) return CallError(order.command, status);
   if (!HasResult(order.signature.kind)) return std::string();
-  auto json = ToJson(*Find(order.signature.out), called.answer);
+  auto json = ToJson(*Find(order.signature.out), called.result);
   if (!json) return Error{ErrorCode::kInvalid, order.command + ": " + json.error().message};
   return JsonField(*json, order.path.field);
 }

@@ -97,13 +97,13 @@ class MemberCalls::Target : public std::enable_shared_from_this<Target>,
 
   void Finish(Status status, const Bytes& result, Responder& responder) const {
     if (result.size() > kMaxPayload) {
-      const std::string what = "the answer of '" + description_.name + "'";
+      const std::string what = "the result of '" + description_.name + "'";
       return responder.Refuse(ExceedsMaxPayload(what, result.size(), interface_));
     }
     const bool has_result = description_.signature.out != FingerprintOf<None>();
     message::CallMemberReply called{.status = static_cast<std::uint8_t>(status.code()),
-                                    .answer = {}};
-    if (status && has_result) called.answer = result;
+                                    .result = {}};
+    if (status && has_result) called.result = result;
     responder.Reply(EncodeBody(called), kOwnLane);
   }
 

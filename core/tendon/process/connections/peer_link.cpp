@@ -34,7 +34,7 @@ OpenedInterface MakeProxy(const std::shared_ptr<NetworkThread>& network, const P
   } catch (const ConfigurationError& error) {
     (void)channel->Notify(message::kCloseInterface, reply->handle, Bytes());
     return Error{ErrorCode::kInvalid,
-                 channel->peer().name + " sent an invalid answer: " + error.what()};
+                 channel->peer().name + " sent an invalid reply: " + error.what()};
   }
 }
 

@@ -141,7 +141,7 @@ void PeerSession::Post(
              std::to_string(RequestQuota::kMostTasks) +
              " waiting requests of one peer, with at most " +
              std::to_string(RequestQuota::kMostBytes) +
-             " bytes in total: send fewer requests at once, or wait for answers"});
+             " bytes in total: send fewer requests at once, or wait for replies"});
   }
   auto wanted = DecodeBody<Wanted>(body);
   if (!wanted) return responder.Refuse(wanted.error());

@@ -67,7 +67,7 @@ def loopback_cookie() -> int:
     return cookie
 
 
-class Answer(NamedTuple):
+class Reply(NamedTuple):
     """The next message to send."""
 
     type: MessageType
@@ -90,12 +90,12 @@ class Opener:
         self.peer: dict[str, Any] = {}
         self.is_welcome = False
 
-    def greet(self) -> Answer:
+    def greet(self) -> Reply:
         """The first message of the handshake."""
-        return Answer(MessageType.HELLO, messages.encode("Greeting", self._mine))
+        return Reply(MessageType.HELLO, messages.encode("Greeting", self._mine))
 
-    def take(self, header: Header, body: bytes) -> Answer | None:
-        """Returns the answer to the peer's next frame; None if the handshake is complete, which
+    def take(self, header: Header, body: bytes) -> Reply | None:
+        """Returns the reply to the peer's next frame; None if the handshake is complete, which
         sets `is_welcome`. If the peer refuses this program, raises the reason."""
         if header.type == MessageType.REFUSAL:
             raise messages.read_refusal(body, self._address)
@@ -110,7 +110,7 @@ class Opener:
             raise Invalid(f"{self._address} answered the Hello with an unexpected message")
         return self._on_challenge(messages.decode("Challenge", body))
 
-    def _on_challenge(self, challenge: dict[str, Any]) -> Answer:
+    def _on_challenge(self, challenge: dict[str, Any]) -> Reply:
         greeting = challenge["greeting"]
         its_proof = self._proof(ACCEPTOR, greeting)
         if self._shown is not None:
@@ -120,7 +120,7 @@ class Opener:
                          "as the same user of this machine")
         self.peer = greeting
         proof = {"proof": self._proof(OPENER, greeting), "session": 0}
-        return Answer(MessageType.PROOF, messages.encode("Proof", proof))
+        return Reply(MessageType.PROOF, messages.encode("Proof", proof))
 
     def _check_shown(self, shown: Shown, name: str) -> None:
         """Checks the name in the peer's certificate before anything confidential is sent. TLS

@@ -25,7 +25,7 @@ _CONTRACT = Ice.openModule("tendon")  # the module of tendon.ice
 _IDENTITY = Ice.Identity("tendon", "")
 _ENCAPSULATION = struct.Struct("<iBB")  # size including these fields, version
 _NOTHING = _ENCAPSULATION.pack(_ENCAPSULATION.size, 1, 1)
-_NO_ANSWER_YET = _ENCAPSULATION.pack(_ENCAPSULATION.size + 1, 1, 1) + b"\0"
+_NO_REPLY_YET = _ENCAPSULATION.pack(_ENCAPSULATION.size + 1, 1, 1) + b"\0"
 
 ENVELOPE = 16 << 10  # bytes that Ice may add to a frame
 
@@ -189,7 +189,7 @@ class _Endpoint(Ice.Blobject):  # type: ignore[misc]
         if current.operation not in ("frame", "ask"):
             raise Ice.OperationNotExistException(current.id, current.facet, current.operation)
         link.deliver(only_parameter(parameters))
-        return True, _NO_ANSWER_YET if current.operation == "ask" else _NOTHING
+        return True, _NO_REPLY_YET if current.operation == "ask" else _NOTHING
 
 
 def only_parameter(encapsulation: bytes) -> bytes | None:

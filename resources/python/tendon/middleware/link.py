@@ -114,13 +114,13 @@ class Link:
     def _greet(self, opener: Opener, deadline: float) -> None:
         incoming = self._greeting
         assert incoming is not None
-        answer = opener.greet()
+        reply = opener.greet()
         while True:
-            if answer is not None:
-                if answer.type == MessageType.PROOF:
+            if reply is not None:
+                if reply.type == MessageType.PROOF:
                     self._link.admit()
                     self._is_known = True
-                self._send(Header(answer.type, 1), answer.body)
+                self._send(Header(reply.type, 1), reply.body)
             if opener.is_welcome:
                 return
             try:
@@ -131,7 +131,7 @@ class Link:
                                "at this address") from None
             if frame is None:
                 raise self._reason or Unreachable(f"{self._link.peer_address} is not connected")
-            answer = opener.take(*frame)
+            reply = opener.take(*frame)
 
     def _send(self, header: Header, body: bytes) -> None:
         if len(body) > MAX_BODY_SIZE:

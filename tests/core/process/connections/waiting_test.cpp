@@ -300,9 +300,9 @@ TEST_P(RemoteCallByName, WaitsForCommandsWithAResult) {
   const CallMemberReply name = Call("Name", tendon::EncodeBody(9));
 
   EXPECT_EQ(total.status, Status::kDone);
-  EXPECT_EQ(total.answer, tendon::EncodeBody(4));
+  EXPECT_EQ(total.result, tendon::EncodeBody(4));
   EXPECT_EQ(name.status, Status::kDone);
-  EXPECT_EQ(name.answer, tendon::EncodeBody(std::string("part 9")));
+  EXPECT_EQ(name.result, tendon::EncodeBody(std::string("part 9")));
 }
 
 TEST_P(RemoteCallByName, EndsAtItsDeadline) {
@@ -311,7 +311,7 @@ TEST_P(RemoteCallByName, EndsAtItsDeadline) {
   const CallMemberReply total = Call("Total", {}, 50ms);
 
   EXPECT_EQ(total.status, Status::kTimeout);
-  EXPECT_TRUE(total.answer.empty());
+  EXPECT_TRUE(total.result.empty());
 }
 
 TEST_P(RemoteWait, EndsWhenTheServersProcessEnds) {
