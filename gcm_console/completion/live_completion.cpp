@@ -70,13 +70,13 @@ std::optional<Schema> TypeOf(const ClassDescription& of, const std::string& para
 
 /// Returns the names of all values of the parameter; if the values have no names, its present
 /// value.
-std::vector<std::string> ValuesFor(const ClassDescription& of, const std::string& told,
+std::vector<std::string> ValuesFor(const ClassDescription& of, const std::string& configuration,
                                    const std::string& parameter) {
   const auto type = TypeOf(of, parameter);
   if (type) {
     if (auto names = ValuesOf(*type); !names.empty()) return names;
   }
-  const auto now = ParametersAt(of, told, parameter);
+  const auto now = ParametersAt(of, configuration, parameter);
   if (!now || now->size() != 1) return {};
   return {now->front().value};
 }
@@ -130,12 +130,13 @@ std::vector<std::string> LiveCompletion::OfComponent(GcmClient& client, WordKind
   const Classes* known = ClassesOf(client, path->process);
   const ClassDescription* of = known == nullptr ? nullptr : FindClass(*known, **component);
   if (of == nullptr) return {};
-  const std::string& told = (*component)->configuration;
+  const std::string& configuration = (*component)->configuration;
   if (kind == WordKind::kSetting) {
-    return before.size() < 2 ? std::vector<std::string>() : ValuesFor(*of, told, before[1]);
+    return before.size() < 2 ? std::vector<std::string>()
+                             : ValuesFor(*of, configuration, before[1]);
   }
   std::vector<std::string> names;
-  const auto parameters = ParametersOf(*of, told);
+  const auto parameters = ParametersOf(*of, configuration);
   if (!parameters) return {};
   for (const tendon::Parameter& one : *parameters) names.push_back(one.name);
   return names;

@@ -15,7 +15,7 @@ using tendon::ConnectionState;
 using tendon::SteadyClock;
 
 /// Returns true if the process of the connection can answer a request for its counters.
-bool CanTell(const tendon::Catalogue& catalogue, const ConnectionDescription& connection) {
+bool HasCounters(const tendon::Catalogue& catalogue, const ConnectionDescription& connection) {
   const auto* owner = catalogue.FindProcess(connection.required.process);
   return connection.state == ConnectionState::kActive && owner != nullptr &&
          owner->process.state == tendon::ProcessState::kAlive;
@@ -25,7 +25,7 @@ bool CanTell(const tendon::Catalogue& catalogue, const ConnectionDescription& co
 
 struct ConnectionFeed::LatestReply {
   std::uint64_t id = 0;  // id of the connection
-  bool can_be_told = false;
+  bool has_counters = false;
 
   std::mutex mutex;  // guards the members below
   std::optional<ConnectionCounts> counts;
@@ -35,7 +35,7 @@ struct ConnectionFeed::LatestReply {
   void Fill(ConnectionFigures& figures) {
     const std::scoped_lock lock(mutex);
     figures.is_known = figures.state == ToString(ConnectionState::kActive) && counts && rate >= 0.0;
-    figures.is_awaited = can_be_told && !figures.is_known;
+    figures.is_awaited = has_counters && !figures.is_known;
     if (!figures.is_known) return;
     figures.rate = rate;
     if (counts->round_trip.count() >= 0) {
@@ -76,7 +76,7 @@ std::vector<ConnectionFigures> ConnectionFeed::Look(const std::string& filter) {
       const bool is_same = !known.empty() && known.mapped()->id == one.id;
       const auto latest = is_same ? known.mapped() : std::make_shared<LatestReply>();
       latest->id = one.id;
-      latest->can_be_told = CanTell(catalogue, one);
+      latest->has_counters = HasCounters(catalogue, one);
       latest->Fill(figures);
       there[one.required] = latest;
       all.push_back(std::move(figures));
@@ -90,7 +90,7 @@ std::vector<ConnectionFigures> ConnectionFeed::Look(const std::string& filter) {
 void ConnectionFeed::AskSome() const {
   std::vector<tendon::InterfaceName> there;
   for (const auto& [required, latest] : latest_) {
-    if (latest->can_be_told) there.push_back(required);
+    if (latest->has_counters) there.push_back(required);
   }
   for (const auto& required : throttle_->Begin(there, SteadyClock().Now())) {
     // The destructor of `query` calls End(). It runs when the last copy of the handler is

@@ -206,19 +206,19 @@ class Doctor {
       return false;
     }
     const auto begin = std::chrono::steady_clock::now();
-    const auto told = AskForVersion(process.name);
+    const auto reported = AskForVersion(process.name);
     const auto passed = std::chrono::steady_clock::now() - begin;
-    if (!told) {
+    if (!reported) {
       const std::string here = tendon::os::HostName();
-      const bool is_silent = told.error().code == ErrorCode::kTimeout;
+      const bool is_silent = reported.error().code == ErrorCode::kTimeout;
       Bad(what,
-          place + ", at " + process.address + ": " + told.error().message + " (seen from host " +
-              here + ")",
+          place + ", at " + process.address + ": " + reported.error().message +
+              " (seen from host " + here + ")",
           is_silent ? "the process may hang; to see its log: gcm log --from " + process.name
-                    : tendon::FixOfUnreached(process.name, here, told.error()));
+                    : tendon::FixOfUnreached(process.name, here, reported.error()));
       return false;
     }
-    AddVersion(what, told,
+    AddVersion(what, reported,
                place + ", at " + process.address + ", answers within " +
                    tendon::MillisecondsText(passed) + UsageText(process) + ClockText(client, entry),
                "build the process with this release, or use gcm of the release of the process");
@@ -232,9 +232,9 @@ class Doctor {
   /// Reports the version of a program. A release that differs from the release of `gcm` is reported
   /// as a problem. Compatible releases work together, but the limits of the older release may
   /// explain a problem.
-  void AddVersion(const std::string& what, const Result<tendon::message::ProgramVersion>& told,
+  void AddVersion(const std::string& what, const Result<tendon::message::ProgramVersion>& reported,
                   const std::string& text, const std::string& fix) {
-    const auto [version, is_own] = tendon::CompareVersion(told, own_);
+    const auto [version, is_own] = tendon::CompareVersion(reported, own_);
     if (is_own) {
       Good(what, text + ", " + version);
     } else {

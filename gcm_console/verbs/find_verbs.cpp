@@ -79,8 +79,8 @@ Waits AskForWaits(tendon::GcmClient& client, const Catalogue& catalogue) {
     client.GetCounts(one, [replies, required = one](const auto& counts) {
       const std::scoped_lock lock(replies->mutex);
       --replies->missing;
-      const bool is_told = !counts && counts.error().code == ErrorCode::kFailed;
-      if (is_told) replies->waits.emplace(required, counts.error().message);
+      const bool is_reason = !counts && counts.error().code == ErrorCode::kFailed;
+      if (is_reason) replies->waits.emplace(required, counts.error().message);
       replies->changed.notify_all();
     });
   }

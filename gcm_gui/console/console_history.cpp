@@ -50,8 +50,8 @@ qsizetype ConsoleHistory::find(const QString& part, qsizetype before) const {
 void ConsoleHistory::keep() {
   if (file_.isEmpty()) return;
   const auto report = [this](const QString& refusal) {
-    const bool is_new = !refusal.isEmpty() && !is_refusal_told_;
-    is_refusal_told_ = !refusal.isEmpty();
+    const bool is_new = !refusal.isEmpty() && !is_refusal_reported_;
+    is_refusal_reported_ = !refusal.isEmpty();
     if (is_new) Q_EMIT notice(NotSaved(file_, refusal));
   };
   FileWriter::instance().write(file_, lines_.join('\n').toUtf8() + '\n', this, report,

@@ -41,7 +41,7 @@ class ConsoleHistory : public QObject {
   QStringList lines_;
   qsizetype place_ = 0;
   QString typed_;
-  bool is_refusal_told_ = false;  // the user knows of the failure; reset by a successful write
+  bool is_refusal_reported_ = false;  // the user knows of the failure; reset by a successful write
 };
 
 }  // namespace tendon::gui

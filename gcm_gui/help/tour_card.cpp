@@ -84,8 +84,8 @@ void TourCard::show(const QString& title, const QString& text, int number, int c
   setAccessibleDescription(text);
   QFrame::show();
   // Tells a screen reader that the text has changed, although the focus stays.
-  QAccessibleEvent told(this, QAccessible::Alert);
-  QAccessible::updateAccessibility(&told);
+  QAccessibleEvent alert(this, QAccessible::Alert);
+  QAccessible::updateAccessibility(&alert);
 }
 
 QSize TourCard::wantedSize() const {

@@ -198,11 +198,11 @@ std::string VersionText(const message::ProgramVersion& version) {
   return "version " + version.release + ", protocol " + std::to_string(version.protocol);
 }
 
-VersionReport CompareVersion(const Result<message::ProgramVersion>& told,
+VersionReport CompareVersion(const Result<message::ProgramVersion>& reported,
                              const message::ProgramVersion& own) {
-  if (!told) return {.text = "of an unknown version (" + told.error().message + ")"};
-  const bool is_own = told->release == own.release && told->protocol == own.protocol;
-  return {.text = VersionText(*told) + (is_own ? "" : ", but this program has another version"),
+  if (!reported) return {.text = "of an unknown version (" + reported.error().message + ")"};
+  const bool is_own = reported->release == own.release && reported->protocol == own.protocol;
+  return {.text = VersionText(*reported) + (is_own ? "" : ", but this program has another version"),
           .is_own = is_own};
 }
 

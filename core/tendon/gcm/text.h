@@ -106,7 +106,7 @@ struct VersionReport {
 };
 /// Compares the version that a program has reported with `own`. If the program has not answered,
 /// the text says why its version is unknown.
-[[nodiscard]] VersionReport CompareVersion(const Result<message::ProgramVersion>& told,
+[[nodiscard]] VersionReport CompareVersion(const Result<message::ProgramVersion>& reported,
                                            const message::ProgramVersion& own);
 
 /// Returns the time of the system clock in nanoseconds since 1970. This time may jump, so use it

@@ -16,7 +16,7 @@ namespace tendon::ice {
 /// The links of one communicator. Thread-safe.
 class Links {
  public:
-  /// Adds a link. From now on, the link receives frames, and is told when its connection ends.
+  /// Adds a link. From now on, the link receives frames, and learns when its connection ends.
   static void Add(const std::shared_ptr<Links>& links, const std::shared_ptr<IceLink>& link);
 
   std::shared_ptr<IceLink> Find(const std::shared_ptr<Ice::Connection>& connection);

@@ -22,9 +22,9 @@ void MirroredCommands::Report() {
     const MirroredCommand& command = one.command;
     const bool is_enabled = command.enabled->Get();
     if (is_enabled == one.is_enabled) continue;
-    const Status told =
+    const Status sent =
         command.channel->Notify(message::kMirrorTurned, command.handle, is_enabled, command.lane);
-    if (told) one.is_enabled = is_enabled;
+    if (sent) one.is_enabled = is_enabled;
   }
 }
 

@@ -409,8 +409,8 @@ Result<void> Recorder::Begin(SteadyTime start) {
   started_ = start;
   from_ = start - options_.before;
   Losses missing = past_.MissingSince(from_);
-  std::map<std::string, LostRows> told = past_.LostBeforeMissingSince(from_);
-  for (const auto& [path, lost] : missing.rows) told[path] += lost;
+  std::map<std::string, LostRows> lost_rows = past_.LostBeforeMissingSince(from_);
+  for (const auto& [path, lost] : missing.rows) lost_rows[path] += lost;
   const std::deque<RecordingEntry> entries = past_.TakeSince(from_);
   {
     const std::scoped_lock lock(mutex_);
@@ -426,7 +426,7 @@ Result<void> Recorder::Begin(SteadyTime start) {
       RecordingWriter::Create(options, HeadingFor(system_->catalogue(), options_.patterns));
   Result<void> result = writer ? Result<void>() : Result<void>(writer.error());
   if (writer) writer_ = *std::move(writer);
-  for (const auto& [path, lost] : told) {
+  for (const auto& [path, lost] : lost_rows) {
     if (result) result = writer_->WriteLoss(path, lost, from_);
   }
   for (const RecordingEntry& entry : entries) {

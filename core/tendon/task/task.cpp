@@ -73,10 +73,10 @@ std::chrono::nanoseconds Task::SinceLastCycle(SteadyTime now) const noexcept {
 }
 
 std::size_t Task::ProcessQueuedCommands() {
-  const char* const before = std::exchange(doing_, kInHandler);
+  const char* const before = std::exchange(running_function_, kInHandler);
   const std::size_t executed = inbox()->ExecuteQueued();
   EndExpiredNow();
-  doing_ = before;
+  running_function_ = before;
   return executed;
 }
 
@@ -92,8 +92,8 @@ bool Task::DoCycle(SteadyTime begin, SteadyTime due) {
   inbox()->BindToThisThread();
   last_begin_.Set(begin);
   meter_.Begin(begin, due);
-  doing_ = "Run";
-  const bool is_good = RunGuarded(doing_, [this] {
+  running_function_ = "Run";
+  const bool is_good = RunGuarded(running_function_, [this] {
     const LogDeferralScope deferral_scope(*log_);
     Run();
     EndExpiredNow();

@@ -138,7 +138,7 @@ class Task : public Component {
   std::chrono::nanoseconds shortest_interval_{0};
   CycleMeter meter_;
   Wakeup<> wakeup_;
-  const char* doing_ = "Run";  // the author's function that is running
+  const char* running_function_ = "Run";  // the author's function that is running
   bool rests_with_leader_ = false;
   SteadyTime cycle_end_{};
   Published<SteadyTime> last_begin_;

@@ -20,11 +20,11 @@ using OrderedJson = nlohmann::ordered_json;
 /// The complete configuration of a component, and its type.
 struct Whole {
   Schema schema;
-  OrderedJson told;   // the configuration, without fields that keep their default
+  OrderedJson given;  // the configuration, without fields that keep their default
   OrderedJson value;  // the configuration with the defaults
 };
 
-Result<Whole> WholeOf(const ClassDescription& of, const std::string& told) {
+Result<Whole> WholeOf(const ClassDescription& of, const std::string& configuration) {
   auto schema = Schema::Parse(of.configuration);
   if (!schema) return schema.error();
   if (schema->is_none()) {
@@ -35,11 +35,11 @@ Result<Whole> WholeOf(const ClassDescription& of, const std::string& told) {
   };
   const auto defaults = ParseOrderedJson(of.defaults);
   if (!defaults) return refuse("cannot be read: " + defaults.error().message);
-  const auto given = ParseOrderedJson(told.empty() ? "{}" : told);
+  const auto given = ParseOrderedJson(configuration.empty() ? "{}" : configuration);
   if (!given) return refuse("cannot be read: " + given.error().message);
   if (!given->is_object() || !defaults->is_object()) return refuse("is not a JSON object");
   Whole whole{*std::move(schema), *given, *defaults};
-  whole.value.merge_patch(whole.told);
+  whole.value.merge_patch(whole.given);
   return whole;
 }
 
@@ -140,18 +140,18 @@ Result<Part> Find(Whole& whole, const std::vector<Step>& steps) {
   return part;
 }
 
-/// Copies only the changed field from `value` to `told`. If an element of a list has changed,
+/// Copies only the changed field from `value` to `given`. If an element of a list has changed,
 /// copies the whole list.
-void Tell(Whole& whole, const std::vector<Step>& steps) {
-  OrderedJson* told = &whole.told;
+void CopyChange(Whole& whole, const std::vector<Step>& steps) {
+  OrderedJson* given = &whole.given;
   const OrderedJson* value = &whole.value;
   for (const Step& step : steps) {
     if (step.index) break;
-    if (!told->is_object()) *told = OrderedJson::object();
-    told = &(*told)[step.field];
+    if (!given->is_object()) *given = OrderedJson::object();
+    given = &(*given)[step.field];
     value = &value->at(step.field);
   }
-  *told = *value;
+  *given = *value;
 }
 
 void AddLeaves(const std::string& name, const Schema::Field& field, const OrderedJson& value,
@@ -173,8 +173,9 @@ void AddLeaves(const std::string& name, const Schema::Field& field, const Ordere
 
 }  // namespace
 
-Result<std::vector<Parameter>> ParametersOf(const ClassDescription& of, const std::string& told) {
-  const auto whole = WholeOf(of, told);
+Result<std::vector<Parameter>> ParametersOf(const ClassDescription& of,
+                                            const std::string& configuration) {
+  const auto whole = WholeOf(of, configuration);
   if (!whole) return whole.error();
   std::vector<Parameter> all;
   for (const Schema::Field& field : whole->schema.fields()) {
@@ -184,15 +185,16 @@ Result<std::vector<Parameter>> ParametersOf(const ClassDescription& of, const st
   return all;
 }
 
-Result<std::vector<Parameter>> ParametersAt(const ClassDescription& of, const std::string& told,
+Result<std::vector<Parameter>> ParametersAt(const ClassDescription& of,
+                                            const std::string& configuration,
                                             const std::string& name) {
-  auto whole = WholeOf(of, told);
+  auto whole = WholeOf(of, configuration);
   if (!whole) return whole.error();
   const auto steps = StepsOf(name);
   if (!steps) return steps.error();
   const auto part = Find(*whole, *steps);
   if (!part) return part.error();
-  const auto all = ParametersOf(of, told);
+  const auto all = ParametersOf(of, configuration);
   if (!all) return all.error();
   std::vector<Parameter> found;
   for (const Parameter& one : *all) {
@@ -206,9 +208,10 @@ Result<std::vector<Parameter>> ParametersAt(const ClassDescription& of, const st
   return found;
 }
 
-Result<ChangedParameter> ChangeParameter(const ClassDescription& of, const std::string& told,
-                                         const std::string& name, const std::string& value) {
-  auto whole = WholeOf(of, told);
+Result<ChangedParameter> ChangeParameter(const ClassDescription& of,
+                                         const std::string& configuration, const std::string& name,
+                                         const std::string& value) {
+  auto whole = WholeOf(of, configuration);
   if (!whole) return whole.error();
   const auto steps = StepsOf(name);
   if (!steps) return steps.error();
@@ -221,8 +224,8 @@ Result<ChangedParameter> ChangeParameter(const ClassDescription& of, const std::
   const auto body = FromJson(whole->schema, whole->value.dump());
   if (!body) return body.error();
   changed.value = part->value->dump();
-  Tell(*whole, *steps);
-  changed.configuration = whole->told.dump();
+  CopyChange(*whole, *steps);
+  changed.configuration = whole->given.dump();
   return changed;
 }
 

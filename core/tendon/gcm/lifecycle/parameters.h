@@ -27,20 +27,23 @@ struct ChangedParameter {
 };
 
 /// Returns all parameters of a component of class `of`, in the order of its configuration type.
-/// `told` is the configuration of the component. Fields with default values may be missing in
-/// `told`.
-Result<std::vector<Parameter>> ParametersOf(const ClassDescription& of, const std::string& told);
+/// `configuration` is the configuration of the component. Fields with default values may be
+/// missing.
+Result<std::vector<Parameter>> ParametersOf(const ClassDescription& of,
+                                            const std::string& configuration);
 
 /// Returns the parameter with this name ("home"). For a structure ("gain"), returns the parameters
 /// inside it. Fails with kNotFound; the error suggests similar names.
-Result<std::vector<Parameter>> ParametersAt(const ClassDescription& of, const std::string& told,
+Result<std::vector<Parameter>> ParametersAt(const ClassDescription& of,
+                                            const std::string& configuration,
                                             const std::string& name);
 
 /// Replaces the value of a parameter, a field or an element, such as "gain.x" or "home[2]". `value`
 /// is JSON, but a string or an enumerator needs no quotes. Fails with kNotFound if a part of the
 /// name does not exist; the error names that part. Fails with kInvalid if the value is wrong; the
 /// error says what was expected and what was found.
-Result<ChangedParameter> ChangeParameter(const ClassDescription& of, const std::string& told,
-                                         const std::string& name, const std::string& value);
+Result<ChangedParameter> ChangeParameter(const ClassDescription& of,
+                                         const std::string& configuration, const std::string& name,
+                                         const std::string& value);
 
 }  // namespace tendon

@@ -16,9 +16,9 @@ void LogRestored(const message::Wire& wire, const Result<void>& outcome,
                  ConnectionRestorer::Verdict verdict) {
   const std::string what = ToString(wire.required) + " to " + ToString(wire.provided);
   if (outcome) return Log(LogLevel::kInfo, "gcm", "restored the connection of " + what);
-  const bool is_told = verdict == ConnectionRestorer::Verdict::kStillTrying;
+  const bool is_still_trying = verdict == ConnectionRestorer::Verdict::kStillTrying;
   // After kExists, the process has restored the connection itself.
-  if (is_told || outcome.error().code == ErrorCode::kExists) return;
+  if (is_still_trying || outcome.error().code == ErrorCode::kExists) return;
   const bool is_over = verdict == ConnectionRestorer::Verdict::kGivenUp;
   Log(LogLevel::kWarning, "gcm",
       "cannot restore the connection of " + what + ": " + outcome.error().message +

@@ -165,8 +165,8 @@ bool HasSameLeader(const SystemFile::Component& one, const SystemFile::Component
 }
 
 bool IsSameThread(const SystemFile::Component& one, const SystemFile::Component& other) {
-  const bool is_told = one.thread && other.thread;
-  return HasSameLeader(one, other) && (!is_told || *one.thread == *other.thread);
+  const bool is_known = one.thread && other.thread;
+  return HasSameLeader(one, other) && (!is_known || *one.thread == *other.thread);
 }
 
 bool IsSameJson(const std::string& one, const std::string& other) {

@@ -257,8 +257,8 @@ class Planner {
     }
     if (IsRunning(now.state)) PlanStop(Kind::kStop, path, now);
     PlanMaking(Kind::kConfigure, path, component);
-    const auto* told = catalogue_.FindComponent(path.first, path.second);
-    makings_.back().based_on = BaseOf(told->configuration);
+    const auto* known = catalogue_.FindComponent(path.first, path.second);
+    makings_.back().based_on = BaseOf(known->configuration);
   }
 
   /// Returns the leader in the file. If the file does not describe the thread, returns the present

@@ -190,11 +190,11 @@ void ServedConnections::RemoveComponent(const std::string& component) {
   for (const Entry& entry : entries_) {
     if (!is_of_it(entry)) continue;
     Channel& channel = *entry.client->channel;
-    const Status told = channel.Notify(message::kInterfaceClosed, entry.proxy->handle(), reason,
+    const Status sent = channel.Notify(message::kInterfaceClosed, entry.proxy->handle(), reason,
                                        entry.proxy->lane());
     // The client must learn that its connection has ended. The link is too full for the notice, so
     // the channel is closed instead, and the client opens it again.
-    if (told == Status(Status::kQueueFull)) channel.Close();
+    if (sent == Status(Status::kQueueFull)) channel.Close();
   }
   const SteadyTime deadline = SteadyClock().Now() + LocalManager::kDrainPatience;
   TakeDownWhere(entries_, is_of_it, deadline);

@@ -22,12 +22,13 @@ PluginWatch::~PluginWatch() {
 void PluginWatch::Run() {
   constexpr std::chrono::seconds kBetweenLooks(1);
   os::NameThisThread("plugin watch");
-  std::uint64_t told = 0;  // the last reported revision; orders also change the revision
+  std::uint64_t reported_revision = 0;  // orders also change the revision
   std::unique_lock lock(mutex_);
   while (!ending_.wait_for(lock, kBetweenLooks, [this] { return is_ending_; })) {
     lock.unlock();
     files_->Update();
-    if (const std::uint64_t now = files_->revision(); now != std::exchange(told, now)) changed_();
+    if (const std::uint64_t now = files_->revision(); now != std::exchange(reported_revision, now))
+      changed_();
     lock.lock();
   }
 }

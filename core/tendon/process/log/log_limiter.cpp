@@ -22,14 +22,14 @@ bool LogLimiter::Admit(std::string_view source, LogLevel level, SteadyTime now) 
 }
 
 std::vector<LogLimiter::Suppressed> LogLimiter::TakeSuppressed(SteadyTime now) {
-  std::vector<Suppressed> told;
-  if (owing_ == 0) return told;
+  std::vector<Suppressed> suppressed;
+  if (owing_ == 0) return suppressed;
   for (auto& [source, bucket] : buckets_) {
-    if (bucket.suppressed == 0 || now - bucket.since < kUntilTold) continue;
-    told.push_back({source, bucket.level, std::exchange(bucket.suppressed, 0)});
+    if (bucket.suppressed == 0 || now - bucket.since < kUntilReport) continue;
+    suppressed.push_back({source, bucket.level, std::exchange(bucket.suppressed, 0)});
     --owing_;
   }
-  return told;
+  return suppressed;
 }
 
 LogLimiter::Bucket& LogLimiter::BucketOf(std::string_view source, SteadyTime now) {
@@ -39,7 +39,7 @@ LogLimiter::Bucket& LogLimiter::BucketOf(std::string_view source, SteadyTime now
       // This bucket equals a new bucket.
       return one.second.due <= now && one.second.suppressed == 0;
     });
-    next_sweep_ = now + kUntilTold;
+    next_sweep_ = now + kUntilReport;
   }
   const bool has_room = buckets_.size() < kMostSources;
   return buckets_[std::string(has_room ? source : kOthers)];

@@ -32,7 +32,7 @@ class LogLimiter {
   /// Source names are compared up to this many bytes.
   static constexpr std::size_t kLongestSource = 64;
   /// Time from the first suppressed record to the report of the count.
-  static constexpr std::chrono::seconds kUntilTold{1};
+  static constexpr std::chrono::seconds kUntilReport{1};
 
   LogLimiter() : LogLimiter(Rate{}) {}
   explicit LogLimiter(Rate rate) : rate_(rate) {}

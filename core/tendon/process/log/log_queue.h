@@ -37,7 +37,7 @@ class LogQueue {
   /// Reports suppressed records that are due at `now`; pass SteadyTime::max() in the last call.
   std::vector<message::LogRecord> Take(std::size_t most, SteadyTime now);
 
-  /// True if Take() will return records, now or within LogLimiter::kUntilTold. Wait-free.
+  /// True if Take() will return records, now or within LogLimiter::kUntilReport. Wait-free.
   [[nodiscard]] bool has_news() const noexcept { return has_news_.Get(); }
 
  private:

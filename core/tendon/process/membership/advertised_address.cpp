@@ -38,9 +38,9 @@ std::string OutOfReach(const std::string& address, const std::string& host) {
 
 /// Returns the warning for a process that listens at every address and reaches its GCM through the
 /// loopback address.
-std::string ForThisHostOnly(const std::string& listens, const std::string& told) {
+std::string ForThisHostOnly(const std::string& listens, const std::string& announced) {
   return "listens at " + listens +
-         ", but uses the loopback address to reach its GCM, so it advertises " + told +
+         ", but uses the loopback address to reach its GCM, so it advertises " + announced +
          ", which other hosts cannot reach; if they must reach this process, start it with "
          "--advertise and an address of this host";
 }
@@ -74,8 +74,9 @@ AdvertisedAddress AdvertisedAddressOf(const std::string& listens, const std::str
   const bool is_other_family = here->host == "0.0.0.0" && way.from.find(':') != std::string::npos;
   if (is_other_family) return {listens, {}};
   if (IsEveryHost(here->host)) {
-    const std::string told = ToString(HostPort{way.from, here->port});
-    return {told, IsLoopbackHost(way.from) ? ForThisHostOnly(listens, told) : std::string()};
+    const std::string announced = ToString(HostPort{way.from, here->port});
+    return {announced,
+            IsLoopbackHost(way.from) ? ForThisHostOnly(listens, announced) : std::string()};
   }
   const bool is_gcm_here = IsLoopbackHost(way.from) || os::NumberOf(gcm->host) == way.from;
   const std::string host = os::NumberOf(here->host);
@@ -101,10 +102,10 @@ bool IsOfOneHost(const std::string& address) {
 }
 
 std::string WhyOutOfReach(const std::string& address, const std::string& peer) {
-  const auto told = HostPortOf(address);
+  const auto announced = HostPortOf(address);
   const auto from = HostPortOf(peer);
-  if (!told || !from) return {};
-  if (!IsLoopbackHost(told->host) && !IsEveryHost(told->host)) return {};
+  if (!announced || !from) return {};
+  if (!IsLoopbackHost(announced->host) && !IsEveryHost(announced->host)) return {};
   const bool is_here =
       IsLoopbackHost(from->host) || os::AddressTowards(from->host, from->port) == from->host;
   return is_here ? std::string() : OutOfReach(address, from->host);

@@ -375,7 +375,7 @@ void MessageStream::Collect(const MessageBlock& block, ByteView bytes,
     }
     if (message.channel_id != known && !contents.channels.contains(message.channel_id)) {
       is_complete_ = is_complete_ && !Wants(message.channel_id);
-      if (reader_->was_scanned_) continue;  // the scan has told it
+      if (reader_->was_scanned_) continue;  // the scan has reported it
       problems.Add(offset, where + " has a message on channel " +
                                std::to_string(message.channel_id) +
                                ", which is not defined; this message is skipped");

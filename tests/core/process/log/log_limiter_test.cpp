@@ -69,7 +69,7 @@ TEST_F(LogLimiterTest, ReportsSuppressionOnceWithinASecond) {
   EXPECT_TRUE(limiter.TakeSuppressed(clock.Now()).empty());
   EXPECT_TRUE(limiter.owes());
 
-  clock.Advance(LogLimiter::kUntilTold);
+  clock.Advance(LogLimiter::kUntilReport);
 
   EXPECT_EQ(limiter.TakeSuppressed(clock.Now()),
             (std::vector<Suppressed>{{"arm", LogLevel::kError, 9}}));

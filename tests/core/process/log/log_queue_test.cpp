@@ -86,7 +86,7 @@ TEST_F(LogQueueTest, SummarisesAFloodInOneRecord) {
   EXPECT_EQ(records.back().text, "calm");
   EXPECT_TRUE(queue.has_news());
 
-  clock.Advance(LogLimiter::kUntilTold);
+  clock.Advance(LogLimiter::kUntilReport);
   const auto later = TakeAll();
 
   ASSERT_EQ(later.size(), 1U);
