@@ -113,7 +113,7 @@ void Add(const tendon::Path& path, bool is_found, ColumnChoice& choice) {
     tables.push_back({{name.process, name.component, name.interface, {}}, {}});
     table = std::prev(tables.end());
   }
-  const auto known = std::ranges::find(table->wanted, path, &RowInbox::Wanted::path);
+  const auto known = std::ranges::find(table->wanted, path, &RowInbox::WantedPath::path);
   if (known != table->wanted.end()) {
     known->is_found &= is_found;
     return;

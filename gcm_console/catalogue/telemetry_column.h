@@ -20,7 +20,7 @@ namespace console {
 /// The columns of one table that the user wants.
 struct TableChoice {
   tendon::TableSubscription subscription;
-  std::vector<RowInbox::Wanted> wanted;
+  std::vector<RowInbox::WantedPath> wanted;
 };
 
 /// The columns, or parts of columns, that the user wants, from any number of tables.

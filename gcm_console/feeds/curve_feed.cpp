@@ -36,7 +36,7 @@ void CurveFeed::OnSubscribed(const std::vector<tendon::Schema>& columns) {
   for (const auto& wanted : wanted_) Add(wanted, columns.at(wanted.column));
 }
 
-void CurveFeed::Add(const RowInbox::Wanted& wanted, const tendon::Schema& schema) {
+void CurveFeed::Add(const RowInbox::WantedPath& wanted, const tendon::Schema& schema) {
   const auto numbers = NumbersOf(schema, wanted.path.field);
   if (!numbers) {
     const std::string why = ToString(wanted.path) + ": " + numbers.error().message;

@@ -34,7 +34,7 @@ class CurveFeed final : public tendon::RowSink {
   static constexpr std::size_t kMostSamples = std::size_t{1} << 17U;
 
   /// `window` is the time span in s for which samples are kept.
-  CurveFeed(std::vector<RowInbox::Wanted> wanted, double window)
+  CurveFeed(std::vector<RowInbox::WantedPath> wanted, double window)
       : wanted_(std::move(wanted)), window_(window) {}
 
   void OnSubscribed(const std::vector<tendon::Schema>& columns) override;
@@ -55,9 +55,9 @@ class CurveFeed final : public tendon::RowSink {
     std::size_t column = 0;
     tendon::NumericField field;
   };
-  void Add(const RowInbox::Wanted& wanted, const tendon::Schema& schema);
+  void Add(const RowInbox::WantedPath& wanted, const tendon::Schema& schema);
 
-  const std::vector<RowInbox::Wanted> wanted_;
+  const std::vector<RowInbox::WantedPath> wanted_;
   const double window_;
   mutable std::mutex mutex_;
   bool is_subscribed_ = false;

@@ -22,14 +22,14 @@ std::size_t RowInbox::KeptRow::size() const {
   return bytes;
 }
 
-RowInbox::RowInbox(std::vector<Wanted> wanted, tendon::RowDelivery delivery)
+RowInbox::RowInbox(std::vector<WantedPath> wanted, tendon::RowDelivery delivery)
     : wanted_(std::move(wanted)), delivery_(delivery), rows_(BoundFor(delivery)) {}
 
 void RowInbox::OnSubscribed(const std::vector<tendon::Schema>& columns) {
   auto now = std::make_shared<Columns>();
   now->schemas = columns;
   now->is_left_out.assign(wanted_.size(), false);
-  for (const Wanted& wanted : wanted_) {
+  for (const WantedPath& wanted : wanted_) {
     const auto field = tendon::FindNumericField(columns.at(wanted.column), wanted.path.field);
     now->numbers.push_back(field ? std::optional(*field) : std::nullopt);
   }

@@ -33,14 +33,14 @@ struct PrintedRow {
 class RowInbox final : public tendon::RowSink {
  public:
   /// `column` is the index of the path's column in the subscription.
-  struct Wanted {
+  struct WantedPath {
     tendon::Path path;
     std::size_t column = 0;
     bool is_found = false;  ///< found by a glob; left out if the column does not have this part
   };
   /// With RowDelivery::kNewest, stores only the newest row. A row that is replaced by a newer row
   /// does not count as lost.
-  explicit RowInbox(std::vector<Wanted> wanted,
+  explicit RowInbox(std::vector<WantedPath> wanted,
                     tendon::RowDelivery delivery = tendon::RowDelivery::kAll);
 
   void OnSubscribed(const std::vector<tendon::Schema>& columns) override;
@@ -92,7 +92,7 @@ class RowInbox final : public tendon::RowSink {
   bool Fill(const KeptRow& row, PrintedRow& printed);
   [[nodiscard]] tendon::Result<std::string> Value(std::size_t index, const KeptRow& row) const;
 
-  const std::vector<Wanted> wanted_;
+  const std::vector<WantedPath> wanted_;
   const tendon::RowDelivery delivery_;
   mutable std::mutex mutex_;
   std::shared_ptr<Columns> columns_;

@@ -376,7 +376,7 @@ class StandstillNotices {
     for (const TableChoice& table : tables) {
       const auto& wanted = table.subscription;
       const std::string name = wanted.process + "/" + wanted.component;
-      if (std::ranges::find(watched_, name, &Watched::name) != watched_.end()) continue;
+      if (std::ranges::find(watched_, name, &WatchedColumns::name) != watched_.end()) continue;
       watched_.push_back({.name = name,
                           .path = {.process = wanted.process,
                                    .component = wanted.component,
@@ -397,14 +397,14 @@ class StandstillNotices {
 
  private:
   using StaleReason = tendon::StaleReason;
-  struct Watched {
+  struct WatchedColumns {
     std::string name;
     tendon::Path path;
     StaleReason reported = StaleReason::kNone;
   };
 
   /// Checks one component. Returns true if the check may have waited for a reply.
-  bool LookAt(const tendon::Catalogue& catalogue, Watched& watched) {
+  bool LookAt(const tendon::Catalogue& catalogue, WatchedColumns& watched) {
     const StaleReason why = StaleReasonOf(catalogue, watched.path.process, watched.path.component);
     // A lost process is not reported here, because the end of its rows is reported.
     if (why == watched.reported || why == StaleReason::kLost) return false;
@@ -422,7 +422,7 @@ class StandstillNotices {
 
   Context& context_;
   tendon::GcmClient& client_;
-  std::vector<Watched> watched_;
+  std::vector<WatchedColumns> watched_;
   std::size_t next_ = 0;
   std::chrono::steady_clock::time_point next_round_;
 };

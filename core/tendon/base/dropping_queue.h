@@ -53,7 +53,7 @@ class DroppingQueue {
   [[nodiscard]] T& front() { return waiting_.front().element; }
 
  private:
-  struct Held {
+  struct Item {
     T element;
     std::size_t bytes = 0;
   };
@@ -64,7 +64,7 @@ class DroppingQueue {
   }
 
   const QueueBound bound_;
-  std::deque<Held> waiting_;
+  std::deque<Item> waiting_;
   std::size_t bytes_ = 0;
 };
 

@@ -172,7 +172,7 @@ std::unique_ptr<Inbox::List> Inbox::Copy() const {
 std::size_t Inbox::FreePlace(List& list) {
   const auto is_free = [&](std::size_t place) {
     // A thread that uses an old list may still lower the flag at this place.
-    const auto is_of_old = [place](const Retired& one) {
+    const auto is_of_old = [place](const RetiredMailbox& one) {
       const Mailboxes& old = one.list->mailboxes;
       return one.mailbox != nullptr && place < old.size() && old[place] == one.mailbox.get();
     };

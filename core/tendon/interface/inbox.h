@@ -108,7 +108,7 @@ class Inbox {
     void ForEachReady(ReadyFlag<>::IfEmpty if_empty, Action action) const;
   };
   /// Data that a handler may still use because it has not returned.
-  struct Retired {
+  struct RetiredMailbox {
     std::unique_ptr<List> list;
     std::unique_ptr<Mailbox> mailbox;
     std::vector<std::unique_ptr<CommandBase>> commands;
@@ -123,7 +123,7 @@ class Inbox {
   std::vector<std::unique_ptr<FlagRow>> rows_;
   std::vector<std::unique_ptr<Mailbox>> mailboxes_;
   std::unique_ptr<List> list_;
-  std::vector<Retired> retired_;
+  std::vector<RetiredMailbox> retired_;
   std::uint64_t opened_ = 0;  // number of mailboxes opened so far
   std::size_t observers_ = 0;
   alignas(kSeparation) bool executing_ = false;  // used by the executing thread, like the next two

@@ -52,11 +52,12 @@ Status Mailbox::refusal() const noexcept {
 }
 
 void Mailbox::GiveUp(std::byte* argument) noexcept {
-  class Nothing final : public Entry {
+  class SkippedEntry final : public Entry {
     void ExecuteSlot(std::byte* /*argument*/, std::size_t /*slot*/) override {}
   };
-  static Nothing& nothing = *new Nothing;  // never freed: a task may still use it at program end
-  Publish(argument, nothing);
+  // Never freed, because a task may still use it when the program ends.
+  static SkippedEntry& skipped = *new SkippedEntry;
+  Publish(argument, skipped);
 }
 
 /// Waits until a slot is free and claims it. Returns null at the deadline of BlockWhenFull. Returns

@@ -30,7 +30,7 @@ void PluginFiles::Add(const std::string& library, os::FileContent content) {
 void PluginFiles::Update() {
   const std::scoped_lock look(update_mutex_);
   std::vector<PluginDescription> now;
-  for (Loaded& one : loaded_) now.push_back(Describe(one));
+  for (LoadedPlugin& one : loaded_) now.push_back(Describe(one));
   const std::scoped_lock lock(mutex_);
   if (now == descriptions_) return;
   descriptions_ = std::move(now);
@@ -47,7 +47,7 @@ std::vector<PluginDescription> PluginFiles::descriptions() const {
   return descriptions_;
 }
 
-PluginDescription PluginFiles::Describe(Loaded& loaded) {
+PluginDescription PluginFiles::Describe(LoadedPlugin& loaded) {
   const PluginState state = StateOf(loaded.file.Check());
   const os::FileContent& content = loaded.file.content();
   return {.name = loaded.library,

@@ -25,15 +25,15 @@ class PluginFiles {
   [[nodiscard]] std::vector<PluginDescription> descriptions() const;
 
  private:
-  struct Loaded {
+  struct LoadedPlugin {
     std::string library;
     os::FileWatch file;
   };
 
-  static PluginDescription Describe(Loaded& loaded);
+  static PluginDescription Describe(LoadedPlugin& loaded);
 
   std::mutex update_mutex_;  // held during Update(); locked before mutex_
-  std::vector<Loaded> loaded_;
+  std::vector<LoadedPlugin> loaded_;
   mutable std::mutex mutex_;  // guards the members below
   std::vector<PluginDescription> descriptions_;
   std::uint64_t revision_ = 0;

@@ -38,14 +38,14 @@ void Watchdog::Watch(const Task& task) {
 
 void Watchdog::Forget(const Component& component) {
   const std::scoped_lock lock(mutex_);
-  std::erase_if(tasks_, [&component](const Watched& one) { return one.task == &component; });
+  std::erase_if(tasks_, [&component](const WatchedTask& one) { return one.task == &component; });
 }
 
 std::string Watchdog::WarningOf(const Component& component) const {
   const std::scoped_lock lock(mutex_);
-  const auto found = std::find_if(tasks_.begin(), tasks_.end(), [&component](const Watched& one) {
-    return one.task == &component;
-  });
+  const auto found =
+      std::find_if(tasks_.begin(), tasks_.end(),
+                   [&component](const WatchedTask& one) { return one.task == &component; });
   return found == tasks_.end() ? std::string() : found->warning;
 }
 
@@ -58,13 +58,13 @@ void Watchdog::Inspect(SteadyTime now) {
   std::vector<Finding> findings;
   {
     const std::scoped_lock lock(mutex_);
-    for (Watched& one : tasks_) Check(one, now, findings);
+    for (WatchedTask& one : tasks_) Check(one, now, findings);
   }
   for (const Finding& one : findings) Log(one.level, one.task, one.text);
   if (!findings.empty()) on_change_();
 }
 
-void Watchdog::Check(Watched& watched, SteadyTime now, std::vector<Finding>& findings) {
+void Watchdog::Check(WatchedTask& watched, SteadyTime now, std::vector<Finding>& findings) {
   const Task& task = *watched.task;
   const std::chrono::duration<double> period = task.started_period();
   const std::chrono::nanoseconds elapsed = task.SinceLastCycle(now);

@@ -48,7 +48,7 @@ class Watchdog {
                                       std::chrono::nanoseconds since_last_cycle);
 
  private:
-  struct Watched {
+  struct WatchedTask {
     const Task* task;
     std::string warning;
     SteadyTime since{};  // the time when its last cycle began
@@ -60,7 +60,7 @@ class Watchdog {
     std::string text;
   };
 
-  static void Check(Watched& watched, SteadyTime now, std::vector<Finding>& findings);
+  static void Check(WatchedTask& watched, SteadyTime now, std::vector<Finding>& findings);
   void Inspect(SteadyTime now);
   void Run();
 
@@ -68,7 +68,7 @@ class Watchdog {
   mutable std::mutex mutex_;
   std::condition_variable stopped_;
   bool stopping_ = false;
-  std::vector<Watched> tasks_;
+  std::vector<WatchedTask> tasks_;
   std::thread thread_;
 };
 

@@ -13,7 +13,7 @@ struct PendingConnect {
   std::function<void()> give_up;
 };
 
-struct Waits {
+struct PendingConnects {
   /// Returns true if attempts of the thread are cancelled. Called while the mutex is held.
   [[nodiscard]] bool AreOver(std::thread::id thread) const {
     return ended.contains(std::thread::id()) || ended.contains(thread);
@@ -26,47 +26,47 @@ struct Waits {
 };
 
 /// Never destroyed, because threads may use it until the program ends.
-Waits& TheWaits() {
-  static auto* const waits = new Waits;
-  return *waits;
+PendingConnects& TheConnects() {
+  static auto* const connects = new PendingConnects;
+  return *connects;
 }
 
 }  // namespace
 
 ConnectCancellation::ConnectCancellation(std::thread::id thread) : thread_(thread) {
-  Waits& waits = TheWaits();
-  const std::scoped_lock lock(waits.mutex);
-  waits.ended.insert(thread_);
-  for (const auto& [number, wait] : waits.all) {
-    if (waits.AreOver(wait.thread)) wait.give_up();
+  PendingConnects& connects = TheConnects();
+  const std::scoped_lock lock(connects.mutex);
+  connects.ended.insert(thread_);
+  for (const auto& [number, wait] : connects.all) {
+    if (connects.AreOver(wait.thread)) wait.give_up();
   }
 }
 
 ConnectCancellation::~ConnectCancellation() {
-  Waits& waits = TheWaits();
-  const std::scoped_lock lock(waits.mutex);
-  waits.ended.erase(waits.ended.find(thread_));
+  PendingConnects& connects = TheConnects();
+  const std::scoped_lock lock(connects.mutex);
+  connects.ended.erase(connects.ended.find(thread_));
 }
 
 CancellableConnect::CancellableConnect(std::function<void()> give_up) {
-  Waits& waits = TheWaits();
-  const std::scoped_lock lock(waits.mutex);
+  PendingConnects& connects = TheConnects();
+  const std::scoped_lock lock(connects.mutex);
   const auto thread = std::this_thread::get_id();
-  if (waits.AreOver(thread)) give_up();
-  number_ = ++waits.last_number;
-  waits.all.emplace(number_, PendingConnect{thread, std::move(give_up)});
+  if (connects.AreOver(thread)) give_up();
+  number_ = ++connects.last_number;
+  connects.all.emplace(number_, PendingConnect{thread, std::move(give_up)});
 }
 
 CancellableConnect::~CancellableConnect() {
-  Waits& waits = TheWaits();
-  const std::scoped_lock lock(waits.mutex);
-  waits.all.erase(number_);
+  PendingConnects& connects = TheConnects();
+  const std::scoped_lock lock(connects.mutex);
+  connects.all.erase(number_);
 }
 
 bool AreConnectsCancelled() {
-  Waits& waits = TheWaits();
-  const std::scoped_lock lock(waits.mutex);
-  return waits.AreOver(std::this_thread::get_id());
+  PendingConnects& connects = TheConnects();
+  const std::scoped_lock lock(connects.mutex);
+  return connects.AreOver(std::this_thread::get_id());
 }
 
 Error ConnectCancelledError() {

@@ -18,7 +18,7 @@ using message::Proof;
 
 /// The data that a proof covers. Parts of variable length are encoded with their size, so that
 /// different data never has the same encoding.
-struct Covered {
+struct SignedPart {
   std::uint8_t role = 0;
   Greeting opener;
   Greeting acceptor;
@@ -30,18 +30,18 @@ struct Covered {
 }  // namespace tendon
 
 template <>
-inline constexpr auto tendon::kPayload<tendon::Covered> =
-    tendon::Describe("tendon.Covered", tendon::Field{"role", &tendon::Covered::role},
-                     tendon::Field{"opener", &tendon::Covered::opener},
-                     tendon::Field{"acceptor", &tendon::Covered::acceptor},
-                     tendon::Field{"address", &tendon::Covered::address},
-                     tendon::Field{"session", &tendon::Covered::session});
+inline constexpr auto tendon::kPayload<tendon::SignedPart> =
+    tendon::Describe("tendon.SignedPart", tendon::Field{"role", &tendon::SignedPart::role},
+                     tendon::Field{"opener", &tendon::SignedPart::opener},
+                     tendon::Field{"acceptor", &tendon::SignedPart::acceptor},
+                     tendon::Field{"address", &tendon::SignedPart::address},
+                     tendon::Field{"session", &tendon::SignedPart::session});
 
 namespace tendon {
 namespace {
 
-Digest Sign(std::uint64_t cookie, const Covered& covered) {
-  const Bytes text = EncodeBody(covered);
+Digest Sign(std::uint64_t cookie, const SignedPart& part) {
+  const Bytes text = EncodeBody(part);
   Digest digest{};
   unsigned size = 0;
   const unsigned char* made =

@@ -145,8 +145,8 @@ struct ListeningEndpoint {
 /// A slot for a reply frame that is delivered to the peer of `end`.
 class LoopbackReply final : public ReplySlot {
  public:
-  enum class When { kAfterRequest, kAtOnce };
-  LoopbackReply(std::shared_ptr<loopback::End> end, When when)
+  enum class DeliveryTime { kAfterRequest, kAtOnce };
+  LoopbackReply(std::shared_ptr<loopback::End> end, DeliveryTime when)
       : end_(std::move(end)), when_(when) {}
 
   void Deliver() const;
@@ -159,14 +159,14 @@ class LoopbackReply final : public ReplySlot {
     return frame.subspan(FrameHeader::kSize);
   }
   void OnEnd() override {
-    if (when_ == When::kAtOnce) Deliver();
+    if (when_ == DeliveryTime::kAtOnce) Deliver();
   }
   std::unique_ptr<ReplySlot> MakeDeferred() override {
-    return std::make_unique<LoopbackReply>(end_, When::kAtOnce);
+    return std::make_unique<LoopbackReply>(end_, DeliveryTime::kAtOnce);
   }
 
   const std::shared_ptr<loopback::End> end_;
-  const When when_;
+  const DeliveryTime when_;
   Bytes frame_;
 };
 
@@ -321,7 +321,7 @@ class End final : public Link, public std::enable_shared_from_this<End> {
     if (!fits) return CloseFor(NoFrame(peer_name_));
     if (!handler_) return;
     if (kind != Kind::kDirect) return handler_->OnFrame(frame);
-    LoopbackReply reply(shared_from_this(), LoopbackReply::When::kAfterRequest);
+    LoopbackReply reply(shared_from_this(), LoopbackReply::DeliveryTime::kAfterRequest);
     handler_->OnDirectFrame(frame, reply);
     if (reply.is_there()) reply.Deliver();
   }

@@ -379,10 +379,10 @@ class ListeningEndpoint final : public SocketOwner,
   void OnReady(bool /*readable*/, bool /*writable*/) override {
     os::Socket connection;
     auto accepted = os::Accept(socket_, connection);
-    for (; accepted == os::Accepted::kOne; accepted = os::Accept(socket_, connection)) {
+    for (; accepted == os::AcceptResult::kOne; accepted = os::Accept(socket_, connection)) {
       std::make_shared<TcpLink>(loop_, std::move(connection), key_)->BeginAccepted(accept_);
     }
-    if (accepted != os::Accepted::kFailed) return;
+    if (accepted != os::AcceptResult::kFailed) return;
     loop_->warnings().Add("too many open files (ulimit -n): new connections have to wait");
     loop_->poller().Change(socket_, key_, Watch::kNothing);
   }

@@ -32,7 +32,7 @@ std::string NameAndRole(const Channel& channel, Role role) {
 
 void AuditLog::WriteSuppressed(SteadyTime now) {
   if (!limiter_.owes()) return;
-  for (const LogLimiter::Suppressed& one : limiter_.TakeSuppressed(now)) {
+  for (const LogLimiter::SuppressedCount& one : limiter_.TakeSuppressed(now)) {
     WriteLine(one.level, "and " + std::to_string(one.count) + " more of " + one.source);
   }
 }

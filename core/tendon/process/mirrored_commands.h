@@ -31,12 +31,12 @@ class MirroredCommands {
   void Report();
 
  private:
-  struct Known {
+  struct KnownCommand {
     MirroredCommand command;
     bool is_enabled = true;  // the last reported state
   };
 
-  std::vector<Known> known_;
+  std::vector<KnownCommand> known_;
 };
 
 }  // namespace tendon

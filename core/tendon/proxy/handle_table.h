@@ -42,11 +42,11 @@ class HandleTable {
   }
 
   /// The object or member to which a number refers.
-  struct Found {
+  struct Lookup {
     std::shared_ptr<T> object;  ///< null if the number was not issued
     std::size_t offset = 0;     ///< 0 for the object itself, i + 1 for its member i
   };
-  [[nodiscard]] Found Find(std::uint32_t handle) const {
+  [[nodiscard]] Lookup Find(std::uint32_t handle) const {
     const std::scoped_lock lock(mutex_);
     auto after = entries_.upper_bound(handle);
     if (after == entries_.begin()) return {};

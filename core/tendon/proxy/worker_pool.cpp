@@ -15,7 +15,7 @@ namespace tendon {
 
 /// Used only while the lock of the pool is held.
 struct SerialExecutor::Queue {
-  struct Waiting {
+  struct QueuedTask {
     Call call;
     std::size_t bytes = 0;
   };
@@ -26,8 +26,8 @@ struct SerialExecutor::Queue {
 
   const std::size_t most_calls;
   const std::size_t most_bytes;
-  std::deque<Waiting> calls{};  // the first call may be running
-  std::size_t bytes = 0;        // total bytes of the calls
+  std::deque<QueuedTask> calls{};  // the first call may be running
+  std::size_t bytes = 0;           // total bytes of the calls
 };
 
 class WorkerPool::Pool {

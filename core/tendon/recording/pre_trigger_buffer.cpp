@@ -85,7 +85,7 @@ void PreTriggerBuffer::Add(RecordingEntry entry, SteadyTime now) {
 }
 
 void PreTriggerBuffer::ForgetDroppedBefore(SteadyTime from) {
-  std::erase_if(dropped_, [&](const Dropped& dropped) {
+  std::erase_if(dropped_, [&](const DroppedSpan& dropped) {
     if (dropped.last >= from) return false;
     for (const auto& [path, one] : dropped.by_path) {
       if (one.lost_before.all() > 0) losses_[path] += one.lost_before;
@@ -94,16 +94,16 @@ void PreTriggerBuffer::ForgetDroppedBefore(SteadyTime from) {
   });
 }
 
-void PreTriggerBuffer::NoteDropped(const Kept& kept) {
+void PreTriggerBuffer::NoteDropped(const StoredEntry& kept) {
   constexpr int kParts = 1000;
   constexpr std::chrono::nanoseconds kShortest = std::chrono::milliseconds(1);
   const auto part = std::max(kShortest, age_ / kParts);
   if (dropped_.empty() || kept.last - dropped_.back().first > part) {
     dropped_.push_back({kept.last, kept.last, {}});
   }
-  Dropped& now = dropped_.back();
+  DroppedSpan& now = dropped_.back();
   now.last = std::max(now.last, kept.last);
-  Missing& missing = now.by_path[PathOf(kept.entry)];
+  MissingRows& missing = now.by_path[PathOf(kept.entry)];
   const auto* rows = std::get_if<RowsEntry>(&kept.entry);
   missing.rows += rows != nullptr ? rows->ticks.size() : 0U;
   missing.others += rows != nullptr ? 0U : 1U;
@@ -111,7 +111,7 @@ void PreTriggerBuffer::NoteDropped(const Kept& kept) {
 }
 
 void PreTriggerBuffer::DropOldest(bool is_too_old) {
-  const Kept& oldest = entries_.front();
+  const StoredEntry& oldest = entries_.front();
   if (is_too_old) CountLoss(oldest.entry, LostBefore(oldest.entry));
   if (const auto* changes = std::get_if<CatalogueEntry>(&oldest.entry)) {
     if (changes->is_snapshot && !changes->changes.empty()) {
@@ -135,7 +135,7 @@ std::deque<RecordingEntry> PreTriggerBuffer::TakeSince(SteadyTime from) {
     taken.emplace_back(
         CatalogueEntry{.is_snapshot = true, .received = from, .changes = catalogue_.AsChanges()});
   }
-  for (Kept& kept : entries_) {
+  for (StoredEntry& kept : entries_) {
     if (auto* changes = std::get_if<CatalogueEntry>(&kept.entry)) {
       changes->received = std::max(changes->received, from);
     }
@@ -156,7 +156,7 @@ void PreTriggerBuffer::CountLoss(const RecordingEntry& entry, const LostRows& lo
 
 Losses PreTriggerBuffer::MissingSince(SteadyTime from) const {
   Losses missing;
-  for (const Dropped& dropped : dropped_) {
+  for (const DroppedSpan& dropped : dropped_) {
     if (dropped.last < from) continue;
     for (const auto& [path, one] : dropped.by_path) {
       if (one.rows > 0) missing.rows[path].viewer += one.rows;
@@ -169,7 +169,7 @@ Losses PreTriggerBuffer::MissingSince(SteadyTime from) const {
 
 std::map<std::string, LostRows> PreTriggerBuffer::LostBeforeMissingSince(SteadyTime from) const {
   std::map<std::string, LostRows> lost;
-  for (const Dropped& dropped : dropped_) {
+  for (const DroppedSpan& dropped : dropped_) {
     if (dropped.last < from) continue;
     for (const auto& [path, one] : dropped.by_path) {
       if (one.lost_before.all() > 0) lost[path] += one.lost_before;

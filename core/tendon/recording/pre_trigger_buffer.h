@@ -58,36 +58,36 @@ class PreTriggerBuffer {
   [[nodiscard]] std::map<std::string, LostRows> LostBeforeMissingSince(SteadyTime from) const;
 
  private:
-  struct Kept {
+  struct StoredEntry {
     RecordingEntry entry;
     std::size_t size = 0;
     SteadyTime last;
   };
-  struct Missing {
+  struct MissingRows {
     std::uint64_t rows = 0;
     std::uint64_t others = 0;
     LostRows lost_before;
   };
   /// Counts entries that were dropped because of the limit of bytes. Entries whose times differ by
   /// less than a thousandth of the age are counted together.
-  struct Dropped {
+  struct DroppedSpan {
     SteadyTime first;
     SteadyTime last;
     // The key is the path of the table or event, and empty for log records.
-    std::map<std::string, Missing> by_path;
+    std::map<std::string, MissingRows> by_path;
   };
 
   void DropOldest(bool is_too_old);
   void CountLoss(const RecordingEntry& entry, const LostRows& lost);
   void ForgetDroppedBefore(SteadyTime from);
-  void NoteDropped(const Kept& kept);
+  void NoteDropped(const StoredEntry& kept);
 
   const std::chrono::nanoseconds age_;
   const std::size_t most_bytes_;
   const std::int64_t wall_minus_steady_;
-  std::deque<Kept> entries_;
+  std::deque<StoredEntry> entries_;
   std::size_t bytes_ = 0;
-  std::deque<Dropped> dropped_;
+  std::deque<DroppedSpan> dropped_;
   std::map<std::string, LostRows> losses_;
   Catalogue catalogue_;  // as it was before the first entry
   bool has_catalogue_ = false;

@@ -101,14 +101,14 @@ Result<void> RecordingWriter::TryWrite(const RecordingEntry& entry) {
 
 void RecordingWriter::ForgetWritten() {
   const std::uint64_t written = writer_->written().messages;
-  const auto is_written = [&](const Accepted& one) {
+  const auto is_written = [&](const AcceptedEntry& one) {
     return one.first + one.count * one.width <= written;
   };
   while (!accepted_.empty() && is_written(accepted_.front())) accepted_.pop_front();
 }
 
 /// The number of messages of `one` in a chunk that could not be written.
-std::uint64_t RecordingWriter::UnwrittenOf(const Accepted& one) const {
+std::uint64_t RecordingWriter::UnwrittenOf(const AcceptedEntry& one) const {
   if (!writer_->failure()) return 0;
   const std::uint64_t written = writer_->written().messages;
   const std::uint64_t safe = written > one.first ? (written - one.first) / one.width : 0;
@@ -117,7 +117,7 @@ std::uint64_t RecordingWriter::UnwrittenOf(const Accepted& one) const {
 
 Losses RecordingWriter::UnwrittenChunk() const {
   Losses losses;
-  for (const Accepted& one : accepted_) {
+  for (const AcceptedEntry& one : accepted_) {
     const std::uint64_t lost = UnwrittenOf(one);
     if (lost == 0) continue;
     if (one.source == nullptr) {
@@ -180,7 +180,7 @@ Result<void> RecordingWriter::Close(const Losses& others) {
 
 Counts RecordingWriter::counts() const {
   Counts counts = counts_;
-  for (const Accepted& one : accepted_) {
+  for (const AcceptedEntry& one : accepted_) {
     const std::uint64_t lost = UnwrittenOf(one);
     if (one.source == nullptr) {
       counts.log -= lost;

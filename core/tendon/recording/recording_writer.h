@@ -123,7 +123,7 @@ class RecordingWriter {
 
   /// An accepted entry whose chunk may not be written yet: rows of a table, an event, a call or a
   /// log record.
-  struct Accepted {
+  struct AcceptedEntry {
     std::shared_ptr<const EntrySource> source;  // null for a log record
     std::optional<std::size_t> event;           // index of the member; empty for rows
     std::uint64_t first = 0;                    // the number of the first message in the file
@@ -135,7 +135,7 @@ class RecordingWriter {
 
   Result<void> TryWrite(const RecordingEntry& entry);
   void ForgetWritten();
-  [[nodiscard]] std::uint64_t UnwrittenOf(const Accepted& one) const;
+  [[nodiscard]] std::uint64_t UnwrittenOf(const AcceptedEntry& one) const;
   [[nodiscard]] Losses UnwrittenChunk() const;
   Result<void> Put(const RowsEntry& rows);
   Result<void> Put(const EventEntry& event);
@@ -182,8 +182,8 @@ class RecordingWriter {
   std::vector<std::byte> body_;
   std::vector<std::byte> message_;
   Catalogue catalogue_;
-  Counts counts_;                  // counts of accepted entries
-  std::deque<Accepted> accepted_;  // oldest first
+  Counts counts_;                       // counts of accepted entries
+  std::deque<AcceptedEntry> accepted_;  // oldest first
   Losses refused_;
   std::optional<Error> failure_;
 };

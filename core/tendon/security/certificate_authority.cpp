@@ -112,7 +112,7 @@ Result<void> RequireFree(const fs::path& file) {
 }
 
 /// The issued certificates with one name, and the names of all issued certificates.
-struct Found {
+struct FoundAuthority {
   std::vector<openssl::CertificateHandle> certificates;
   std::vector<std::string> names;
 };
@@ -123,8 +123,8 @@ Error Unreadable(const fs::path& copy, const std::string& why) {
               "), so nothing was revoked: restore this file from a copy of the folder of the CA"};
 }
 
-Result<Found> Find(const AuthorityFolder& folder, const std::string& name) {
-  Found found;
+Result<FoundAuthority> Find(const AuthorityFolder& folder, const std::string& name) {
+  FoundAuthority found;
   std::error_code reason;
   fs::directory_iterator copies(folder.issued(), reason);
   for (; copies != fs::directory_iterator(); copies.increment(reason)) {
@@ -148,7 +148,7 @@ Result<Found> Find(const AuthorityFolder& folder, const std::string& name) {
 Result<std::vector<openssl::CertificateHandle>> FindValid(const AuthorityFolder& folder,
                                                           X509_CRL& revoked,
                                                           const std::string& name) {
-  Result<Found> found = Find(folder, name);
+  Result<FoundAuthority> found = Find(folder, name);
   if (!found) return found.error();
   if (found->certificates.empty()) {
     return Error{ErrorCode::kNotFound, "the CA in " + folder.path.string() +

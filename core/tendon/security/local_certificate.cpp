@@ -18,7 +18,7 @@ void Warn(const std::filesystem::path& file, const std::string& warning) {
 }  // namespace
 
 LocalCertificate::LocalCertificate(Passkey /*only from Read()*/, Credentials credentials,
-                                   Loaded loaded)
+                                   LoadedFiles loaded)
     : credentials_(std::move(credentials)),
       certificate_(std::move(loaded.checked.certificate)),
       key_file_(*loaded.checked.key),
@@ -32,7 +32,7 @@ Result<std::unique_ptr<LocalCertificate>> LocalCertificate::Read(const Credentia
   return std::make_unique<LocalCertificate>(Passkey{}, credentials, *std::move(loaded));
 }
 
-Result<LocalCertificate::Loaded> LocalCertificate::Load(const Credentials& credentials) {
+Result<LocalCertificate::LoadedFiles> LocalCertificate::Load(const Credentials& credentials) {
   const std::filesystem::path& file = credentials.certificate;
   auto checked =
       CheckCertificate(file, credentials.authority,
@@ -57,7 +57,8 @@ Result<LocalCertificate::Loaded> LocalCertificate::Load(const Credentials& crede
   if (!described || *described != checked->certificate || !belongs) {
     return Error{ErrorCode::kInvalid, file.string() + " is being changed: try again"};
   }
-  return Loaded{.checked = *std::move(checked), .text = *std::move(text), .pair = std::move(pair)};
+  return LoadedFiles{
+      .checked = *std::move(checked), .text = *std::move(text), .pair = std::move(pair)};
 }
 
 std::shared_ptr<const LocalCertificate::Pair> LocalCertificate::Now() {

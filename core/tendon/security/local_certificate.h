@@ -22,7 +22,7 @@ class LocalCertificate {
 
  private:
   struct Passkey {};
-  struct Loaded {
+  struct LoadedFiles {
     CheckedCertificate checked;
     std::string text;
     std::shared_ptr<const Pair> pair;
@@ -43,10 +43,10 @@ class LocalCertificate {
   /// The certificate that was read first. A renewed one has the same name, role and holder.
   [[nodiscard]] const Certificate& certificate() const { return certificate_; }
 
-  LocalCertificate(Passkey /*only from Read()*/, Credentials credentials, Loaded loaded);
+  LocalCertificate(Passkey /*only from Read()*/, Credentials credentials, LoadedFiles loaded);
 
  private:
-  static Result<Loaded> Load(const Credentials& credentials);
+  static Result<LoadedFiles> Load(const Credentials& credentials);
   Result<void> Renew();
 
   const Credentials credentials_;

@@ -69,7 +69,7 @@ class LyingServer {
  private:
   void Serve(const Bytes& reply, const Bytes& next) {
     os::Socket socket;
-    EventuallyTrue([&] { return os::Accept(listening_, socket) == os::Accepted::kOne; });
+    EventuallyTrue([&] { return os::Accept(listening_, socket) == os::AcceptResult::kOne; });
     SendAll(socket, RawMessage(RawMessage::kValidate).Finished());
     (void)ReceiveAll(socket, 40);  // at least most of the ping
     SendAll(socket, reply);

@@ -18,11 +18,13 @@ using testing::IsEmpty;
 constexpr double kWindow = 10.0;  // s
 
 /// Makes a feed of the columns "Joints", two numbers, and "Note", a text.
-CurveFeed FeedOf(const std::vector<RowInbox::Wanted>& wanted) { return CurveFeed(wanted, kWindow); }
-RowInbox::Wanted Joints(const std::string& field, bool is_found = false) {
+CurveFeed FeedOf(const std::vector<RowInbox::WantedPath>& wanted) {
+  return CurveFeed(wanted, kWindow);
+}
+RowInbox::WantedPath Joints(const std::string& field, bool is_found = false) {
   return {*tendon::ParsePath("robot/arm/state.Joints" + field), 0, is_found};
 }
-RowInbox::Wanted Note(bool is_found) {
+RowInbox::WantedPath Note(bool is_found) {
   return {*tendon::ParsePath("robot/arm/state.Note"), 1, is_found};
 }
 void Subscribe(CurveFeed& feed) {

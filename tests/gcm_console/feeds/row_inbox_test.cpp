@@ -14,7 +14,7 @@ using tendon::RowDelivery;
 /// An inbox for one column, a number of one byte. The batches have rows with the given ticks.
 class RowInboxTest : public testing::Test {
  protected:
-  static RowInbox::Wanted Column() {
+  static RowInbox::WantedPath Column() {
     return {
         .path = {.process = "robot", .component = "arm", .interface = "state", .member = "Mode"}};
   }

@@ -294,16 +294,16 @@ Result<Socket> ConnectTo(const std::string& host, std::uint16_t port,
   return Error{ErrorCode::kUnreachable, WhyNotReached(Name(host, port), failure)};
 }
 
-Accepted Accept(const Socket& listening, Socket& connection) {
+AcceptResult Accept(const Socket& listening, Socket& connection) {
   while (true) {
     Socket socket(accept4(listening.descriptor(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
     if (socket.descriptor() >= 0) {
       SetUp(socket);
       connection = std::move(socket);
-      return Accepted::kOne;
+      return AcceptResult::kOne;
     }
-    if (errno == EAGAIN) return Accepted::kWouldBlock;
-    if (errno != EINTR && errno != ECONNABORTED) return Accepted::kFailed;
+    if (errno == EAGAIN) return AcceptResult::kWouldBlock;
+    if (errno != EINTR && errno != ECONNABORTED) return AcceptResult::kFailed;
   }
 }
 

@@ -44,8 +44,8 @@ Result<Socket> ConnectTo(const std::string& host, std::uint16_t port,
 
 /// Accept() takes the next pending connection of a listening socket. Its result is kWouldBlock if
 /// no connection is pending, and kFailed if descriptors or memory are exhausted.
-enum class Accepted { kOne, kWouldBlock, kFailed };
-Accepted Accept(const Socket& listening, Socket& connection);
+enum class AcceptResult { kOne, kWouldBlock, kFailed };
+AcceptResult Accept(const Socket& listening, Socket& connection);
 
 /// Sends as much as possible without waiting. Returns the number of bytes, or no value if the
 /// connection is broken.

@@ -11,7 +11,7 @@ SourceClock::SourceClock(std::shared_ptr<Worker> timer, std::shared_ptr<Channel>
                          std::chrono::milliseconds timeout)
     : timer_(std::move(timer)), channel_(std::move(channel)), timeout_(timeout) {}
 
-void SourceClock::WhenKnown(Known known) {
+void SourceClock::WhenKnown(Handler known) {
   std::unique_lock lock(mutex_);
   if (!is_known_) {
     waiting_.push_back(std::move(known));
@@ -29,7 +29,7 @@ void SourceClock::Ask() {
   tendon::Ask<message::Pong>(
       *timer_, channel_, message::kPing, None{}, timeout_,
       [self = shared_from_this(), sent = SteadyClock().Now()](const Result<message::Pong>& reply) {
-        std::vector<Known> waiting;
+        std::vector<Handler> waiting;
         {
           const std::scoped_lock lock(self->mutex_);
           if (reply) {
@@ -39,7 +39,7 @@ void SourceClock::Ask() {
           }
           waiting.swap(self->waiting_);
         }
-        for (const Known& known : waiting) reply ? known(self) : known(reply.error());
+        for (const Handler& known : waiting) reply ? known(self) : known(reply.error());
         self->AskLater();
       },
       kOwnLane);

@@ -18,7 +18,7 @@ namespace tendon::client {
 /// object exists. Thread-safe.
 class SourceClock final : public std::enable_shared_from_this<SourceClock> {
  public:
-  using Known = std::function<void(const Result<std::shared_ptr<SourceClock>>&)>;
+  using Handler = std::function<void(const Result<std::shared_ptr<SourceClock>>&)>;
 
   /// The thread of `timer` must never block. A measurement fails if there is no reply within
   /// `timeout`.
@@ -27,7 +27,7 @@ class SourceClock final : public std::enable_shared_from_this<SourceClock> {
 
   /// Calls `known` once: with this object when the offset is known, or with an error. Calls it at
   /// once, or later in a thread of the middleware or the timer.
-  void WhenKnown(Known known);
+  void WhenKnown(Handler known);
 
   /// Converts the time of an event from the other process's clock to the clock of this process.
   [[nodiscard]] EventTime ToLocal(SteadyTime there) const;
@@ -42,7 +42,7 @@ class SourceClock final : public std::enable_shared_from_this<SourceClock> {
   mutable std::mutex mutex_;  // guards the members below
   ClockOffset offset_;
   bool is_known_ = false;
-  std::vector<Known> waiting_;
+  std::vector<Handler> waiting_;
 };
 
 }  // namespace tendon::client

@@ -18,13 +18,13 @@ namespace {
 using OrderedJson = nlohmann::ordered_json;
 
 /// The complete configuration of a component, and its type.
-struct Whole {
+struct WholeConfiguration {
   Schema schema;
   OrderedJson given;  // the configuration, without fields that keep their default
   OrderedJson value;  // the configuration with the defaults
 };
 
-Result<Whole> WholeOf(const ClassDescription& of, const std::string& configuration) {
+Result<WholeConfiguration> WholeOf(const ClassDescription& of, const std::string& configuration) {
   auto schema = Schema::Parse(of.configuration);
   if (!schema) return schema.error();
   if (schema->is_none()) {
@@ -38,7 +38,7 @@ Result<Whole> WholeOf(const ClassDescription& of, const std::string& configurati
   const auto given = ParseOrderedJson(configuration.empty() ? "{}" : configuration);
   if (!given) return refuse("cannot be read: " + given.error().message);
   if (!given->is_object() || !defaults->is_object()) return refuse("is not a JSON object");
-  Whole whole{*std::move(schema), *given, *defaults};
+  WholeConfiguration whole{*std::move(schema), *given, *defaults};
   whole.value.merge_patch(whole.given);
   return whole;
 }
@@ -127,7 +127,7 @@ Result<Part> Enter(const Part& part, const Step& step, const std::string& where)
   return NoField(schema, step.field, where);
 }
 
-Result<Part> Find(Whole& whole, const std::vector<Step>& steps) {
+Result<Part> Find(WholeConfiguration& whole, const std::vector<Step>& steps) {
   Part part{whole.schema, &whole.value};
   std::string where;
   for (const Step& step : steps) {
@@ -142,7 +142,7 @@ Result<Part> Find(Whole& whole, const std::vector<Step>& steps) {
 
 /// Copies only the changed field from `value` to `given`. If an element of a list has changed,
 /// copies the whole list.
-void CopyChange(Whole& whole, const std::vector<Step>& steps) {
+void CopyChange(WholeConfiguration& whole, const std::vector<Step>& steps) {
   OrderedJson* given = &whole.given;
   const OrderedJson* value = &whole.value;
   for (const Step& step : steps) {

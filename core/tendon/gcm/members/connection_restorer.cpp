@@ -17,7 +17,7 @@ void ConnectionRestorer::Keep(const Catalogue& catalogue, const std::string& pro
   const ProcessEntry* entry = catalogue.FindProcess(process);
   if (entry == nullptr) return;
   for (const auto& [id, connection] : entry->connections) {
-    std::erase_if(kept_, [&required = connection.required](const Kept& kept) {
+    std::erase_if(kept_, [&required = connection.required](const WaitingConnection& kept) {
       return kept.wire.required == required;
     });
     kept_.push_back({{connection.required, connection.provided},
@@ -27,12 +27,13 @@ void ConnectionRestorer::Keep(const Catalogue& catalogue, const std::string& pro
 }
 
 void ConnectionRestorer::Drop(const std::string& process) {
-  std::erase_if(kept_, [&](const Kept& kept) { return kept.wire.required.process == process; });
+  std::erase_if(
+      kept_, [&](const WaitingConnection& kept) { return kept.wire.required.process == process; });
 }
 
 std::vector<message::Wire> ConnectionRestorer::TakeDue(const Catalogue& catalogue, SteadyTime now) {
   std::vector<message::Wire> due;
-  std::erase_if(kept_, [&](Kept& kept) {
+  std::erase_if(kept_, [&](WaitingConnection& kept) {
     if (kept.is_ordered || now < kept.not_before) return false;
     const Readiness readiness = Judge(kept, catalogue);
     kept.is_ordered = readiness == Readiness::kDue;
@@ -45,7 +46,7 @@ std::vector<message::Wire> ConnectionRestorer::TakeDue(const Catalogue& catalogu
 ConnectionRestorer::Verdict ConnectionRestorer::Settle(const message::Wire& wire,
                                                        const Result<void>& outcome,
                                                        SteadyTime now) {
-  const auto kept = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& one) {
+  const auto kept = std::find_if(kept_.begin(), kept_.end(), [&](const WaitingConnection& one) {
     return one.is_ordered && one.wire == wire;
   });
   if (kept == kept_.end() || outcome || IsFinal(outcome.error().code)) {
@@ -59,12 +60,12 @@ ConnectionRestorer::Verdict ConnectionRestorer::Settle(const message::Wire& wire
 }
 
 bool ConnectionRestorer::IsPauseOver(SteadyTime now) const {
-  return std::any_of(kept_.begin(), kept_.end(), [&](const Kept& kept) {
+  return std::any_of(kept_.begin(), kept_.end(), [&](const WaitingConnection& kept) {
     return !kept.is_ordered && kept.backoff.has_begun() && kept.not_before <= now;
   });
 }
 
-ConnectionRestorer::Readiness ConnectionRestorer::Judge(const Kept& kept,
+ConnectionRestorer::Readiness ConnectionRestorer::Judge(const WaitingConnection& kept,
                                                         const Catalogue& catalogue) {
   const auto& [required, provided] = kept.wire;
   const ProcessEntry* owner = catalogue.FindProcess(required.process);

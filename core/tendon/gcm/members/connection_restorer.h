@@ -38,7 +38,7 @@ class ConnectionRestorer {
 
  private:
   enum class Readiness { kWaiting, kDue, kPointless };
-  struct Kept {
+  struct WaitingConnection {
     message::Wire wire;
     std::string required_class;
     std::string provided_class;  ///< empty: not known
@@ -47,9 +47,9 @@ class ConnectionRestorer {
     SteadyTime not_before{};
   };
 
-  static Readiness Judge(const Kept& kept, const Catalogue& catalogue);
+  static Readiness Judge(const WaitingConnection& kept, const Catalogue& catalogue);
 
-  std::vector<Kept> kept_;
+  std::vector<WaitingConnection> kept_;
 };
 
 }  // namespace tendon::server

@@ -46,8 +46,8 @@ Result<void> ComponentFactory::Load(const std::string& library, const Begin& beg
   return loader_->Load(library);
 }
 
-Result<ComponentFactory::Created> ComponentFactory::Make(const LifecycleOrder& order,
-                                                         const Begin& begin) {
+Result<ComponentFactory::CreatedParts> ComponentFactory::Make(const LifecycleOrder& order,
+                                                              const Begin& begin) {
   if (!loader_) return NoLoader();
   const std::string configuration = Compact(order.configuration);
   if (configuration.size() > message::kLongestConfiguration) {
@@ -68,7 +68,7 @@ Result<ComponentFactory::Created> ComponentFactory::Make(const LifecycleOrder& o
   auto component = loader_->Create(library, order.class_name, order.component, order.configuration);
   if (!component) return component.error();
   if (auto set = SetThread(order, **component); !set) return set.error();
-  return Created{
+  return CreatedParts{
       *std::move(component),
       {.class_name = order.class_name, .library = library, .configuration = configuration}};
 }

@@ -19,7 +19,7 @@ class ComponentFactory {
   /// Called just before the order is executed. An error cancels the order.
   using Begin = std::function<Result<void>()>;
   /// A new component that was not added to its process yet.
-  struct Created {
+  struct CreatedParts {
     std::unique_ptr<Component> component;
     ComponentOrigin origin;
   };
@@ -29,7 +29,7 @@ class ComponentFactory {
       : process_(std::move(process)), loader_(std::move(loader)) {}
 
   Result<void> Load(const std::string& library, const Begin& begin);
-  Result<Created> Make(const message::LifecycleOrder& order, const Begin& begin);
+  Result<CreatedParts> Make(const message::LifecycleOrder& order, const Begin& begin);
   [[nodiscard]] message::Classes classes();
   /// The files of the loaded plug-ins; null without a loader.
   [[nodiscard]] std::shared_ptr<PluginFiles> files() const;

@@ -333,7 +333,7 @@ std::vector<ConnectionDescription> LifecycleExecutor::ConnectionsOf(
   return connections;
 }
 
-Result<void> LifecycleExecutor::Add(ComponentFactory::Created made) {
+Result<void> LifecycleExecutor::Add(ComponentFactory::CreatedParts made) {
   try {
     parts_.manager.Add(std::move(made.component), std::move(made.origin));
     return {};

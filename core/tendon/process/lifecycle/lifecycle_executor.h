@@ -86,7 +86,7 @@ class LifecycleExecutor {
   [[nodiscard]] Result<void> MarkBegun(const TimedOrder& given) const;
   Result<void> StartUnlessStopped(const TimedOrder& given, const Claim& claim);
 
-  Result<void> Add(ComponentFactory::Created made);
+  Result<void> Add(ComponentFactory::CreatedParts made);
   Result<void> RemoveFromProcess(const std::string& component, SteadyTime deadline);
   [[nodiscard]] std::vector<ConnectionDescription> ConnectionsOf(
       const std::string& component) const;

@@ -21,8 +21,8 @@ bool LogLimiter::Admit(std::string_view source, LogLevel level, SteadyTime now) 
   return false;
 }
 
-std::vector<LogLimiter::Suppressed> LogLimiter::TakeSuppressed(SteadyTime now) {
-  std::vector<Suppressed> suppressed;
+std::vector<LogLimiter::SuppressedCount> LogLimiter::TakeSuppressed(SteadyTime now) {
+  std::vector<SuppressedCount> suppressed;
   if (owing_ == 0) return suppressed;
   for (auto& [source, bucket] : buckets_) {
     if (bucket.suppressed == 0 || now - bucket.since < kUntilReport) continue;

@@ -41,15 +41,15 @@ class LogLimiter {
   bool Admit(std::string_view source, LogLevel level, SteadyTime now);
 
   /// The suppressed records of one source.
-  struct Suppressed {
+  struct SuppressedCount {
     std::string source;
     LogLevel level = LogLevel::kDebug;  ///< the highest level of these records
     std::uint64_t count = 0;
 
-    bool operator==(const Suppressed&) const = default;
+    bool operator==(const SuppressedCount&) const = default;
   };
   /// Removes and returns the counts that are due. Pass SteadyTime::max() to get all counts.
-  std::vector<Suppressed> TakeSuppressed(SteadyTime now);
+  std::vector<SuppressedCount> TakeSuppressed(SteadyTime now);
   /// True if there are suppressed records to report, now or later.
   [[nodiscard]] bool owes() const { return owing_ > 0; }
 

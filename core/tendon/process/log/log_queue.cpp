@@ -49,7 +49,7 @@ std::vector<message::LogRecord> LogQueue::Take(std::size_t most, SteadyTime now)
   return taken;
 }
 
-void LogQueue::Push(Waiting waiting) {
+void LogQueue::Push(QueuedRecord waiting) {
   if (records_.size() == kCapacity) {
     lost_ += records_.front().stands_for;
     records_.pop_front();

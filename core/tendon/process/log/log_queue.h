@@ -42,16 +42,16 @@ class LogQueue {
 
  private:
   /// A record, and the number of logged records that are lost if this record is dropped.
-  struct Waiting {
+  struct QueuedRecord {
     message::LogRecord record;
     std::uint64_t stands_for = 1;
   };
-  void Push(Waiting waiting);
+  void Push(QueuedRecord waiting);
 
   const Clock& clock_;
   std::mutex mutex_;
   LogLimiter limiter_;
-  std::deque<Waiting> records_;
+  std::deque<QueuedRecord> records_;
   std::uint64_t lost_ = 0;  // lost records that were not reported yet
   Flag has_news_{false};
 };

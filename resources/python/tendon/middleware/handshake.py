@@ -138,9 +138,9 @@ class Opener:
     def _proof(self, role: int, acceptor: dict[str, Any]) -> bytes:
         if self._cookie == 0:
             return bytes(hashlib.sha256().digest_size)
-        covered = _COVERED.encode({"role": role, "opener": self._mine, "acceptor": acceptor,
+        part = _SIGNED_PART.encode({"role": role, "opener": self._mine, "acceptor": acceptor,
                                    "address": self._address, "session": 0})
-        return hmac.new(struct.pack("<Q", self._cookie), covered, hashlib.sha256).digest()
+        return hmac.new(struct.pack("<Q", self._cookie), part, hashlib.sha256).digest()
 
     def _versions_differ(self, its: int) -> Error:
         behind = "this program" if its > PROTOCOL_VERSION else self._address
@@ -150,7 +150,7 @@ class Opener:
 
 # The content of a proof. Each part is preceded by its size, so that no bytes can move from one part to the next.
 _GREETING = messages.SCHEMAS["tendon.Greeting"]
-_COVERED = Structure("tendon.Covered", (
+_SIGNED_PART = Structure("tendon.SignedPart", (
     Field("role", Number("uint8")), Field("opener", _GREETING), Field("acceptor", _GREETING),
     Field("address", String()),
     Field("session", Number("uint64"))))

@@ -9,7 +9,7 @@ namespace {
 using tendon::LogLevel;
 using tendon::LogLimiter;
 using tendon::SteadyTime;
-using Suppressed = LogLimiter::Suppressed;
+using SuppressedCount = LogLimiter::SuppressedCount;
 using namespace std::chrono_literals;
 
 /// A limiter with a clock that the test advances.
@@ -72,7 +72,7 @@ TEST_F(LogLimiterTest, ReportsSuppressionOnceWithinASecond) {
   clock.Advance(LogLimiter::kUntilReport);
 
   EXPECT_EQ(limiter.TakeSuppressed(clock.Now()),
-            (std::vector<Suppressed>{{"arm", LogLevel::kError, 9}}));
+            (std::vector<SuppressedCount>{{"arm", LogLevel::kError, 9}}));
   EXPECT_TRUE(limiter.TakeSuppressed(clock.Now()).empty());
   EXPECT_FALSE(limiter.owes());
 }
@@ -85,7 +85,7 @@ TEST_F(LogLimiterTest, ForgetsTheLevelAfterReporting) {
   ASSERT_FALSE(Admits("arm", LogLevel::kDebug));
 
   EXPECT_EQ(limiter.TakeSuppressed(SteadyTime::max()),
-            (std::vector<Suppressed>{{"arm", LogLevel::kDebug, 1}}));
+            (std::vector<SuppressedCount>{{"arm", LogLevel::kDebug, 1}}));
 }
 
 TEST_F(LogLimiterTest, ReportsAllSuppressionAtTheEnd) {
@@ -94,7 +94,7 @@ TEST_F(LogLimiterTest, ReportsAllSuppressionAtTheEnd) {
 
   EXPECT_EQ(
       limiter.TakeSuppressed(SteadyTime::max()),
-      (std::vector<Suppressed>{{"arm", LogLevel::kInfo, 2}, {"gripper", LogLevel::kInfo, 1}}));
+      (std::vector<SuppressedCount>{{"arm", LogLevel::kInfo, 2}, {"gripper", LogLevel::kInfo, 1}}));
 }
 
 TEST_F(LogLimiterTest, CombinesExcessSources) {
@@ -105,8 +105,9 @@ TEST_F(LogLimiterTest, CombinesExcessSources) {
   for (int i = 0; i < 1000; ++i) admitted += Admits("another " + std::to_string(i)) ? 1 : 0;
 
   EXPECT_EQ(admitted, 5);
-  EXPECT_EQ(limiter.TakeSuppressed(SteadyTime::max()),
-            (std::vector<Suppressed>{{std::string(LogLimiter::kOthers), LogLevel::kInfo, 995}}));
+  EXPECT_EQ(
+      limiter.TakeSuppressed(SteadyTime::max()),
+      (std::vector<SuppressedCount>{{std::string(LogLimiter::kOthers), LogLevel::kInfo, 995}}));
 }
 
 TEST_F(LogLimiterTest, ReusesTheBucketsOfSilentSources) {

@@ -102,7 +102,7 @@ int main(int argc, char** argv) {
   std::fflush(stdout);
   while (true) {
     Socket accepted;
-    if (tendon::os::Accept(*listening, accepted) != tendon::os::Accepted::kOne) {
+    if (tendon::os::Accept(*listening, accepted) != tendon::os::AcceptResult::kOne) {
       std::this_thread::sleep_for(5ms);
       continue;
     }
