@@ -3741,8 +3741,8 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>%1 ist gestrichelt: mit Strg in der Zeit ziehen, oder mit T die Verschiebung angeben</translation>
     </message>
     <message>
-        <source>The shift “%1” is not a time of at most 100 years: write -12.5 or +2 h 03 min</source>
-        <translation>Die Verschiebung „%1“ ist keine Zeit von höchstens 100 Jahren: -12.5 oder +2 h 03 min schreiben</translation>
+        <source>The shift “%1” is no time, or over 100 years: write seconds, such as -12.5, or +2 h 03 min</source>
+        <translation>Die Verschiebung „%1“ ist keine Zeit oder über 100 Jahre: Sekunden wie -12.5 schreiben, oder +2 h 03 min</translation>
     </message>
     <message>
         <source>nothing recorded at this time</source>

@@ -3741,8 +3741,8 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>%1 est en tirets&#xa0;: le faire glisser dans le temps avec Ctrl, ou donner son décalage avec T</translation>
     </message>
     <message>
-        <source>The shift “%1” is not a time of at most 100 years: write -12.5 or +2 h 03 min</source>
-        <translation>Le décalage « %1 » n’est pas un temps d’au plus 100 ans&#xa0;: écrire -12.5 ou +2 h 03 min</translation>
+        <source>The shift “%1” is no time, or over 100 years: write seconds, such as -12.5, or +2 h 03 min</source>
+        <translation>Le décalage « %1 » n’est pas un temps, ou dépasse 100 ans&#xa0;: écrire des secondes, comme -12.5, ou +2 h 03 min</translation>
     </message>
     <message>
         <source>nothing recorded at this time</source>

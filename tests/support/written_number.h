@@ -21,7 +21,8 @@ struct WrittenNumber {
   bool operator==(const WrittenNumber&) const = default;
 };
 
-/// Parses a word with exactly one meaning; empty for any other word.
+/// Parses a decimal number. Returns nothing if the word is no number, or can be read as two
+/// numbers.
 inline std::optional<WrittenNumber> WrittenNumberOf(const std::string& word) {
   constexpr std::size_t kMostOfExponent = 15;  // digits: no type holds more
   static const std::regex grammar(R"(([+-]?)(\d*)(?:\.(\d*))?(?:[eE]([+-]?)0*(\d*))?)");

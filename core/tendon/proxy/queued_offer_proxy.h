@@ -24,7 +24,7 @@ class QueuedOfferProxy final : public Offer {
  public:
   QueuedOfferProxy(MemberDescription description, Outbox& outbox, std::uint32_t handle);
 
-  /// Must be called before Bind() if the handler receives the calls of a command; see
+  /// Call this before Bind() if the event handler observes a command; see
   /// RequiredInterface::ObserveCalls().
   void SetShowsCalls() { shows_calls_ = true; }
 

@@ -28,7 +28,7 @@ constexpr std::chrono::hours kLongest(24 * 365 * 10);  // so that no sum of time
 std::size_t TableBytes(const RecordedSource& source, std::chrono::nanoseconds period) {
   std::size_t row = sizeof(std::uint64_t);
   for (const RecordedMember& member : source.members) row += member.largest + sizeof(std::uint64_t);
-  return row * (StateTable::LengthFor(period, row) + 1);  // one more row is being replaced
+  return row * (StateTable::LengthFor(period, row) + 1);  // + 1: the row that is being written
 }
 
 LogLevel LogLevelOf(std::uint8_t ros_level) {

@@ -70,10 +70,10 @@ inline constexpr std::array kTransitions = [] {
       {kSuspended, kStop, kFinished},
       {kFinished, kStart, kActive},
       {kFinished, kSuspend, kFinished, " and not active; start it first"},
-      {kFinished, kStop, kFinished, " already and not active; to run it again, start it"},
+      {kFinished, kStop, kFinished, " already; there is nothing to stop"},
       {kFaulted, kStart, kActive, "", true},
       {kFaulted, kSuspend, kFaulted, " and not active; start it again first"},
-      {kFaulted, kStop, kFaulted, " and has ended, so it is not active; start it again"},
+      {kFaulted, kStop, kFaulted, " and has ended; there is nothing to stop"},
   }};
 }();
 

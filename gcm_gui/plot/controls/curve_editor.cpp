@@ -115,7 +115,9 @@ void CurveEditor::addShift(std::int64_t shift_ns) {
 
 QString CurveEditor::refusalOfShift() const {
   if (shift_ == nullptr || ShiftIn(shift_->text())) return {};
-  return Words::tr("The shift “%1” is not a time of at most 100 years: write -12.5 or +2 h 03 min")
+  return Words::tr(
+             "The shift “%1” is no time, or over 100 years: write seconds, such as -12.5, or "
+             "+2 h 03 min")
              .arg(shift_->text()) +
          HintOn(shift_->text());
 }

@@ -59,9 +59,8 @@ class IdleLcm {
 
 double CountThreads(RemoteSystem& system) { return static_cast<double>(IdleLcm(system).threads()); }
 
-/// Returns the number of additional threads in the robot's process for each further process that
-/// connects to it. The number of processes is larger than the number of threads by which the two
-/// thread pools of Ice may grow under load.
+/// Returns how many threads the robot's process adds for each process that connects. Connects more
+/// processes than the two thread pools of Ice can add threads, so that their growth does not count.
 double CountThreadsOfAConnection(RemoteSystem& system) {
   constexpr std::size_t kMore = 12;
   const std::size_t before = ThreadsOf(system.peer());

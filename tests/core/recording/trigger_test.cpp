@@ -23,7 +23,7 @@ using testing::HasSubstr;
 /// Recordings that begin or end with a condition.
 class TriggerTest : public RecorderTest {};
 
-/// More bytes than the catalogue takes, so that there are rows among what came before.
+/// More bytes than the catalogue alone has, so that the buffer also holds rows.
 constexpr std::size_t kBeyondTheCatalogue = 150'000;
 
 /// The condition, or none if it cannot be read.

@@ -117,8 +117,8 @@ class Transitions : public FaultTest {
     return round < rounds || (judged_ == 0 && round < kMostRounds);
   }
   void ExpectNoLeap(const std::string& what, const Peak& peak, const Peak& gentle) {
-    // An arm with late cycles falls behind its leader, and then catches up. On such a machine, the
-    // cycles of the leader are late as well, and its goals jump.
+    // On an overloaded machine, the cycles of the arm are late: it falls behind its leader, then
+    // catches up. The leader is late as well, so its goals jump. Such rounds are not judged.
     constexpr double kCalm = 0.004;   // s
     constexpr double kStall = 0.020;  // s
     const double stall = std::max(peak.stall, gentle.stall);

@@ -47,7 +47,8 @@ class FileObject {
 
   // These functions read a member that may be missing.
 
-  /// Returns "comment" with control characters escaped; empty if the member is missing.
+  /// Returns the text of the member "comment", with control characters escaped; empty if there is
+  /// none.
   [[nodiscard]] std::string Comment() const;
   /// Returns `otherwise` if the number is missing. `unit` is for the error message: "seconds".
   [[nodiscard]] double Number(const std::string& key, const std::string& unit,

@@ -168,7 +168,7 @@ Result<void> TelemetryServer::HasRoomFor(const Source& source, const message::Su
         ErrorCode::kFailed,
         "process '" + context_.name + "' allows a viewer at most " +
             std::to_string(kMostSubscriptions) + " subscriptions, and " + viewer.peer().name +
-            " already has this number: end some of these subscriptions, or request several " +
+            " already has that many: end some of these subscriptions, or request several " +
             "columns of a table in one subscription"};
   }
   const auto feed =
@@ -181,8 +181,8 @@ Result<void> TelemetryServer::HasRoomFor(const Source& source, const message::Su
                "the subscriptions of " + viewer.peer().name + " to " + context_.name + "/" +
                    wanted.component + "/" + wanted.table + " would read " + std::to_string(cells) +
                    " values of each row, but at most " + std::to_string(most) +
-                   " are allowed for one viewer: end some of these subscriptions, or use the same "
-                   "columns and the same period for several"};
+                   " are allowed for one viewer: end some of these subscriptions, or give several "
+                   "of them the same columns and period"};
 }
 
 /// Checks that a topic can carry these rows. Called with the mutex held.
