@@ -9,7 +9,7 @@ namespace tendon::benchmark {
 
 /// Keeps freed memory in this program. Otherwise the allocator may return the top of a heap to the
 /// kernel, which later clears it page by page. Whether this happens depends on the earlier
-/// measurements. It would halve or double the time of a large answer, for Tendon and for the
+/// measurements. It would halve or double the time of a large reply, for Tendon and for the
 /// code that it is compared with.
 inline void KeepMemory() {
   constexpr int kForLargeAnswers = 64 << 20;

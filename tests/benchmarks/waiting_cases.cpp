@@ -18,7 +18,7 @@ class Server final : public SignalTask {
 
  private:
   void Run() override { ProcessQueuedCommands(); }
-  void Echo(const Message& question, Message& answer) { answer = question; }
+  void Echo(const Message& question, Message& reply) { reply = question; }
 };
 
 class Client final : public Component {
@@ -37,13 +37,13 @@ double CallAndWait(std::uint64_t calls) {
   (void)manager.Connect({"client", "Server"}, {"server", "Control"});
   (void)manager.StartAll();
   Message question{};
-  Message answer{};
+  Message reply{};
   return NanosecondsEach(calls, [&](std::uint64_t i) {
     question[0] = static_cast<double>(i);
     // Tries again on a machine that stalls.
-    while (!client.echo.Wait(question, answer, std::chrono::seconds(1))) {
+    while (!client.echo.Wait(question, reply, std::chrono::seconds(1))) {
     }
-    Use(answer);
+    Use(reply);
   });
 }
 

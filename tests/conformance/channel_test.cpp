@@ -24,11 +24,11 @@ TEST_P(ChannelContract, BothEndsLearnThePeersIdentity) {
 TEST_P(ChannelContract, ARequestIsAnswered) {
   Connect(std::make_shared<Oracle>(), std::make_shared<Oracle>());
 
-  const auto answer = channel_->Call<Question>(kAsk, 42, Question{"why", 0}, kLong);
+  const auto reply = channel_->Call<Question>(kAsk, 42, Question{"why", 0}, kLong);
 
-  ASSERT_TRUE(answer) << answer.error().message;
-  EXPECT_EQ(answer->text, "whywhy");
-  EXPECT_EQ(answer->number, 42);
+  ASSERT_TRUE(reply) << reply.error().message;
+  EXPECT_EQ(reply->text, "whywhy");
+  EXPECT_EQ(reply->number, 42);
 }
 
 TEST_P(ChannelContract, BothEndsMaySendRequests) {
@@ -36,10 +36,10 @@ TEST_P(ChannelContract, BothEndsMaySendRequests) {
   Connect(server, std::make_shared<Oracle>());
   ASSERT_TRUE(server->Wait([](const Oracle& oracle) { return oracle.channel_ != nullptr; }));
 
-  const auto answer = server->channel_->Call<Question>(kAsk, 1, Question{"who", 0}, kLong);
+  const auto reply = server->channel_->Call<Question>(kAsk, 1, Question{"who", 0}, kLong);
 
-  ASSERT_TRUE(answer) << answer.error().message;
-  EXPECT_EQ(answer->text, "whowho");
+  ASSERT_TRUE(reply) << reply.error().message;
+  EXPECT_EQ(reply->text, "whowho");
 }
 
 TEST_P(ChannelContract, ManyRequestsAtOnceAreEachAnsweredOnce) {
@@ -50,9 +50,9 @@ TEST_P(ChannelContract, ManyRequestsAtOnceAreEachAnsweredOnce) {
 
   for (int i = 0; i < kCount; ++i) {
     channel_->Request<Question>(kAsk, static_cast<std::uint32_t>(i), Question{"x", 0}, kLong,
-                                [&, i](Result<Question> answer) {
+                                [&, i](Result<Question> reply) {
                                   const std::scoped_lock lock(mutex);
-                                  if (answer && answer->number == i) ++answers[i];
+                                  if (reply && reply->number == i) ++answers[i];
                                 });
   }
 
@@ -79,30 +79,30 @@ TEST_P(ChannelContract, NoticesArriveInOrder) {
 TEST_P(ChannelContract, ARefusalKeepsItsCodeAndMessage) {
   Connect(std::make_shared<Oracle>(), std::make_shared<Oracle>());
 
-  const auto answer = channel_->Call<Question>(kAsk, 0, Question{}, kLong);
+  const auto reply = channel_->Call<Question>(kAsk, 0, Question{}, kLong);
 
-  ASSERT_FALSE(answer);
-  EXPECT_EQ(answer.error(), (Error{ErrorCode::kNotFound, "there is no question"}));
+  ASSERT_FALSE(reply);
+  EXPECT_EQ(reply.error(), (Error{ErrorCode::kNotFound, "there is no question"}));
 }
 
 TEST_P(ChannelContract, AnUnknownMessageIsRefused) {
   Connect(std::make_shared<Oracle>(), std::make_shared<Oracle>());
 
-  const auto answer = channel_->Call<None>(static_cast<MessageType>(999), 0, None{}, kLong);
+  const auto reply = channel_->Call<None>(static_cast<MessageType>(999), 0, None{}, kLong);
 
-  ASSERT_FALSE(answer);
-  EXPECT_EQ(answer.error().code, ErrorCode::kNotFound);
-  EXPECT_THAT(answer.error().message, HasSubstr("999"));
+  ASSERT_FALSE(reply);
+  EXPECT_EQ(reply.error().code, ErrorCode::kNotFound);
+  EXPECT_THAT(reply.error().message, HasSubstr("999"));
 }
 
 TEST_P(ChannelContract, RefusesAnUndecodableBodyNamingItsType) {
   Connect(std::make_shared<Oracle>(), std::make_shared<Oracle>());
 
-  const auto answer = channel_->Call(kAsk, 0, Bytes(3), kLong);
+  const auto reply = channel_->Call(kAsk, 0, Bytes(3), kLong);
 
-  ASSERT_FALSE(answer);
-  EXPECT_EQ(answer.error().code, ErrorCode::kInvalid);
-  EXPECT_THAT(answer.error().message, HasSubstr("test.Question"));
+  ASSERT_FALSE(reply);
+  EXPECT_EQ(reply.error().code, ErrorCode::kInvalid);
+  EXPECT_THAT(reply.error().message, HasSubstr("test.Question"));
 }
 
 TEST_P(ChannelContract, AThrowingHandlerRefusesAndTheChannelStaysOpen) {
@@ -122,11 +122,11 @@ TEST_P(ChannelContract, ACallTimesOutAndItsLateReplyIsIgnored) {
   const auto server = std::make_shared<Oracle>();
   Connect(server, std::make_shared<Oracle>());
 
-  const auto answer = channel_->Call<None>(kKeep, 0, None{}, std::chrono::milliseconds(30));
+  const auto reply = channel_->Call<None>(kKeep, 0, None{}, std::chrono::milliseconds(30));
 
-  ASSERT_FALSE(answer);
-  EXPECT_EQ(answer.error().code, ErrorCode::kTimeout);
-  EXPECT_EQ(answer.error().message, "no answer from robot within 30 ms; outcome unknown");
+  ASSERT_FALSE(reply);
+  EXPECT_EQ(reply.error().code, ErrorCode::kTimeout);
+  EXPECT_EQ(reply.error().message, "no answer from robot within 30 ms; outcome unknown");
   ASSERT_TRUE(server->Wait([](const Oracle& oracle) { return oracle.kept_.size() == 1; }));
   server->kept_.front().ReplyWith(Result<void>());
   EXPECT_TRUE(channel_->Call<Question>(kAsk, 0, Question{"still there?", 0}, kLong));
@@ -138,9 +138,9 @@ TEST_P(ChannelContract, ExpireEndsOnlyTheRequestsThatAreDue) {
   std::promise<Result<Bytes>> first;
   std::promise<Result<Bytes>> second;
   channel_->Request(kKeep, 0, Bytes(), std::chrono::hours(1),
-                    [&](Result<Bytes> answer) { first.set_value(std::move(answer)); });
+                    [&](Result<Bytes> reply) { first.set_value(std::move(reply)); });
   channel_->Request(kKeep, 0, Bytes(), std::chrono::hours(3),
-                    [&](Result<Bytes> answer) { second.set_value(std::move(answer)); });
+                    [&](Result<Bytes> reply) { second.set_value(std::move(reply)); });
   ASSERT_TRUE(server->Wait([](const Oracle& oracle) { return oracle.kept_.size() == 2; }));
 
   channel_->Expire(SteadyClock().Now() + std::chrono::hours(2));
@@ -155,27 +155,27 @@ TEST_P(ChannelContract, ExpireEndsOnlyTheRequestsThatAreDue) {
 TEST_P(ChannelContract, AReplyMayComeLaterFromAnotherThread) {
   const auto server = std::make_shared<Oracle>();
   Connect(server, std::make_shared<Oracle>());
-  auto answer =
+  auto reply =
       std::async(std::launch::async, [&] { return channel_->Call<None>(kKeep, 0, None{}, kLong); });
   ASSERT_TRUE(server->Wait([](const Oracle& oracle) { return oracle.kept_.size() == 1; }));
 
   server->kept_.front().ReplyWith(Result<void>());
   server->kept_.front().Refuse(Error{});
 
-  EXPECT_TRUE(answer.get());
+  EXPECT_TRUE(reply.get());
 }
 
 TEST_P(ChannelContract, ClosingEndsPendingRequests) {
   const auto server = std::make_shared<Oracle>();
   const auto client = std::make_shared<Oracle>();
   Connect(server, client);
-  auto answer =
+  auto reply =
       std::async(std::launch::async, [&] { return channel_->Call<None>(kKeep, 0, None{}, kLong); });
   ASSERT_TRUE(server->Wait([](const Oracle& oracle) { return oracle.kept_.size() == 1; }));
 
   server->channel_->Close();
 
-  const auto outcome = answer.get();
+  const auto outcome = reply.get();
   ASSERT_FALSE(outcome);
   EXPECT_EQ(outcome.error().code, ErrorCode::kUnreachable);
   ASSERT_TRUE(client->Wait([](const Oracle& oracle) { return !oracle.closed_.empty(); }));
@@ -200,7 +200,7 @@ TEST_P(ChannelContract, RefusesACallFromAHandlerThatWouldDeadlock) {
   Connect(std::make_shared<Oracle>(), std::make_shared<Oracle>());
   std::promise<Result<None>> inner;
 
-  channel_->Request<Question>(kAsk, 0, Question{"x", 0}, kLong, [&](Result<Question> /*answer*/) {
+  channel_->Request<Question>(kAsk, 0, Question{"x", 0}, kLong, [&](Result<Question> /*reply*/) {
     inner.set_value(channel_->Call<None>(kAsk, 0, None{}, kLong));
   });
 
@@ -212,11 +212,11 @@ TEST_P(ChannelContract, RefusesACallFromAHandlerThatWouldDeadlock) {
 TEST_P(ChannelContract, RefusesAMessageOverTheLimitAndStaysOpen) {
   Connect(std::make_shared<Oracle>(), std::make_shared<Oracle>());
 
-  const auto answer = channel_->Call(kAsk, 0, Bytes(kMaxBodySize + 1), kLong);
+  const auto reply = channel_->Call(kAsk, 0, Bytes(kMaxBodySize + 1), kLong);
 
-  ASSERT_FALSE(answer);
-  EXPECT_EQ(answer.error().code, ErrorCode::kInvalid);
-  EXPECT_THAT(answer.error().message, HasSubstr("67 108 864 B"));
+  ASSERT_FALSE(reply);
+  EXPECT_EQ(reply.error().code, ErrorCode::kInvalid);
+  EXPECT_THAT(reply.error().message, HasSubstr("67 108 864 B"));
   EXPECT_TRUE(channel_->Call<Question>(kAsk, 0, Question{"still there?", 0}, kLong));
 }
 

@@ -89,7 +89,7 @@ class PortContract : public Contract {
   Host::Guest guest_;
 };
 
-/// A client, and a server that defers its answers; for middlewares with a direct path for answers.
+/// A client, and a server that defers its replies; for middlewares with a direct path for replies.
 class LaterReplyContract : public Contract {
  protected:
   void SetUp() override {

@@ -27,9 +27,9 @@ TEST_P(ChannelContract, ARefusedOpenerVersionSaysWhichProgramToUpdate) {
   Start(Channel::Acceptor(HelloOf("robot"), [server] { return server; }));
   for (const auto& [version, outdated] :
        {std::pair<std::uint16_t, std::string>{kOlder, "this program"}, {kNewer, "robot"}}) {
-    const auto answer = std::make_shared<Bytes>();
+    const auto reply = std::make_shared<Bytes>();
     const auto recorder = std::make_shared<Recorder>(
-        [answer](std::span<const std::byte> frame) { answer->assign(frame.begin(), frame.end()); });
+        [reply](std::span<const std::byte> frame) { reply->assign(frame.begin(), frame.end()); });
     const auto link = Open(recorder);
     ASSERT_TRUE(link) << link.error().message;
 
@@ -37,9 +37,9 @@ TEST_P(ChannelContract, ARefusedOpenerVersionSaysWhichProgramToUpdate) {
 
     ASSERT_TRUE(recorder->WaitForFrames(1));
     EXPECT_TRUE(recorder->WaitForClosed());
-    EXPECT_EQ(ReadWholeFrame(*answer)->type, MessageType::kRefusal);
+    EXPECT_EQ(ReadWholeFrame(*reply)->type, MessageType::kRefusal);
     EXPECT_EQ(
-        ReadRefusal(std::span(*answer).subspan(FrameHeader::kSize), "robot"),
+        ReadRefusal(std::span(*reply).subspan(FrameHeader::kSize), "robot"),
         (Error{ErrorCode::kIncompatible, "robot speaks protocol version " + kOursText +
                                              ", but this program speaks version " +
                                              std::to_string(version) + ": update " + outdated}));
@@ -115,9 +115,9 @@ TEST_P(CookieContract, AnImpostorAtThePortIsDeniedAndLearnsNothing) {
       const Bytes body = EncodeBody(challenge);
       FrameHeader header{.type = MessageType::kChallenge, .request = 1};
       header.size = static_cast<std::uint32_t>(body.size());
-      Bytes answer;
-      WriteFrame(header, body, answer);
-      (void)link->Send(answer);
+      Bytes reply;
+      WriteFrame(header, body, reply);
+      (void)link->Send(reply);
     });
   });
   Start(impostor.accept());

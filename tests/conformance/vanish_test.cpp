@@ -84,7 +84,7 @@ TEST_P(PortContract, DetectsAVanishedOpenerThatAwaitsAReply) {
   ASSERT_TRUE(link) << link.error().message;
   const auto keeper = asked.get_future().get();
   ASSERT_EQ((*link)->Send(FrameOf(1), Delivery::kDirect), Status::kQueued);
-  const auto answer = keeper->Take();
+  const auto reply = keeper->Take();
 
   ASSERT_EQ(CutCable(ParseAddress(listener_->address(), 1)->port), 2);
 

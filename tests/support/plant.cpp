@@ -47,10 +47,10 @@ void Plant::Write(const Note& note) {
   written_(note);
 }
 
-void Plant::Ask(std::uint64_t& answer) const {
+void Plant::Ask(std::uint64_t& result) const {
   ++asked;
   const std::scoped_lock lock(gate);
-  answer = 42;
+  result = 42;
 }
 
 Operator::Operator(std::string name, std::size_t capacity)

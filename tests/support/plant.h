@@ -75,7 +75,7 @@ class Plant final : public tendon::PeriodicTask {
   void Stop();
   void MoveTo(const Move& move);
   void Write(const Note& note);
-  void Ask(std::uint64_t& answer) const;
+  void Ask(std::uint64_t& result) const;
 
   Move move_;
   Note note_;

@@ -85,9 +85,9 @@ WaitingCalls::~WaitingCalls() { channel_->Close(); }
 void WaitingCalls::Run(std::uint64_t calls) {
   RunPipeline(calls, window_, [this](std::function<void(bool ok)> done) {
     channel_->Request(message::kWait, handle_, question_, kPatience,
-                      [done = std::move(done)](const Result<Bytes>& answer) {
-                        done(answer.ok() && answer->size() > 0 &&
-                             answer->back() == static_cast<std::byte>(Status::kDone));
+                      [done = std::move(done)](const Result<Bytes>& reply) {
+                        done(reply.ok() && reply->size() > 0 &&
+                             reply->back() == static_cast<std::byte>(Status::kDone));
                       });
   });
 }

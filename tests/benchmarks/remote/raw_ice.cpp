@@ -45,8 +45,8 @@ class Servant final : public Ice::Object {
     const Ice::Byte* parameter = nullptr;
     Ice::Int size = 0;
     incoming.readParamEncaps(parameter, size);
-    const auto& answer = AnswerTo(current);
-    incoming.writeParamEncaps(answer.data(), static_cast<Ice::Int>(answer.size()), true);
+    const auto& reply = AnswerTo(current);
+    incoming.writeParamEncaps(reply.data(), static_cast<Ice::Int>(reply.size()), true);
     return true;  // the request is answered
   }
 
@@ -122,11 +122,11 @@ class RawIce::Parts {
 RawIce::RawIce(const std::string& address) : parts_(std::make_unique<Parts>(address)) {}
 RawIce::~RawIce() = default;
 
-void RawIce::Read(Message& answer) {
+void RawIce::Read(Message& reply) {
   constexpr std::size_t kHeader = 6;
   std::vector<Ice::Byte> bytes;
   parts_->two_way()->ice_invoke("get", Ice::OperationMode::Normal, Range{}, bytes);
-  std::memcpy(&answer, bytes.data() + kHeader, sizeof(answer));
+  std::memcpy(&reply, bytes.data() + kHeader, sizeof(reply));
 }
 
 void RawIce::Write(std::span<const std::byte> parameter, std::uint64_t times) {

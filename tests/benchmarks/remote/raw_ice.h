@@ -42,7 +42,7 @@ class RawIce {
   ~RawIce();
 
   /// A two-way call without a parameter, answered with 64 bytes.
-  void Read(Message& answer);
+  void Read(Message& reply);
   /// Sends oneway calls, each in a separate message, and waits until the server has dispatched all
   /// of them.
   void Write(std::span<const std::byte> parameter, std::uint64_t times);
@@ -50,7 +50,7 @@ class RawIce {
   void WriteBatches(std::span<const std::byte> parameter, std::uint64_t times, std::uint64_t size);
   /// Begins a two-way call without waiting: `done` is called in a thread of Ice.
   void BeginRead(std::function<void(bool ok)> done);
-  /// The memory of a large answer: kThere means that the bytes stay in place; kCopiedFirst means
+  /// The memory of a large reply: kThere means that the bytes stay in place; kCopiedFirst means
   /// that the servant first copies them into memory that it keeps.
   enum class Image { kThere, kCopiedFirst };
   /// A two-way call that is answered with 1 MiB; returns how many bytes came.
@@ -63,7 +63,7 @@ class RawIce {
   std::unique_ptr<Parts> parts_;
 };
 
-/// The size of a large answer.
+/// The size of a large reply.
 inline constexpr std::size_t kImageBytes = std::size_t{1} << 20U;
 
 }  // namespace tendon::benchmark

@@ -170,10 +170,10 @@ TEST_P(LargeMessageContract, OverTheLimitIsRefusedByTheSender) {
   for (const std::size_t size : sizes) {
     const std::span body = memory.First(size);
     EXPECT_EQ(channel_->Notify(kTell, 0, body), Status::kInvalid) << size;
-    const auto answer = channel_->Call(kAsk, 0, body, kLong);
-    ASSERT_FALSE(answer.ok());
-    EXPECT_EQ(answer.error().code, ErrorCode::kInvalid);
-    EXPECT_THAT(answer.error().message, HasSubstr("exceeds max_payload 67 108 864 B"));
+    const auto reply = channel_->Call(kAsk, 0, body, kLong);
+    ASSERT_FALSE(reply.ok());
+    EXPECT_EQ(reply.error().code, ErrorCode::kInvalid);
+    EXPECT_THAT(reply.error().message, HasSubstr("exceeds max_payload 67 108 864 B"));
   }
 
   EXPECT_TRUE(IsAlive(*channel_));
@@ -233,24 +233,24 @@ TEST_P(LargeMessageContract, MayBeAReply) {
   Connect(takers.server, takers.client);
   const Bytes question = Patterned(kLarge);
 
-  const auto answer = channel_->Call(kAsk, 0, question, kLong);
+  const auto reply = channel_->Call(kAsk, 0, question, kLong);
 
-  ASSERT_TRUE(answer.ok()) << answer.error().message;
-  EXPECT_TRUE(std::ranges::equal(answer->body(), question));
+  ASSERT_TRUE(reply.ok()) << reply.error().message;
+  EXPECT_TRUE(std::ranges::equal(reply->body(), question));
 }
 
 TEST_P(LargeMessageContract, TravelsInBothDirectionsAtOnce) {
   const Takers takers;
   Connect(takers.server, takers.client);
-  // Shared, because late answers may arrive after the test.
-  const auto answers = std::make_shared<std::atomic<std::size_t>>(0);
+  // Shared, because late replies may arrive after the test.
+  const auto replies = std::make_shared<std::atomic<std::size_t>>(0);
   for (int i = 0; i < 2; ++i) {
-    channel_->Request(kAsk, 0, Patterned(kLarge), 3 * kLong, [answers](Result<Bytes> answer) {
-      if (answer && *answer == Patterned(kLarge)) ++*answers;
+    channel_->Request(kAsk, 0, Patterned(kLarge), 3 * kLong, [replies](Result<Bytes> reply) {
+      if (reply && *reply == Patterned(kLarge)) ++*replies;
     });
   }
 
-  EXPECT_TRUE(EventuallyTrue([&] { return *answers == 2; }));
+  EXPECT_TRUE(EventuallyTrue([&] { return *replies == 2; }));
 }
 
 TEST_P(LargeMessageContract, AFullWindowRefusesItButNotSmallMessages) {

@@ -98,11 +98,11 @@ TEST_P(LargeMessageContract, ADisallowedMessageIsRefusedAtItsFirstPart) {
   const auto server = std::make_shared<Choosy>();
   Connect(server, std::make_shared<ChannelHandler>());
 
-  const auto answer = channel_->Call(kForbidden, 0, Bytes(kThreeMebibytes), kLong);
+  const auto reply = channel_->Call(kForbidden, 0, Bytes(kThreeMebibytes), kLong);
   ASSERT_EQ(channel_->Notify(kForbidden, 0, Bytes(kThreeMebibytes)), Status::kQueued);
 
-  ASSERT_FALSE(answer);
-  EXPECT_EQ(answer.error(), (Error{ErrorCode::kDenied, "nobody may send it"}));
+  ASSERT_FALSE(reply);
+  EXPECT_EQ(reply.error(), (Error{ErrorCode::kDenied, "nobody may send it"}));
   EXPECT_TRUE(Answers(*channel_));
   EXPECT_TRUE(channel_->Call(kAsk, 0, Bytes(kThreeMebibytes), kLong))
       << "it comes behind the others";

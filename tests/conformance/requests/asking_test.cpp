@@ -51,19 +51,19 @@ class PromptClerk final : public ChannelHandler {
   std::vector<Responder> kept_;
 };
 
-/// Sends a request and waits for the answer, which may take the direct path.
+/// Sends a request and waits for the reply, which may take the direct path.
 Result<Bytes> AskClerk(Channel& channel, MessageType type, std::uint32_t handle = 0,
                        std::chrono::milliseconds timeout = kLong) {
-  auto answer = channel.Call(type, handle, EncodeBody(std::uint32_t{7}), timeout, kOwnLane,
-                             Delivery::kDirect);
-  if (!answer) return answer.error();
-  return (*std::move(answer)).TakeBytes();
+  auto reply = channel.Call(type, handle, EncodeBody(std::uint32_t{7}), timeout, kOwnLane,
+                            Delivery::kDirect);
+  if (!reply) return reply.error();
+  return (*std::move(reply)).TakeBytes();
 }
 
 std::future<Result<Bytes>> AskToBeKept(Channel& channel, PromptClerk& clerk) {
-  auto answer = std::async(std::launch::async, [&] { return AskClerk(channel, kKeep); });
+  auto reply = std::async(std::launch::async, [&] { return AskClerk(channel, kKeep); });
   EXPECT_TRUE(EventuallyTrue([&] { return clerk.has_kept_ == 1; }));
-  return answer;
+  return reply;
 }
 
 TEST_P(ChannelContract, ADirectRequestMayBeAnsweredAtOnceOrLater) {
@@ -71,12 +71,12 @@ TEST_P(ChannelContract, ADirectRequestMayBeAnsweredAtOnceOrLater) {
   Connect(server, std::make_shared<PromptClerk>());
   EXPECT_EQ(*AskClerk(*channel_, kHowMany), EncodeBody(std::uint32_t{0}));
 
-  auto answer = AskToBeKept(*channel_, *server);
+  auto reply = AskToBeKept(*channel_, *server);
   EXPECT_EQ(*AskClerk(*channel_, kHowMany),
             EncodeBody(std::uint32_t{0}));  // other requests are not blocked
   server->kept_.front().Reply(EncodeBody(std::uint32_t{3}), kOwnLane);
 
-  EXPECT_EQ(*answer.get(), EncodeBody(std::uint32_t{3}));
+  EXPECT_EQ(*reply.get(), EncodeBody(std::uint32_t{3}));
 }
 
 TEST_P(ChannelContract, DirectRequestsKeepTheOrderOfMessages) {
@@ -90,9 +90,9 @@ TEST_P(ChannelContract, DirectRequestsKeepTheOrderOfMessages) {
     ASSERT_TRUE(channel_->Notify(kTell, 0, None{}));
     const Status asked = channel_->TryRequest(
         kHowMany, 0, {}, kLong,
-        [&](Result<Bytes> answer) {
+        [&](Result<Bytes> reply) {
           const std::scoped_lock lock(mutex);
-          heard.push_back(answer ? *DecodeBody<std::uint32_t>(*answer) : 0);
+          heard.push_back(reply ? *DecodeBody<std::uint32_t>(*reply) : 0);
         },
         kOwnLane, Delivery::kDirect);
     ASSERT_TRUE(asked);
@@ -112,8 +112,8 @@ TEST_P(ChannelContract, DirectRepliesFollowEarlierMessages) {
     std::promise<std::uint32_t> told;
     ASSERT_TRUE(channel_->TryRequest(
         kTellThenReply, 0, {}, kLong,
-        [&](Result<Bytes> answer) { told.set_value(answer ? client->notices_.load() : 0); },
-        kOwnLane, Delivery::kDirect));
+        [&](Result<Bytes> reply) { told.set_value(reply ? client->notices_.load() : 0); }, kOwnLane,
+        Delivery::kDirect));
     EXPECT_EQ(told.get_future().get(), i);
   }
 }
@@ -125,10 +125,10 @@ TEST_P(ChannelContract, DirectRepliesOfAllSizesArriveComplete) {
   constexpr std::size_t kLargest = kMaxPieceSize - FrameHeader::kSize;
   for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{253}, kLargest - 1,
                                  kLargest, kLargest + 1, 4 * kLargest}) {
-    const auto answer = AskClerk(*channel_, kOfSize, static_cast<std::uint32_t>(size));
+    const auto reply = AskClerk(*channel_, kOfSize, static_cast<std::uint32_t>(size));
 
-    ASSERT_TRUE(answer) << answer.error().message;
-    EXPECT_EQ(*answer, Bytes(size, std::byte{7}));
+    ASSERT_TRUE(reply) << reply.error().message;
+    EXPECT_EQ(*reply, Bytes(size, std::byte{7}));
   }
 }
 
@@ -136,11 +136,11 @@ TEST_P(ChannelContract, ADirectRequestLargerThanAPieceIsAnswered) {
   const auto server = std::make_shared<PromptClerk>();
   Connect(server, std::make_shared<PromptClerk>());
 
-  const auto answer = channel_->Call(kTellThenReply, 0, Bytes(3 * kMaxPieceSize), kLong, kOwnLane,
-                                     Delivery::kDirect);
+  const auto reply = channel_->Call(kTellThenReply, 0, Bytes(3 * kMaxPieceSize), kLong, kOwnLane,
+                                    Delivery::kDirect);
 
-  ASSERT_TRUE(answer) << answer.error().message;
-  EXPECT_EQ(answer->body().size(), 3 * kMaxPieceSize);
+  ASSERT_TRUE(reply) << reply.error().message;
+  EXPECT_EQ(reply->body().size(), 3 * kMaxPieceSize);
 }
 
 TEST_P(ChannelContract, OnlyTheFirstDirectReplyIsSent) {
@@ -157,10 +157,10 @@ TEST_P(ChannelContract, AThrowingHandlerRefusesADirectRequest) {
   const auto server = std::make_shared<PromptClerk>();
   Connect(server, std::make_shared<PromptClerk>());
 
-  const auto answer = AskClerk(*channel_, kThrow);
+  const auto reply = AskClerk(*channel_, kThrow);
 
-  ASSERT_FALSE(answer);
-  EXPECT_EQ(answer.error().code, ErrorCode::kFailed);
+  ASSERT_FALSE(reply);
+  EXPECT_EQ(reply.error().code, ErrorCode::kFailed);
   EXPECT_TRUE(AskClerk(*channel_, kHowMany));
 }
 
@@ -169,11 +169,11 @@ TEST_P(ChannelContract, DirectRequestsToAHungPeerEndAtTheirDeadline) {
   Connect(server, std::make_shared<PromptClerk>());
   std::unique_lock hung(server->gate_);
 
-  const auto answer = AskClerk(*channel_, kKeep, 0, std::chrono::milliseconds(30));
+  const auto reply = AskClerk(*channel_, kKeep, 0, std::chrono::milliseconds(30));
   const auto next = AskClerk(*channel_, kHowMany, 0, std::chrono::milliseconds(30));
 
-  ASSERT_FALSE(answer);
-  EXPECT_EQ(answer.error().message, "no answer from robot within 30 ms; outcome unknown");
+  ASSERT_FALSE(reply);
+  EXPECT_EQ(reply.error().message, "no answer from robot within 30 ms; outcome unknown");
   EXPECT_FALSE(next);
   hung.unlock();
   EXPECT_TRUE(AskClerk(*channel_, kHowMany));  // it follows the late reply to the same question
@@ -187,11 +187,11 @@ TEST_P(ChannelContract, DirectRequestsToAHungPeerEndAtTheirDeadline) {
 TEST_P(ChannelContract, ClosingTheLinkEndsADirectRequest) {
   const auto server = std::make_shared<PromptClerk>();
   Connect(server, std::make_shared<PromptClerk>());
-  auto answer = AskToBeKept(*channel_, *server);
+  auto reply = AskToBeKept(*channel_, *server);
 
   server->opened_.get_future().get()->Close();
 
-  const auto outcome = answer.get();
+  const auto outcome = reply.get();
   ASSERT_FALSE(outcome);
   EXPECT_EQ(outcome.error().code, ErrorCode::kUnreachable);
   EXPECT_EQ(AskClerk(*channel_, kHowMany).error().code, ErrorCode::kUnreachable);
@@ -201,18 +201,18 @@ TEST_P(ChannelContract, BothEndsMaySendDirectRequestsConcurrently) {
   const auto server = std::make_shared<PromptClerk>();
   Connect(server, std::make_shared<PromptClerk>());
   const auto back = server->opened_.get_future().get();
-  std::atomic<int> answers{0};
+  std::atomic<int> replies{0};
 
   auto there = std::async(std::launch::async, [&] {
-    for (int i = 0; i < 200; ++i) answers += static_cast<int>(AskClerk(*channel_, kHowMany).ok());
+    for (int i = 0; i < 200; ++i) replies += static_cast<int>(AskClerk(*channel_, kHowMany).ok());
   });
   for (int i = 0; i < 200; ++i) {
-    answers +=
+    replies +=
         static_cast<int>(back->Call(kHowMany, 0, {}, kLong, kOwnLane, Delivery::kDirect).ok());
   }
   there.get();
 
-  EXPECT_EQ(answers, 400);
+  EXPECT_EQ(replies, 400);
 }
 
 }  // namespace

@@ -12,14 +12,14 @@
 namespace tendon::conformance {
 namespace {
 
-/// Records the answers to several requests: their order, and how often each request was answered.
-/// The answer to a request is the number of the request.
+/// Records the replies to several requests: their order, and how often each request was answered.
+/// The reply to a request is the number of the request.
 class Outcomes {
  public:
   PendingRequests::Handler Keep(std::uint32_t number) {
-    return [this, number](const Result<Bytes>& answer) {
+    return [this, number](const Result<Bytes>& reply) {
       const std::scoped_lock lock(mutex_);
-      const bool is_right = answer && DecodeBody<std::uint32_t>(*answer).value() == number;
+      const bool is_right = reply && DecodeBody<std::uint32_t>(*reply).value() == number;
       (is_right ? answered_ : failed_).push_back(number);
     };
   }
@@ -89,9 +89,9 @@ TEST_P(ChannelContract, ALargeReplyInABatchArrives) {
   }
 
   EXPECT_TRUE(outcomes.WaitFor(1, 0));
-  const auto answer = large.get();
-  ASSERT_TRUE(answer.ok()) << answer.error().message;
-  EXPECT_TRUE(std::ranges::equal(answer->body(), Bytes(3 * kMaxPieceSize, std::byte{7})));
+  const auto reply = large.get();
+  ASSERT_TRUE(reply.ok()) << reply.error().message;
+  EXPECT_TRUE(std::ranges::equal(reply->body(), Bytes(3 * kMaxPieceSize, std::byte{7})));
 }
 
 TEST_P(ChannelContract, ALostReplyBatchFailsAllItsRequests) {

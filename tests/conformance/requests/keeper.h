@@ -14,7 +14,7 @@
 
 namespace tendon::conformance {
 
-/// Defers the answer to each request: keeps its slot until the test takes it.
+/// Defers the reply to each request: keeps its slot until the test takes it.
 class Keeper final : public LinkHandler {
  public:
   explicit Keeper(std::shared_ptr<Link> link) : link_(std::move(link)) { link_->Admit(); }
@@ -37,7 +37,7 @@ class Keeper final : public LinkHandler {
     std::unique_lock lock(mutex_);
     return changed_.wait_for(lock, kPatience, [this] { return is_closed_; });
   }
-  /// The slot for the answer to the next request; null if the request did not come on a shorter
+  /// The slot for the reply to the next request; null if the request did not come on a shorter
   /// path.
   std::unique_ptr<ReplySlot> Take() {
     std::unique_lock lock(mutex_);

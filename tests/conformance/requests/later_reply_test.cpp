@@ -10,23 +10,23 @@
 namespace tendon::conformance {
 namespace {
 
-std::optional<std::span<std::byte>> Begin(ReplySlot& answer, std::uint32_t number) {
-  return answer.Begin(*ReadWholeFrame(FrameOf(number)));
+std::optional<std::span<std::byte>> Begin(ReplySlot& reply, std::uint32_t number) {
+  return reply.Begin(*ReadWholeFrame(FrameOf(number)));
 }
 
-/// Writes the answer to a request. Returns false if the answer came too late, because the machine
+/// Writes the reply to a request. Returns false if the reply came too late, because the machine
 /// may stall for half a second.
-bool Leave(ReplySlot& answer, std::uint32_t number) {
-  const auto room = Begin(answer, number);
+bool Leave(ReplySlot& reply, std::uint32_t number) {
+  const auto room = Begin(reply, number);
   if (!room) return false;
   std::ranges::fill(*room, static_cast<std::byte>(number));
-  answer.End();
+  reply.End();
   return true;
 }
 
 TEST_P(LaterReplyContract, MayBeFilledByAnyThreadInAnyOrder) {
-  const auto leave = [](ReplySlot& answer, std::uint32_t number) {
-    return std::async(std::launch::async, [&] { return Leave(answer, number); }).get();
+  const auto leave = [](ReplySlot& reply, std::uint32_t number) {
+    return std::async(std::launch::async, [&] { return Leave(reply, number); }).get();
   };
   EXPECT_TRUE(EventuallyTrue([&] {
     const std::size_t before = recorder_->numbers().size();
@@ -63,17 +63,17 @@ TEST_P(LaterReplyContract, AnUnfinishedReplyDoesNotCloseTheLink) {
 }
 
 TEST_P(LaterReplyContract, APendingReplyDoesNotDelayTheOpenersClose) {
-  const auto answer = Ask();
+  const auto reply = Ask();
 
   asker_->Close();
 
   EXPECT_TRUE(recorder_->WaitForClosed());
   EXPECT_TRUE(keeper_->WaitForClosed());
-  if (Begin(*answer, 1)) answer->End();  // the caller no longer waits
+  if (Begin(*reply, 1)) reply->End();  // the caller no longer waits
 }
 
 TEST_P(LaterReplyContract, APendingReplyDoesNotDelayTheAcceptorsClose) {
-  const auto answer = Ask();
+  const auto reply = Ask();
 
   keeper_->link()->Close();
 
@@ -82,7 +82,7 @@ TEST_P(LaterReplyContract, APendingReplyDoesNotDelayTheAcceptorsClose) {
 }
 
 TEST_P(LaterReplyContract, APendingReplyDoesNotDelayShutdown) {
-  const auto answer = Ask();
+  const auto reply = Ask();
 
   End();
 

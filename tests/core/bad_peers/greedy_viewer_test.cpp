@@ -153,12 +153,12 @@ class Viewer {
   Result<message::MirrorReply> Mirror(const message::Mirror& wanted) {
     return channel_->Call<message::MirrorReply>(message::kMirror, 0, wanted, kLong);
   }
-  /// Sends a subscription, and does not wait for the answer.
+  /// Sends a subscription, and does not wait for the reply.
   void Ask(const message::Subscribe& wanted,
            const std::function<void(Result<message::SubscribeReply>)>& hear) {
     channel_->Request<message::SubscribeReply>(message::kSubscribe, 0, wanted, kLong, hear);
   }
-  /// Requests an interface that does not exist, and does not wait for the answer.
+  /// Requests an interface that does not exist, and does not wait for the reply.
   void AskToOpen(const std::function<void(Result<message::OpenInterfaceReply>)>& hear) {
     const message::OpenInterface open{.provided = {"robot", "meter", "None"}};
     channel_->Request<message::OpenInterfaceReply>(message::kOpenInterface, 0, open, kLong, hear);
@@ -309,9 +309,9 @@ TEST_P(GreedyViewer, RefusesRequestsFasterThanTheyAreServed) {
   constexpr int kMany = 100'000;
   // Shared with the callbacks, which may still be called after the test body has returned.
   const auto refused = std::make_shared<std::atomic<int>>(0);
-  const auto hear = [refused](const Result<message::SubscribeReply>& answer) {
+  const auto hear = [refused](const Result<message::SubscribeReply>& reply) {
     constexpr std::string_view kWhy = "keeps at most 8192 waiting requests";
-    if (!answer && answer.error().message.find(kWhy) != std::string::npos) ++*refused;
+    if (!reply && reply.error().message.find(kWhy) != std::string::npos) ++*refused;
   };
 
   auto held = HoldUp(*robot);
@@ -326,9 +326,9 @@ TEST_P(GreedyViewer, RefusesOpeningInterfacesFasterThanServed) {
   constexpr int kMany = 100'000;
   // Shared with the callbacks, which may still be called after the test body has returned.
   const auto refused = std::make_shared<std::atomic<int>>(0);
-  const auto hear = [refused](const Result<message::OpenInterfaceReply>& answer) {
+  const auto hear = [refused](const Result<message::OpenInterfaceReply>& reply) {
     constexpr std::string_view kWhy = "keeps at most 8192 waiting requests";
-    if (!answer && answer.error().message.find(kWhy) != std::string::npos) ++*refused;
+    if (!reply && reply.error().message.find(kWhy) != std::string::npos) ++*refused;
   };
 
   auto held = HoldUp(*robot);
@@ -344,7 +344,7 @@ TEST_P(GreedyViewer, TooManyUnprocessedNoticesCloseTheChannel) {
 
   const auto held = HoldUp(*robot);
   // The worker waits while it executes this request.
-  greedy.Ask(WantingNewest(), [](const auto& /*answer*/) {});
+  greedy.Ask(WantingNewest(), [](const auto& /*reply*/) {});
   for (int sent = 0; sent < kMany && greedy.is_open();) sent += greedy.CloseAny() ? 1 : 0;
 
   EXPECT_TRUE(EventuallyTrue([&] { return !greedy.is_open(); }));
@@ -367,9 +367,9 @@ TEST_P(GreedyViewer, ManyUnsubscribesDoNotCloseTheChannel) {
 TEST_P(GreedyViewer, RefusesAFewLongPendingRequests) {
   const std::string name(std::size_t{900} << 10U, 'x');
   const auto refused = std::make_shared<std::atomic<int>>(0);
-  const auto hear = [refused](const Result<message::SubscribeReply>& answer) {
+  const auto hear = [refused](const Result<message::SubscribeReply>& reply) {
     constexpr std::string_view kWhy = "at most 8388608 bytes in total";
-    if (!answer && answer.error().message.find(kWhy) != std::string::npos) ++*refused;
+    if (!reply && reply.error().message.find(kWhy) != std::string::npos) ++*refused;
   };
 
   auto held = HoldUp(*robot);

@@ -119,9 +119,9 @@ class MutantMessages : public RemoteConnection {
   }
   template <typename T, typename Start>
   static bool Did(Start start) {
-    const auto answer = Wait<T>(kLongest, start);
-    EXPECT_TRUE(answer.ok()) << answer.error().message;
-    return answer.ok();
+    const auto reply = Wait<T>(kLongest, start);
+    EXPECT_TRUE(reply.ok()) << reply.error().message;
+    return reply.ok();
   }
 
   /// Returns the recorded messages, except for messages of the channel itself: a channel closes
@@ -151,7 +151,7 @@ class MutantMessages : public RemoteConnection {
           channel->Request(header.type, header.handle, body, kLongest, [](const auto&) {});
         }
       }
-      // Whatever the answer is, all earlier messages have been read.
+      // Whatever the reply is, all earlier messages have been read.
       (void)channel->Call(message::kPing, 0, EncodeBody(None{}), kLongest);
       channel->Close();
     }

@@ -138,10 +138,10 @@ TEST_P(HostileTexts, AHugeRefusalArrivesShortAndEscaped) {
                                      std::make_shared<ChannelHandler>(), kLong);
   ASSERT_TRUE(channel);
 
-  const auto answer = (*channel)->Call(static_cast<MessageType>(0x101), 0, Bytes{}, kLong);
+  const auto reply = (*channel)->Call(static_cast<MessageType>(0x101), 0, Bytes{}, kLong);
 
-  ASSERT_FALSE(answer);
-  ExpectTame(answer.error().message, "refusal");
+  ASSERT_FALSE(reply);
+  ExpectTame(reply.error().message, "refusal");
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ class Client : public test::GcmFixture {
     return Wait<std::string>(kLong, [&](auto handler) { client_->Call(path, argument, handler); });
   }
   std::string CallError(const std::string& path, const std::string& argument = {}) {
-    const auto answer = Call(path, argument);
-    return answer ? "no error: " + *answer : answer.error().message;
+    const auto reply = Call(path, argument);
+    return reply ? "no error: " + *reply : reply.error().message;
   }
 
   std::unique_ptr<FakeProcess> robot_;

@@ -22,11 +22,11 @@ class Filler final : public LinkHandler {
   explicit Filler(std::shared_ptr<Link> link) : link_(std::move(link)) { link_->Admit(); }
 
   void OnFrame(std::span<const std::byte> /*frame*/) override {}
-  void OnDirectFrame(std::span<const std::byte> frame, ReplySlot& answer) override {
+  void OnDirectFrame(std::span<const std::byte> frame, ReplySlot& reply) override {
     FrameHeader header = *ReadWholeFrame(frame);
     header.size = header.handle;
-    std::ranges::fill(*answer.Begin(header), static_cast<std::byte>(header.handle));
-    if (header.handle != kBroken) answer.End();
+    std::ranges::fill(*reply.Begin(header), static_cast<std::byte>(header.handle));
+    if (header.handle != kBroken) reply.End();
   }
   void OnClosed(const Error& /*reason*/) override {}
 

@@ -165,10 +165,10 @@ TEST_F(MalformedRequest, AHugeSequenceIsAnsweredWithAnError) {
 
   SendAll(socket, WithSequence(kHugeSize).Finished());
 
-  const Bytes answer = ReceiveAll(socket, 4096);
-  ASSERT_GT(answer.size(), kReplyStatusAt);
-  EXPECT_EQ(answer[8], std::byte{RawMessage::kReply});
-  const std::string text(reinterpret_cast<const char*>(answer.data()), answer.size());
+  const Bytes reply = ReceiveAll(socket, 4096);
+  ASSERT_GT(reply.size(), kReplyStatusAt);
+  EXPECT_EQ(reply[8], std::byte{RawMessage::kReply});
+  const std::string text(reinterpret_cast<const char*>(reply.data()), reply.size());
   EXPECT_NE(text.find("the parameters of 'frame' are malformed"), std::string::npos) << text;
 }
 

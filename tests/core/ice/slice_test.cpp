@@ -39,7 +39,7 @@ class GeneratedEndpoint final : public Endpoint {
     const std::scoped_lock lock(mutex_);
     return answer_;
   }
-  /// Sets the answer to all later requests.
+  /// Sets the reply to all later requests.
   void SetAnswer(const Bytes& answer) {
     const std::scoped_lock lock(mutex_);
     answer_ = ForIce(answer);

@@ -155,9 +155,9 @@ TEST(ManyCallers, GetTheirOwnReplies) {
   InThreads([&](std::uint64_t thread) {
     for (int i = 0; i < kCalls; ++i) {
       const std::int64_t question = static_cast<std::int64_t>(thread) * kCalls + i;
-      std::int64_t answer = 0;
-      const Status status = both.everybody.twice.Wait(question, answer, 60s);
-      if (status != Status::kDone || answer != 2 * question) ++wrong;
+      std::int64_t result = 0;
+      const Status status = both.everybody.twice.Wait(question, result, 60s);
+      if (status != Status::kDone || result != 2 * question) ++wrong;
     }
   });
 
@@ -239,10 +239,10 @@ TEST(ManyCallers, MayCallDuringADisconnect) {
   InThreads([&](std::uint64_t thread) {
     const std::string text(30, static_cast<char>('a' + thread));
     while (!is_over) {
-      std::int64_t answer = 0;
+      std::int64_t result = 0;
       if (everybody.say(text)) ++accepted;
-      (void)everybody.twice.Wait(1, answer, 60s);
-      (void)everybody.lengthened(1, answer);
+      (void)everybody.twice.Wait(1, result, 60s);
+      (void)everybody.lengthened(1, result);
     }
   });
   manager.join();

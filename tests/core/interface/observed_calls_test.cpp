@@ -162,8 +162,8 @@ TEST(ObservedCalls, HaveTheResultThatTheCallerWaitsFor) {
                              SchemaOf<Message>());
   const Executor executor(planner.inbox);
 
-  Message answer;
-  ASSERT_EQ(client.describe.Wait("plan ", answer, 20s), Status(Status::kDone));
+  Message reply;
+  ASSERT_EQ(client.describe.Wait("plan ", reply, 20s), Status(Status::kDone));
 
   EXPECT_EQ(observer.text(),
             R"({"took":0,"outcome":"executed","status":"done","argument":"plan ",)"
@@ -193,15 +193,15 @@ TEST(ObservedCalls, WithoutAResultDoNotShowThatOfAnEarlierCall) {
   const auto connection = ConnectionOf(required, server.desk);
   const CallWatcher observer(server.desk, "Double", SchemaOf<std::int32_t>(),
                              SchemaOf<std::int32_t>());
-  std::int32_t answer = 0;
+  std::int32_t reply = 0;
 
   {
     const Executor executor(server.inbox);
-    ASSERT_EQ(twice.Wait(4, answer, 20s), Status(Status::kDone));
-    ASSERT_EQ(twice.Wait(-1, answer, 20s), Status(Status::kFailed));
+    ASSERT_EQ(twice.Wait(4, reply, 20s), Status(Status::kDone));
+    ASSERT_EQ(twice.Wait(-1, reply, 20s), Status(Status::kFailed));
   }
   server.inbox.SetAccepting(false);
-  ASSERT_EQ(twice.Wait(5, answer, 20s), Status(Status::kNotActive));
+  ASSERT_EQ(twice.Wait(5, reply, 20s), Status(Status::kNotActive));
 
   ASSERT_EQ(observer.count(), 3U);
   EXPECT_THAT(observer.texts()[0], HasSubstr(R"("argument":4,"result":8)"));

@@ -119,15 +119,15 @@ TEST_P(ThrowingCopy, OfTheLatestValueFailsOnlyThatCall) {
 /// There are as many records for answers as mailbox slots.
 TEST_P(ThrowingCopy, OfAReplyFailsOnlyThatCall) {
   const Executor server(store_.inbox);
-  Fragile answer;
+  Fragile result;
   for (int i = 0; i < 10; ++i) {
     const ShortOfMemory memory;
-    EXPECT_EQ(give_.Wait(answer, 60s), Status::kFailed);
+    EXPECT_EQ(give_.Wait(result, 60s), Status::kFailed);
   }
 
-  EXPECT_EQ(give_.Wait(answer, 60s), Status::kDone);
+  EXPECT_EQ(give_.Wait(result, 60s), Status::kDone);
 
-  EXPECT_EQ(answer.number, 7);
+  EXPECT_EQ(result.number, 7);
 }
 
 TEST_P(ThrowingCopy, OfAnEventLosesOnlyThatEvent) {

@@ -230,11 +230,11 @@ TEST(Waiting, ForAThreadlessComponentCallsDirectly) {
   tendon::VoidReturnFunction<std::int32_t> count;
   required.AddFunction(count, "Count");
   const auto connection = Connection::Make(required, plain.plans, "a/R", "b/Plans");
-  std::int32_t answer = 0;
+  std::int32_t result = 0;
 
-  EXPECT_EQ(count.Wait(answer, 0ms), Status::kDone);
+  EXPECT_EQ(count.Wait(result, 0ms), Status::kDone);
 
-  EXPECT_EQ(answer, 42);
+  EXPECT_EQ(result, 42);
 }
 
 TEST(Waiting, ConvertsAReplyInAnotherLayout) {

@@ -53,12 +53,12 @@ TEST_F(BusyComponent, DoesNotBlockOthers) {
 }
 
 TEST_F(BusyComponent, RefusesFurtherRequestsMeanwhile) {
-  for (const auto& answer : {manager.Start("slow", kNoWait), manager.Stop("slow", 1ms),
-                             manager.Remove("slow", 1ms), manager.RunAfter("slow", "arm", 1ms)}) {
-    ASSERT_FALSE(answer.ok());
-    EXPECT_EQ(answer.error().code, ErrorCode::kTimeout);
-    EXPECT_THAT(answer.error().message, HasSubstr("component 'slow' is still busy with an earlier "
-                                                  "request"));
+  for (const auto& reply : {manager.Start("slow", kNoWait), manager.Stop("slow", 1ms),
+                            manager.Remove("slow", 1ms), manager.RunAfter("slow", "arm", 1ms)}) {
+    ASSERT_FALSE(reply.ok());
+    EXPECT_EQ(reply.error().code, ErrorCode::kTimeout);
+    EXPECT_THAT(reply.error().message, HasSubstr("component 'slow' is still busy with an earlier "
+                                                 "request"));
   }
   EXPECT_EQ(slow.configures, 1);
 

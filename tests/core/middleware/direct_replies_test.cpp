@@ -15,7 +15,7 @@ namespace {
 constexpr std::chrono::seconds kVeryLong(60);
 constexpr auto kOfSoManyBytes = static_cast<MessageType>(0x101);
 
-/// Answers at once. The request contains the number of bytes of the answer.
+/// Answers at once. The request contains the number of bytes of the reply.
 class Filler final : public ChannelHandler {
  public:
   void OnRequest(const std::shared_ptr<Channel>& /*channel*/, const FrameHeader& /*header*/,
@@ -45,7 +45,7 @@ class DirectReplies : public testing::Test {
     return *Channel::Open(client_, listener_->address(), hello_, std::make_shared<ChannelHandler>(),
                           kVeryLong);
   }
-  /// Returns the types of the messages in which an answer has arrived.
+  /// Returns the types of the messages in which a reply has arrived.
   std::set<MessageType> WayOf(Channel& channel, std::size_t size) {
     {
       const std::scoped_lock lock(mutex_);
@@ -58,7 +58,7 @@ class DirectReplies : public testing::Test {
     const std::scoped_lock lock(mutex_);
     return large_;
   }
-  /// Returns true if an answer returns directly at least once. The result of a measurement of the
+  /// Returns true if a reply returns directly at least once. The result of a measurement of the
   /// line is used for a second, so on a slow machine several tries are needed.
   bool IsOnceReturned(Channel& channel, std::size_t size) {
     for (int i = 0; i < 20; ++i) {

@@ -149,8 +149,8 @@ TEST(Handshake, AnAcceptorsProofCannotBeReflected) {
 
 TEST(Handshake, AProofCoversTheSession) {
   Talk talk;
-  const auto answer = talk.Answer(*talk.Hear(MessageType::kHello, talk.opener.Greet()));
-  auto proof = DecodeBody<Proof>(answer->body);
+  const auto reply = talk.Answer(*talk.Hear(MessageType::kHello, talk.opener.Greet()));
+  auto proof = DecodeBody<Proof>(reply->body);
   ++proof->session;
 
   EXPECT_FALSE(talk.Hear(MessageType::kProof, EncodeBody(*proof)));

@@ -132,11 +132,11 @@ TEST_F(NarrowLinkTest, ExpireResumesWaitingParts) {
 TEST_F(NarrowLinkTest, AFailedReplyIsRefusedAtOnce) {
   client_.link->is_memory_short = true;
 
-  const auto answer =
+  const auto reply =
       server_channel_->Call(static_cast<MessageType>(0x100), 0, Bytes(8), std::chrono::seconds(30));
 
-  ASSERT_FALSE(answer);
-  EXPECT_EQ(answer.error().code, ErrorCode::kFailed) << answer.error().message;
+  ASSERT_FALSE(reply);
+  EXPECT_EQ(reply.error().code, ErrorCode::kFailed) << reply.error().message;
 }
 
 TEST_F(NarrowLinkTest, AcknowledgesPartsAsSoonAsThereIsRoom) {

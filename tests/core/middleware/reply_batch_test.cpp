@@ -154,9 +154,9 @@ class ReplyBatcherTest : public testing::Test {
   void Ask(Channel& channel, std::size_t count) {
     const std::size_t before = keeper_->kept();
     for (std::size_t i = 0; i < count; ++i) {
-      channel.Request(kKept, 0, Bytes(), kLongEnough, [this](const Result<Bytes>& answer) {
+      channel.Request(kKept, 0, Bytes(), kLongEnough, [this](const Result<Bytes>& reply) {
         const std::scoped_lock lock(mutex_);
-        if (answer) ++answered_;
+        if (reply) ++answered_;
       });
     }
     ASSERT_TRUE(EventuallyTrue([&] { return keeper_->kept() == before + count; }));

@@ -52,11 +52,11 @@ TEST_P(Commands, QualifiedReadsTakeAnArgument) {
 
   pair.InClient([&](auto& port) {
     using P = PayloadIn<decltype(port)>;
-    bool answer = false;
+    bool result = false;
     EXPECT_TRUE(EventuallyTrue(
-        [&] { return port.is_at(Sample<P>(5), answer) == Status::kDone && answer; }));
-    EXPECT_EQ(port.is_at(Sample<P>(6), answer), Status::kDone);
-    EXPECT_FALSE(answer);
+        [&] { return port.is_at(Sample<P>(5), result) == Status::kDone && result; }));
+    EXPECT_EQ(port.is_at(Sample<P>(6), result), Status::kDone);
+    EXPECT_FALSE(result);
   });
 }
 

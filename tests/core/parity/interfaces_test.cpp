@@ -68,11 +68,11 @@ TEST_P(Interfaces, ReconnectWhileBothRun) {
     pair.InClient([](auto& port) {
       using P = PayloadIn<decltype(port)>;
       P value;
-      bool answer = false;
+      bool result = false;
       EXPECT_EQ(port.write(Sample<P>(1)), Status::kNotConnected);
       EXPECT_EQ(port.reset.Wait(kLong), Status::kNotConnected);
       EXPECT_EQ(port.read(value), Status::kNotConnected);
-      EXPECT_EQ(port.is_at(value, answer), Status::kNotConnected);
+      EXPECT_EQ(port.is_at(value, result), Status::kNotConnected);
       EXPECT_EQ(port.take.Wait(value, kLong), Status::kNotConnected);
       EXPECT_EQ(port.settled.Wait(value, kLong), Status::kNotConnected);
       EXPECT_EQ(port.dones, 0);

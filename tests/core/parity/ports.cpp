@@ -84,8 +84,8 @@ void ServerPort<P>::Swap(const P& value, P& last) {
 }
 
 template <tendon::Payload P>
-void ServerPort<P>::IsAt(const P& row, const P& question, bool& answer) {
-  answer = BytesOf(row) == BytesOf(question);
+void ServerPort<P>::IsAt(const P& row, const P& question, bool& result) {
+  result = BytesOf(row) == BytesOf(question);
 }
 
 template <tendon::Payload P>

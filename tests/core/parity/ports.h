@@ -53,7 +53,7 @@ class ServerPort {
   static void Filter(const P& value, Filtered& filtered);
   void Take(P& value);
   void Swap(const P& value, P& last);
-  static void IsAt(const P& row, const P& question, bool& answer);
+  static void IsAt(const P& row, const P& question, bool& result);
   void WriteDirect(const P& value);
   void Count(std::int32_t& count) const;
   void Block();

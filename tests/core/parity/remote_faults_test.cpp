@@ -84,15 +84,15 @@ TEST_P(FrozenPeer, AQueuedCallWaitsForNoAnswer) {
 }
 
 TEST_P(FrozenPeer, AReadEndsAtItsDeadlineAndDoesNotSucceedAfterwards) {
-  std::uint64_t answer = 0;
-  ASSERT_TRUE(EventuallyTrue([&] { return bool(user->ask(answer)); }));
+  std::uint64_t result = 0;
+  ASSERT_TRUE(EventuallyTrue([&] { return bool(user->ask(result)); }));
   Freeze();
-  answer = 0;
+  result = 0;
 
-  EXPECT_EQ(user->ask(answer), Status::kTimeout);
-  EXPECT_EQ(user->ask(answer), Status::kTimeout);
+  EXPECT_EQ(user->ask(result), Status::kTimeout);
+  EXPECT_EQ(user->ask(result), Status::kTimeout);
 
-  EXPECT_EQ(answer, 0U);
+  EXPECT_EQ(result, 0U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Over, FrozenPeer,

@@ -16,7 +16,7 @@ class TwoHosts {
  public:
   explicit TwoHosts(nanoseconds offset, double drift = 0.0) : offset_(offset), drift_(drift) {}
 
-  /// Sends a request. `there` and `back` are the delays of the request and of its answer.
+  /// Sends a request. `there` and `back` are the delays of the request and of its reply.
   void Ask(nanoseconds there, nanoseconds back) {
     const SteadyTime sent = now_;
     const SteadyTime answered = Theirs(now_ + there);

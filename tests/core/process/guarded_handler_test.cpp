@@ -224,11 +224,11 @@ TEST_P(GuardedTest, AnInvalidRoleCountsAsTheLowest) {
 TEST_P(GuardedTest, DeniesUnlistedMessagesToAll) {
   const auto channel = Lowered({});
 
-  const auto answer = channel->Call(static_cast<MessageType>(0x3ff), 0, {}, kPatience);
+  const auto reply = channel->Call(static_cast<MessageType>(0x3ff), 0, {}, kPatience);
 
-  ASSERT_FALSE(answer.ok());
-  EXPECT_EQ(answer.error().code, ErrorCode::kDenied);
-  EXPECT_EQ(answer.error().message, "message 1023 is not allowed for any role");
+  ASSERT_FALSE(reply.ok());
+  EXPECT_EQ(reply.error().code, ErrorCode::kDenied);
+  EXPECT_EQ(reply.error().message, "message 1023 is not allowed for any role");
   EXPECT_TRUE(Stop(*channel).ok());
   channel->Close();
 }
@@ -239,10 +239,10 @@ TEST_P(GuardedTest, DeniesALargeMessageAtItsFirstPart) {
   const tendon::Bytes viewer = tendon::EncodeBody(static_cast<std::uint8_t>(Role::kViewer));
   const auto channel = Lowered({viewer}, way);
 
-  const auto answer =
+  const auto reply =
       channel->Call(tendon::message::kCallMember, 0, large, kPatience, tendon::kOwnLane);
 
-  ExpectDenied(answer, "call a command");
+  ExpectDenied(reply, "call a command");
   EXPECT_THAT(audit.lines(), Contains(HasSubstr("call a command: refused")));
   EXPECT_FALSE(Stop(*channel).ok());
   EXPECT_TRUE(channel->is_open());
@@ -254,11 +254,11 @@ TEST_P(GuardedTest, LimitsTheSizeOfViewerMessages) {
   tendon::conformance::HaltingMiddleware way(middleware, 1);
   const auto channel = Lowered({}, way);
 
-  const auto answer =
+  const auto reply =
       channel->Call(tendon::message::kGetSchemas, 0, large, kPatience, tendon::kOwnLane);
 
-  ASSERT_FALSE(answer.ok());
-  EXPECT_EQ(answer.error(),
+  ASSERT_FALSE(reply.ok());
+  EXPECT_EQ(reply.error(),
             (tendon::Error{ErrorCode::kInvalid,
                            "'read schemas' accepts messages of at most 1048576 bytes, got "
                            "1048577"}));

@@ -281,7 +281,7 @@ class Idler final : public tendon::NetworkJob {
   bool is_over_ = false;
 };
 
-/// A member of a GCM. Its lease renewals are counted, and their answers can be dropped.
+/// A member of a GCM. Its lease renewals are counted, and their replies can be dropped.
 class Lease : public testing::Test {
  protected:
   Lease() {

@@ -55,7 +55,7 @@ TEST(KeepExpiring, ExpiresRequestsOnAnIdleChannel) {
 
   channel->Request(static_cast<tendon::MessageType>(0x101), 0, Bytes(),
                    std::chrono::milliseconds(1),
-                   [&](tendon::Result<Bytes> answer) { outcome.set_value(std::move(answer)); });
+                   [&](tendon::Result<Bytes> reply) { outcome.set_value(std::move(reply)); });
   KeepExpiring(worker, channel);
 
   auto ended = outcome.get_future();

@@ -90,7 +90,7 @@ struct ServerEnd final : ChannelHandler {
   std::shared_ptr<RequiredInterfaceProxy> proxy;
 };
 
-/// A read that requests room for its answer, and then fails before it writes the answer.
+/// A read that requests room for its result, and then fails before it writes the result.
 class TornRead final : public Offer {
  public:
   using Offer::Offer;

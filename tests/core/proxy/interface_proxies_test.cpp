@@ -115,14 +115,14 @@ TEST_F(InterfaceProxies, SendKeptCallsWhenTheConnectionEnds) {
 }
 
 TEST_F(InterfaceProxies, AnswerReadsAtOnce) {
-  int answer = 0;
-  EXPECT_EQ(count(answer), Status(Status::kDone));
-  EXPECT_EQ(answer, 17);
+  int reply = 0;
+  EXPECT_EQ(count(reply), Status(Status::kDone));
+  EXPECT_EQ(reply, 17);
 }
 
 TEST_F(InterfaceProxies, AFailedReadLeaksNoEarlierAnswer) {
-  int answer = 0;
-  ASSERT_EQ(count(answer), Status(Status::kDone));
+  int reply = 0;
+  ASSERT_EQ(count(reply), Status(Status::kDone));
 
   const auto torn_answer = channel->Call(message::kRead, kServerHandle + 6, EncodeBody(None{}),
                                          std::chrono::seconds(20));

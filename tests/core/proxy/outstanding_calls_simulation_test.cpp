@@ -93,9 +93,9 @@ class Link {
     }
     is_sent_[slot] = true;
     if (peer == Peer::kIsSilent) return callers_.End(*call, Error{ErrorCode::kTimeout, "late"});
-    Bytes answer = Answer(slot);
-    AppendStatus(Status::kDone, answer);
-    callers_.End(*call, std::move(answer));
+    Bytes result = Answer(slot);
+    AppendStatus(Status::kDone, result);
+    callers_.End(*call, std::move(result));
   }
 
   static Bytes Answer(std::size_t slot) { return Bytes(slot + 1); }

@@ -398,11 +398,11 @@ TEST_F(ReplayTest, ACommandIsRefusedWithASentenceThatNamesTheRecording) {
   ASSERT_TRUE(EventuallyTrue(
       [&] { return client.catalogue().FindComponent("rehearsal", "instrument") != nullptr; }));
 
-  const auto answer = Wait<std::string>(
+  const auto reply = Wait<std::string>(
       30s, [&](auto handler) { client.Call("rehearsal/instrument/Control.Move", "1.5", handler); });
 
-  ASSERT_FALSE(answer);
-  EXPECT_THAT(answer.error().message, HasSubstr("this is a replay of run.mcap"));
+  ASSERT_FALSE(reply);
+  EXPECT_THAT(reply.error().message, HasSubstr("this is a replay of run.mcap"));
   const Catalogue catalogue = client.catalogue();
   EXPECT_EQ(catalogue.FindComponent("rehearsal", "instrument")->library, "replay of run.mcap");
 }

@@ -94,16 +94,16 @@ void ExpectTheTable(const Transition& cell, Arguments... arguments) {
   Bring(component, component, cell.from);
   const int configures = component.configures;
 
-  const auto answer = Ask(component, cell.request);
+  const auto reply = Ask(component, cell.request);
 
   EXPECT_EQ(component.state(), cell.to);
   EXPECT_EQ(component.configures - configures, cell.configures_first ? 1 : 0);
   if (cell.refusal.empty()) {
-    EXPECT_TRUE(answer.ok()) << answer.error().message;
+    EXPECT_TRUE(reply.ok()) << reply.error().message;
   } else {
-    ASSERT_FALSE(answer.ok());
-    EXPECT_EQ(answer.error().code, ErrorCode::kFailed);
-    EXPECT_EQ(answer.error().message,
+    ASSERT_FALSE(reply.ok());
+    EXPECT_EQ(reply.error().code, ErrorCode::kFailed);
+    EXPECT_EQ(reply.error().message,
               "component 'arm' is " + std::string(ToString(cell.from)) + std::string(cell.refusal));
   }
 }
@@ -162,9 +162,9 @@ TEST(Lifecycle, RefusesRequestsDuringAStart) {
   ASSERT_TRUE(arm.Start(kNoWait).ok());
 
   for (const LifecycleRequest request : {LifecycleRequest::kStart, LifecycleRequest::kSuspend}) {
-    const auto answer = Ask(arm, request);
-    ASSERT_FALSE(answer.ok());
-    EXPECT_EQ(answer.error().message,
+    const auto reply = Ask(arm, request);
+    ASSERT_FALSE(reply.ok());
+    EXPECT_EQ(reply.error().message,
               "component 'arm' is still starting; wait until it is active, or stop it");
   }
   EXPECT_EQ(arm.state(), ComponentState::kReady);

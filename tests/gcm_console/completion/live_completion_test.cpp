@@ -21,7 +21,7 @@ class LiveCompletionTest : public SystemFixture {
     hall = StartLcm("hall", (home.path() / "hall.json").string());
     ASSERT_TRUE(EventuallySays({"ls", "hall"}, "crier\tactive")) << hall->err();
     shell = std::make_unique<Terminal>(
-        // If a key press waited for an answer with this time-out, the test would fail.
+        // If a key press waited for a reply with this time-out, the test would fail.
         Binary("gcm") + " --gcm " + address + " --timeout 10min shell",
         std::map<std::string, std::string>{{"XDG_STATE_HOME", home.path().string()},
                                            {"HOME", home.path().string()}},
@@ -30,7 +30,7 @@ class LiveCompletionTest : public SystemFixture {
     shell->Type("status\r");  // the prompt shows the output when the catalogue has arrived
     ASSERT_TRUE(shell->Shows("all is well\r\ngcm> ")) << shell->seen();
   }
-  /// Types the line, which contains a Tab, until the output contains `text`. The answer of the
+  /// Types the line, which contains a Tab, until the output contains `text`. The reply of the
   /// process may arrive too late for the first Tab.
   bool Says(const std::string& line, const std::string& text) const {
     return EventuallyTrue([&] {

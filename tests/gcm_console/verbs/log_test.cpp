@@ -111,9 +111,9 @@ TEST_F(LogTest, SetsLogLevelsRemotely) {
                                  " has set the log level of process 'hall' to error"));
 
   const std::string silent = Gcm(log).out;
-  const json answer = json::parse(Gcm({"--json", "log-level", "hall", "info"}).out);
-  EXPECT_EQ(answer["process"], "hall");
-  EXPECT_EQ(answer["level"], "info");
+  const json result = json::parse(Gcm({"--json", "log-level", "hall", "info"}).out);
+  EXPECT_EQ(result["process"], "hall");
+  EXPECT_EQ(result["level"], "info");
   EXPECT_TRUE(EventuallyTrue([&] { return Gcm(log).out != silent; }));
 }
 

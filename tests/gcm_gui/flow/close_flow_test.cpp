@@ -42,7 +42,7 @@ TEST_F(CloseFlow, AHangingProcessDoesNotBlockClosing) {
   const ProcessDescription robot =
       // The last known state before it was stopped.
       session_->store().catalogue().FindProcess("robot")->process;
-  std::optional<Result<std::string>> answer;  // outlives the session, which fills it
+  std::optional<Result<std::string>> reply;  // outlives the session, which fills it
   // The time-out is longer than the test, so a wait for the handshake would make the test fail.
   auto session = std::make_unique<GcmSession>(*program::MakeMiddleware({}), address_, false,
                                               Role::kOperator, 10min);
@@ -51,15 +51,15 @@ TEST_F(CloseFlow, AHangingProcessDoesNotBlockClosing) {
   const int before = ConnectionsTo(robot.address);
   ASSERT_GE(before, 0);
 
-  session->readValue("robot/arm/Control.GetJoints", [&](const auto& heard) { answer = heard; });
+  session->readValue("robot/arm/Control.GetJoints", [&](const auto& heard) { reply = heard; });
   session->liveSignals().subscribe("robot/arm/state.Joints.position[0]");
   ASSERT_TRUE(Eventually([&] { return ConnectionsTo(robot.address) > before + 1; }))
       << before << " before, now " << ConnectionsTo(robot.address);
   const ConnectCancellation end;  // the program does the same after its window is closed
 
-  ASSERT_TRUE(Eventually([&] { return answer.has_value(); }));
-  ASSERT_FALSE(*answer);
-  EXPECT_THAT(answer->error().message, testing::HasSubstr(ConnectCancelledError().message))
+  ASSERT_TRUE(Eventually([&] { return reply.has_value(); }));
+  ASSERT_FALSE(*reply);
+  EXPECT_THAT(reply->error().message, testing::HasSubstr(ConnectCancelledError().message))
       << "it was waited for all the same";
   session.reset();
   robot_->Signal(SIGCONT);

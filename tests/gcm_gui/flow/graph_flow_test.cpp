@@ -109,18 +109,18 @@ TEST_F(GraphFlowTest, RequestsToAStoppedProcessDoNotBlock) {
     robot_->Signal(SIGSTOP);
     WatchHandlers();
 
-    const auto answer = std::make_shared<std::string>();
-    QTimer::singleShot(0, window_.get(), [this, answer] {
-      session_->callCommand("robot/arm/Control.Stop", {}, [answer](const auto& came, double) {
-        *answer = came ? "done" : came.error().message;
+    const auto result = std::make_shared<std::string>();
+    QTimer::singleShot(0, window_.get(), [this, result] {
+      session_->callCommand("robot/arm/Control.Stop", {}, [result](const auto& came, double) {
+        *result = came ? "done" : came.error().message;
       });
       session_->reports().listen(window_.get(), {});
       session_->reports().listen(window_.get(), {"robot/arm/**"});
       window_->selection().select(QStringLiteral("robot/host_monitor"));
       window_->selection().select(QStringLiteral("robot/arm"));
     });
-    ASSERT_TRUE(Eventually([&] { return !answer->empty() && IsGrey("robot/arm"); }));
-    EXPECT_TRUE(answer->starts_with("process 'robot' is lost")) << *answer;
+    ASSERT_TRUE(Eventually([&] { return !result->empty() && IsGrey("robot/arm"); }));
+    EXPECT_TRUE(result->starts_with("process 'robot' is lost")) << *result;
     ExpectNoHandlerStalled(round, "answered and grey");
 
     WatchHandlers();

@@ -142,10 +142,10 @@ TEST_F(GcmSessionTest, FindsTheTypeOfACommandAndCallsIt) {
   ASSERT_TRUE(Eventually([&] { return schema.has_value(); }));
   EXPECT_EQ(schema->TypeName(), "plant.Move");
 
-  int answers = 0;
+  int replies = 0;
   session_->callCommand("robot/plant/Control.MoveTo", R"({"number":7,"goal":[1,2,3]})",
-                        [&](const auto& answer, double) { answers += answer.ok() ? 1 : 0; });
-  ASSERT_TRUE(Eventually([&] { return answers == 1; }));
+                        [&](const auto& reply, double) { replies += reply.ok() ? 1 : 0; });
+  ASSERT_TRUE(Eventually([&] { return replies == 1; }));
 
   EXPECT_EQ(session_->activity().action(0).outcome, Action::Outcome::kDone);
   EXPECT_FALSE(session_->activity().canUndo(0));
@@ -160,7 +160,7 @@ TEST_F(GcmSessionTest, TheActivityShowsARefusedCall) {
   std::optional<Error> refusal;
 
   session_->callCommand("robot/plant/Control.MoveTo", R"({"number":"x"})",
-                        [&](const auto& answer, double) { refusal = answer.error(); });
+                        [&](const auto& reply, double) { refusal = reply.error(); });
   ASSERT_TRUE(Eventually([&] { return refusal.has_value(); }));
 
   EXPECT_EQ(session_->activity().action(0).outcome, Action::Outcome::kRefused);
@@ -184,7 +184,7 @@ TEST_F(GcmSessionTest, ACallFailsWhenItsProcessIsLost) {
   std::optional<Error> told;
 
   session_->callCommand("robot/plant/Control.Stop", {},
-                        [&](const auto& answer, double) { told = answer.error(); });
+                        [&](const auto& reply, double) { told = reply.error(); });
   ASSERT_TRUE(Eventually([&] { return told.has_value(); }));
   network_->SetFaultInjector(nullptr);
 
@@ -297,7 +297,7 @@ TEST_F(GcmSessionTest, CanBeDestroyedDuringARequest) {
   session_->connectInterfaces(kOperated, kPlantControl);
   session_.reset();
 
-  QTest::qWait(50);  // a late answer would arrive now
+  QTest::qWait(50);  // a late reply would arrive now
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ class RecordingActions final : public SystemActions {
 };
 
 /// Knows the schema of one type, and records the calls: "robot/arm/Control.MoveTo {...}". The test
-/// gives the answers.
+/// gives the results.
 class ScriptedCalls final : public CommandCalls {
  public:
   void findSchema(const std::string& process, Fingerprint type, SchemaHandler handler) override;
@@ -145,7 +145,7 @@ class ScriptedSignals final : public SignalSource {
   QMap<QString, NumericFieldList> shapes_;
 };
 
-/// Records the requests; the test gives the answers, and sends log and events with its Qt signals.
+/// Records the requests; the test gives the replies, and sends log and events with its Qt signals.
 class ScriptedReports final : public SystemReports {
   Q_OBJECT
 
@@ -183,7 +183,7 @@ class ScriptedReports final : public SystemReports {
   std::vector<Handler<ConnectionCounts>> count_handlers;  ///< handlers that the test must call
   Result<MailboxFill> fill = MailboxFill();
   Result<message::ProcessHistoryState> history = message::ProcessHistoryState();
-  /// The answer; if empty, the request is never answered.
+  /// The reply; if empty, the request is never answered.
   std::optional<Result<message::Children>> children = message::Children();
   QStringList asked_for_classes;  ///< the processes that were asked for their classes
   std::vector<Handler<message::Classes>> class_handlers;  ///< handlers that the test must call

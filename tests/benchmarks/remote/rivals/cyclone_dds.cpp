@@ -122,7 +122,7 @@ class Client final : public RivalClient {
     throw std::runtime_error("CycloneDDS: nobody answers");
   }
 
-  void Read(Message& /*answer*/) override {
+  void Read(Message& /*reply*/) override {
     if (!Ask(DDS_SECS(10))) throw std::runtime_error("CycloneDDS: no answer in time");
   }
 
@@ -130,9 +130,9 @@ class Client final : public RivalClient {
   bool Ask(dds_duration_t patience) {
     const Sample question{.number = ++last_};
     end_.Write(question);
-    Sample answer;
+    Sample reply;
     while (dds_waitset_wait(arrivals_, nullptr, 0, patience) > 0) {
-      if (end_.Take(answer) && answer.number == question.number) return true;
+      if (end_.Take(reply) && reply.number == question.number) return true;
     }
     return false;
   }

@@ -30,8 +30,8 @@ class RivalClient {
   RivalClient& operator=(const RivalClient&) = delete;
   virtual ~RivalClient() = default;
 
-  /// Sends a request and waits for the answer; throws if there is none in time.
-  virtual void Read(Message& answer) = 0;
+  /// Sends a request and waits for the reply; throws if there is none in time.
+  virtual void Read(Message& reply) = 0;
 };
 
 /// A middleware that Tendon is compared with in addition to raw Ice; available if its package was

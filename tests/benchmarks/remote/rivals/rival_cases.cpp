@@ -18,9 +18,9 @@ std::vector<Case> RivalCases(const Effort& effort, const TheSystem& system) {
     const auto read_theirs = [=, id = rival.id](RemoteSystem& both) {
       RivalClient& client = both.rival(id);
       return NanosecondsEach(reads, [&](std::uint64_t) {
-        Message answer{};
-        client.Read(answer);
-        Use(answer);
+        Message reply{};
+        client.Read(reply);
+        Use(reply);
       });
     };
     all.push_back({.id = rival.id,

@@ -56,10 +56,10 @@ class Server final : public RivalServer {
 
  private:
   void Serve() {
-    const Message answer{};
+    const Message reply{};
     char question = 0;
     while (zmq_recv(socket_.get(), &question, 1, 0) >= 0) {
-      zmq_send(socket_.get(), answer.data(), sizeof(answer), 0);
+      zmq_send(socket_.get(), reply.data(), sizeof(reply), 0);
     }
   }
 
@@ -73,13 +73,13 @@ class Client final : public RivalClient {
   explicit Client(const std::string& address) {
     Require(zmq_setsockopt(socket_.get(), ZMQ_RCVTIMEO, &kPatience, sizeof(kPatience)) == 0);
     Require(zmq_connect(socket_.get(), address.c_str()) == 0);
-    Message answer{};
-    Read(answer);
+    Message reply{};
+    Read(reply);
   }
 
-  void Read(Message& answer) override {
+  void Read(Message& reply) override {
     Require(zmq_send(socket_.get(), "?", 1, 0) == 1);
-    Require(zmq_recv(socket_.get(), answer.data(), sizeof(answer), 0) == sizeof(answer));
+    Require(zmq_recv(socket_.get(), reply.data(), sizeof(reply), 0) == sizeof(reply));
   }
 
  private:

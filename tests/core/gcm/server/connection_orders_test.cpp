@@ -226,7 +226,7 @@ TEST_P(ConnectionOrders, AHungDiskDelaysTheReplyButNoLease) {
   const auto file = folder_.path() / ("history-127.0.0.1-" + port + ".jsonl");
   ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);  // opening the pipe blocks until it is read
   std::promise<Result<ConnectionDescription>> promise;
-  auto answer = promise.get_future();
+  auto reply = promise.get_future();
   client_->Connect(kRobot, kControl, [&](auto made) { promise.set_value(std::move(made)); });
   ASSERT_TRUE(EventuallyTrue([&] { return Connection().has_value(); }));
 
@@ -236,10 +236,10 @@ TEST_P(ConnectionOrders, AHungDiskDelaysTheReplyButNoLease) {
     return StateOf("robot") == ProcessState::kLost;
   }));
   EXPECT_EQ(Steps(*client_).size(), 1U);  // the step is known, although it was not saved
-  EXPECT_EQ(answer.wait_for(0ms), std::future_status::timeout);
+  EXPECT_EQ(reply.wait_for(0ms), std::future_status::timeout);
 
   const std::ifstream disk_that_works_again(file);
-  EXPECT_TRUE(answer.get());
+  EXPECT_TRUE(reply.get());
 }
 
 TEST_P(ConnectionOrders, HistoryRecordsActionAuthorAndTime) {

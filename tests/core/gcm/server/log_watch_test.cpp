@@ -59,7 +59,7 @@ TEST_P(LogWatching, EveryViewerReadsWhatAProcessLogs) {
 TEST_P(LogWatching, ANewViewerReadsEarlierRecords) {
   const auto robot = Join("robot", {});
   ASSERT_TRUE(robot->SendLog({0, {Record("a"), Record("b")}}));
-  ASSERT_TRUE(robot->Leave());  // the answer comes after the records were taken
+  ASSERT_TRUE(robot->Leave());  // the reply comes after the records were taken
 
   const auto reader = std::make_shared<LogKeeper>();
   const auto client = Read(reader);
@@ -136,7 +136,7 @@ TEST_P(LogWatching, IgnoresRecordsOfAProcessThatLeft) {
   const auto robot = Join("robot", {});
   ASSERT_TRUE(robot->Leave());
   ASSERT_TRUE(robot->SendLog({0, {Record("a")}}));
-  ASSERT_TRUE(robot->Renew());  // the answer comes after the record was processed
+  ASSERT_TRUE(robot->Renew());  // the reply comes after the record was processed
 
   const auto again = Join("robot", {});
   ASSERT_TRUE(again->SendLog({0, {Record("b")}}));

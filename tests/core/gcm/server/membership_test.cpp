@@ -197,10 +197,10 @@ TEST_P(Membership, RefusesUnknownMessagesWithoutHarm) {
   const std::uint64_t revision = gcm_->catalogue().revision();
 
   for (std::uint16_t type = 0x300; type < 0x330; ++type) {
-    const auto answer = (*channel)->Call(static_cast<MessageType>(type), 0, junk, kLong);
+    const auto reply = (*channel)->Call(static_cast<MessageType>(type), 0, junk, kLong);
     const bool has_no_body = type == 0x302 || type == 0x303 || type == 0x310 || type == 0x314 ||
                              type == 0x31a || type == 0x31c || type == 0x31d;
-    EXPECT_EQ(answer.ok(), has_no_body) << type;
+    EXPECT_EQ(reply.ok(), has_no_body) << type;
     EXPECT_TRUE((*channel)->Notify(static_cast<MessageType>(type), 0, junk));
   }
 

@@ -20,7 +20,7 @@ class StartingProcess : public SupervisorTest {
 };
 
 TEST_F(StartingProcess, IsShownAsStartingUntilItJoins) {
-  const auto answer = Order(ProcessVerb::kStart);
+  const auto reply = Order(ProcessVerb::kStart);
   ASSERT_TRUE(Comes([this] { return HasPid(1); }));
   Locked([&] {
     EXPECT_EQ(State(), "starting");
@@ -31,7 +31,7 @@ TEST_F(StartingProcess, IsShownAsStartingUntilItJoins) {
   });
 
   Join({test::Arm()});
-  ASSERT_TRUE(IsAnswered(answer));
+  ASSERT_TRUE(IsAnswered(reply));
   Locked([&] { EXPECT_EQ(State(), "alive"); });
 
   End(kKilled);
@@ -45,13 +45,13 @@ TEST_F(StartingProcess, IsShownAsStartingUntilItJoins) {
 }
 
 TEST_F(StartingProcess, LeavesNoTraceIfItDoesNotJoin) {
-  const auto answer = Order(ProcessVerb::kStart);
+  const auto reply = Order(ProcessVerb::kStart);
   ASSERT_TRUE(Comes([this] { return HasPid(1); }));
   Locked([this] { launcher_->process()->end = kKilled; });
 
-  ASSERT_TRUE(IsAnswered(answer));
+  ASSERT_TRUE(IsAnswered(reply));
 
-  EXPECT_THAT(answer->text, HasSubstr("was ended by SIGKILL before it had joined"));
+  EXPECT_THAT(reply->text, HasSubstr("was ended by SIGKILL before it had joined"));
   Locked([this] { EXPECT_EQ(registry_.catalogue().FindProcess("robot"), nullptr); });
 }
 

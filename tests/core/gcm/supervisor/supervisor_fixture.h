@@ -130,7 +130,7 @@ class SupervisorTest : public testing::Test {
   testing::AssertionResult IsAnswered(const SharedAnswer& answer) {
     return Comes([&] { return answer->is_here.load(); });
   }
-  /// Returns the answer to an order that needs no process.
+  /// Returns the reply to an order that needs no process.
   static std::string TextOf(const SharedAnswer& answer) {
     EXPECT_TRUE(EventuallyTrue([&] { return answer->is_here.load(); }));
     return answer->text;

@@ -21,31 +21,31 @@ TEST_F(SupervisorTest, ChecksTheLogOfARunningProcessEachSecond) {
 }
 
 TEST_F(SupervisorTest, AStartCompletesWhenTheProcessJoins) {
-  const auto answer = Order(ProcessVerb::kStart);
+  const auto reply = Order(ProcessVerb::kStart);
   ASSERT_TRUE(Comes([this] { return launcher_->starts() == 1; }));
   EXPECT_FALSE(launcher_->order().system);
   EXPECT_EQ(launcher_->order().patience, 5s);
-  EXPECT_FALSE(answer->is_here);
+  EXPECT_FALSE(reply->is_here);
 
   Join();
 
-  EXPECT_TRUE(IsAnswered(answer));
-  EXPECT_EQ(answer->text, "");
+  EXPECT_TRUE(IsAnswered(reply));
+  EXPECT_EQ(reply->text, "");
   ASSERT_EQ(history_.steps().entries.size(), 1U);
   EXPECT_EQ(ToString(history_.steps().entries[0]), "start robot");
   EXPECT_EQ(history_.steps().entries[0].who, "test");
 }
 
 TEST_F(SupervisorTest, ANamesakeIsNotTakenForTheStartedProcess) {
-  const auto answer = Order(ProcessVerb::kStart);
+  const auto reply = Order(ProcessVerb::kStart);
   ASSERT_TRUE(Comes([this] { return launcher_->starts() == 1; }));
   Locked([this] {
     ASSERT_TRUE(registry_.Join({test::ProcessNamed("robot", 9), {}, {}}, 0, nullptr));
     launcher_->process()->end = {true, "ended with exit code 1"};
   });
 
-  ASSERT_TRUE(IsAnswered(answer));
-  EXPECT_EQ(answer->text,
+  ASSERT_TRUE(IsAnswered(reply));
+  EXPECT_EQ(reply->text,
             "process 'robot' ended with exit code 1 before it had joined; its last output: alas; "
             "its log: "
             "robot.log");
@@ -54,9 +54,9 @@ TEST_F(SupervisorTest, ANamesakeIsNotTakenForTheStartedProcess) {
 
 TEST_F(SupervisorTest, ReportsProcessesThatCannotBeStarted) {
   launcher_->refusal = "no such program";
-  const auto answer = Order(ProcessVerb::kStart);
-  ASSERT_TRUE(IsAnswered(answer));
-  EXPECT_EQ(answer->text, "no such program");
+  const auto reply = Order(ProcessVerb::kStart);
+  ASSERT_TRUE(IsAnswered(reply));
+  EXPECT_EQ(reply->text, "no such program");
 
   Locked([this] {
     launcher_->refusal = "";
@@ -70,13 +70,13 @@ TEST_F(SupervisorTest, ReportsProcessesThatCannotBeStarted) {
 }
 
 TEST_F(SupervisorTest, EndsAProcessThatNeverJoins) {
-  const auto answer = Order(ProcessVerb::kStart);
+  const auto reply = Order(ProcessVerb::kStart);
   ASSERT_TRUE(Comes([this] { return launcher_->starts() == 1; }));
   ASSERT_TRUE(Comes([this] {
     clock_.Advance(1s);
     return launcher_->process()->terminated;
   }));
-  EXPECT_FALSE(answer->is_here);
+  EXPECT_FALSE(reply->is_here);
   EXPECT_FALSE(launcher_->process()->killed);
   EXPECT_THAT(TextOf(Order(ProcessVerb::kStart)), HasSubstr("was already started as pid 1"));
 
@@ -85,8 +85,8 @@ TEST_F(SupervisorTest, EndsAProcessThatNeverJoins) {
   EXPECT_TRUE(launcher_->process()->killed);
   Locked([this] { launcher_->process()->end = kKilled; });
 
-  ASSERT_TRUE(IsAnswered(answer));
-  EXPECT_EQ(answer->text,
+  ASSERT_TRUE(IsAnswered(reply));
+  EXPECT_EQ(reply->text,
             "process 'robot' has not joined within 5000 ms, so the GCM has ended it; its last "
             "output: alas; its log: robot.log");
 }
@@ -203,9 +203,9 @@ TEST_F(SupervisorTest, APendingRestartCanBeCancelled) {
   End(kKilled);
   ASSERT_TRUE(Comes([this] { return ReasonNow().find("restarted in") != std::string::npos; }));
 
-  const auto answer = Order(ProcessVerb::kKill);
+  const auto reply = Order(ProcessVerb::kKill);
 
-  EXPECT_EQ(TextOf(answer), "");
+  EXPECT_EQ(TextOf(reply), "");
   clock_.Advance(1h);
   Tick();
   EXPECT_EQ(launcher_->starts(), 1U);

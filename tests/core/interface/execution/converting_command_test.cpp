@@ -117,11 +117,11 @@ TEST(ConvertingCommand, AllocatesOnlyInTheTarget) {
 TEST(ConvertingCommand, PassesBytesToATargetThatTakesBytes) {
   EchoingTarget target;
   tendon::ConvertingCommand<std::string, std::string> command(target);
-  std::string answer;
+  std::string result;
 
-  EXPECT_EQ(command.Execute("to and fro", answer), Status::kDone);
+  EXPECT_EQ(command.Execute("to and fro", result), Status::kDone);
 
-  EXPECT_EQ(answer, "to and fro");
+  EXPECT_EQ(result, "to and fro");
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ class HungPeers : public RemoteConnection {
   }
   [[nodiscard]] bool IsWaitingForAPeer() const { return !links_->waiting().empty(); }
 
-  /// Expects an answer to a request that desk executes in its worker.
+  /// Expects a reply to a request that desk executes in its worker.
   void ExpectThatDeskAnswers() {
     const auto fill = channel_->Call<tendon::MailboxFill>(
         tendon::message::kGetFill, 0, tendon::message::GetFill{"operator"}, kLongEnoughToAnswer);

@@ -123,12 +123,12 @@ TEST_P(LargePayload, IsSupportedByAllCommandsAndEvents) {
     viewer->Process();
     return viewer->stored.size() == 1;
   }));
-  Cloud answer;
-  EXPECT_EQ(viewer->points(kPoints, answer), Status(Status::kDone));
-  EXPECT_EQ(answer, cloud);
-  EXPECT_EQ(viewer->grow.Wait(cloud, answer, 20s), Status(Status::kDone));
+  Cloud result;
+  EXPECT_EQ(viewer->points(kPoints, result), Status(Status::kDone));
+  EXPECT_EQ(result, cloud);
+  EXPECT_EQ(viewer->grow.Wait(cloud, result, 20s), Status(Status::kDone));
 
-  EXPECT_EQ(answer.size(), kPoints + 1);
+  EXPECT_EQ(result.size(), kPoints + 1);
   EXPECT_EQ(viewer->stored, std::vector{kPoints});
 }
 
@@ -174,13 +174,13 @@ TEST_P(LargePayload, OverTheLimitIsRefusedByTheSender) {
 }
 
 TEST_P(LargePayload, AReplyOverTheLimitFailsOnlyThatCall) {
-  Cloud answer;
+  Cloud result;
 
-  EXPECT_EQ(viewer->points(kTooMany, answer), Status(Status::kFailed));
+  EXPECT_EQ(viewer->points(kTooMany, result), Status(Status::kFailed));
 
   EXPECT_THAT(log.texts(), Contains(HasSubstr("'Points' of 67 115 578 B exceeds max_payload")));
-  EXPECT_EQ(viewer->points(10, answer), Status(Status::kDone));
-  EXPECT_EQ(answer, Cloud(10, 7));
+  EXPECT_EQ(viewer->points(10, result), Status(Status::kDone));
+  EXPECT_EQ(result, Cloud(10, 7));
 }
 
 INSTANTIATE_TEST_SUITE_P(Over, LargePayload, testing::ValuesIn(NetworkKinds()), NameOfNetwork);

@@ -64,7 +64,7 @@ class OpenedPeerLinks : public testing::Test, private tendon::PeerListener {
     return address;
   }
 
-  /// Requests a link. Returns true if the answer is still missing.
+  /// Requests a link. Returns true if the reply is still missing.
   bool AskFor(const std::string& process) {
     bool is_waiting = false;
     OnWorker([&] {

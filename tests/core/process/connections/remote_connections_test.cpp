@@ -50,13 +50,13 @@ TEST_P(RemoteConnections, CarriesEveryKindOfCommandAndEvent) {
   Move got_move;
   Move scaled;
   Note got_note;
-  std::uint64_t answer = 0;
+  std::uint64_t result = 0;
   EXPECT_TRUE(EventuallyTrue([&] { return user->get_move(got_move) && got_move == move; }));
   EXPECT_TRUE(EventuallyTrue([&] { return user->get_note(got_note) && got_note == note; }));
   EXPECT_TRUE(EventuallyTrue([&] { return bool(user->get_scaled(2.0, scaled)); }));
   EXPECT_EQ(scaled.goal, (std::array{2.0, 4.0, 6.0}));
-  EXPECT_TRUE(EventuallyTrue([&] { return bool(user->ask(answer)); }));
-  EXPECT_EQ(answer, 42U);
+  EXPECT_TRUE(EventuallyTrue([&] { return bool(user->ask(result)); }));
+  EXPECT_EQ(result, 42U);
 }
 
 TEST_P(RemoteConnections, ExecutesEachAcceptedCommandOnceAndInOrderUnderLoad) {
@@ -150,14 +150,14 @@ TEST_P(RemoteConnections, GivesUpAReadAtItsDeadline) {
   StartRobot();
   StartDesk();
   Connect();
-  std::uint64_t answer = 0;
-  ASSERT_TRUE(EventuallyTrue([&] { return bool(user->ask(answer)); }));
+  std::uint64_t result = 0;
+  ASSERT_TRUE(EventuallyTrue([&] { return bool(user->ask(result)); }));
 
   std::unique_lock held(plant->gate);
-  EXPECT_EQ(user->ask(answer), Status(Status::kTimeout));
+  EXPECT_EQ(user->ask(result), Status(Status::kTimeout));
   held.unlock();
 
-  EXPECT_TRUE(EventuallyTrue([&] { return bool(user->ask(answer)); }));
+  EXPECT_TRUE(EventuallyTrue([&] { return bool(user->ask(result)); }));
 }
 
 TEST_P(RemoteConnections, IsRefusedIfTheInterfacesAreIncompatible) {

@@ -133,11 +133,11 @@ TEST_P(ShortWait, IsNotExecutedAfterItsDeadline) {
 TEST_P(ShortWait, ReturnsRepliesOfAllSizes) {
   for (const std::size_t size : {0U, 1U, 1000U, 32'000U, 33'000U, 200'000U}) {
     const std::vector<double> question(size, 0.5);
-    std::vector<double> answer{1, 2, 3};
+    std::vector<double> result{1, 2, 3};
 
-    ASSERT_EQ(porter->echo.Wait(question, answer, kPatience), Status(Status::kDone)) << size;
+    ASSERT_EQ(porter->echo.Wait(question, result, kPatience), Status(Status::kDone)) << size;
 
-    EXPECT_EQ(answer, question);
+    EXPECT_EQ(result, question);
   }
 }
 

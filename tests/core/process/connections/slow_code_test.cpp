@@ -31,8 +31,8 @@ class SlowRead : public RemoteConnection {
   }
   /// Makes a read that times out. When this returns, the plant has received the request.
   void AskInVain(Operator& caller) {
-    std::uint64_t answer = 0;
-    EXPECT_EQ(caller.ask(answer), Status(Status::kTimeout));
+    std::uint64_t result = 0;
+    EXPECT_EQ(caller.ask(result), Status(Status::kTimeout));
   }
   void ExpectAllElseIsServed(Operator& caller) {
     plant::Move move;
@@ -77,11 +77,11 @@ TEST_P(SlowRead, IsAnsweredOnceItsMethodReturns) {
     const std::scoped_lock closed(plant->gate);
     AskInVain(*user);
   }
-  std::uint64_t answer = 0;
+  std::uint64_t result = 0;
 
-  EXPECT_TRUE(EventuallyTrue([&] { return user->ask(answer) == Status(Status::kDone); }));
+  EXPECT_TRUE(EventuallyTrue([&] { return user->ask(result) == Status(Status::kDone); }));
 
-  EXPECT_EQ(answer, 42U);
+  EXPECT_EQ(result, 42U);
 }
 
 TEST_P(SlowRead, EndsWithItsConnection) {
@@ -93,8 +93,8 @@ TEST_P(SlowRead, EndsWithItsConnection) {
   closed.unlock();
   Connect();
 
-  std::uint64_t answer = 0;
-  EXPECT_TRUE(EventuallyTrue([&] { return user->ask(answer) == Status(Status::kDone); }));
+  std::uint64_t result = 0;
+  EXPECT_TRUE(EventuallyTrue([&] { return user->ask(result) == Status(Status::kDone); }));
 }
 
 TEST_P(SlowRead, IsNotExecutedIfItsConnectionEndsFirst) {

@@ -50,7 +50,7 @@ class LifecycleFixture : public NetworkTest {
     return tendon::Wait<void>(2 * kLong,
                               [&](auto handler) { client.ExecuteLifecycleOrder(order, handler); });
   }
-  /// Sends an order for a component of the process robot, and waits for the answer.
+  /// Sends an order for a component of the process robot, and waits for the reply.
   tendon::Result<void> Order(tendon::LifecycleVerb verb, const std::string& component) {
     return Execute(*client_, {.verb = verb, .process = "robot", .component = component});
   }
@@ -74,7 +74,7 @@ class LifecycleFixture : public NetworkTest {
                               .configuration = configuration});
   }
   using Pending = std::future<tendon::Result<void>>;
-  /// Sends an order without waiting for the answer.
+  /// Sends an order without waiting for the reply.
   Pending OrderLater(const tendon::message::LifecycleOrder& order) {
     auto promise = std::make_shared<std::promise<tendon::Result<void>>>();
     client_->ExecuteLifecycleOrder(order,

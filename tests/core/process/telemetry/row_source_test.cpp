@@ -95,12 +95,12 @@ TEST(RowSource, SaysThatAProcessIsTooOldForPastRows) {
       std::make_shared<LoopbackMiddleware>(network),
       [&](const std::string& /*process*/) { return Result<std::string>(listener->address()); },
       HelloOf("viewer"));
-  std::promise<PastRows> answer;
+  std::promise<PastRows> reply;
 
   viewer->ReadPast({"robot", "plant", "state", {"Move"}}, std::chrono::seconds(1),
                    std::make_shared<DeafSink>(),
-                   [&](const PastRows& past) { answer.set_value(past); });
-  const PastRows past = answer.get_future().get();
+                   [&](const PastRows& past) { reply.set_value(past); });
+  const PastRows past = reply.get_future().get();
 
   ASSERT_TRUE(past.failure);
   EXPECT_EQ(past.failure->message,
