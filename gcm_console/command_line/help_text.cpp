@@ -204,7 +204,7 @@ const std::vector<Topic>& Topics() {
         {"5",
          "the two interfaces are not compatible; for plan: only interfaces that are not compatible "
          "prevent the plan"},
-        {"6", "no answer in time; the outcome is unknown"},
+        {"6", "no reply in time; the outcome is unknown"},
         {"7", "denied: your role is not sufficient, or a file has unsafe permissions"},
         {"8", "only a part of the command was done"},
         {"130", "interrupted"}}},

@@ -18,7 +18,7 @@ struct DiagnosisReport {
   /// The result in a few words: "fails at step 5 of 7", "connected and working", "nothing prevents
   /// the connection".
   [[nodiscard]] QString verdict() const;
-  /// The last refusal: "refused at 12:04:31: no answer from desk"; empty if there is none.
+  /// The last refusal: "refused at 12:04:31: no reply from desk"; empty if there is none.
   [[nodiscard]] QString history() const;
   /// The shell command that prints the same report.
   [[nodiscard]] QString command() const;

@@ -106,7 +106,7 @@ QVariant ValuesModel::valueOf(const RowPosition& position, int role) const {
       if (silent && !block->refusal.isEmpty()) {
         return Words::tr("%1 · ask again").arg(block->refusal);
       }
-      if (silent) return Words::tr("no answer in %1 s · ask again").arg(kPatience.count());
+      if (silent) return Words::tr("no reply in %1 s · ask again").arg(kPatience.count());
       break;
     case kUnitRole:
       break;

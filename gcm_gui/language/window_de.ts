@@ -582,7 +582,7 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>%1 von %2 warten im vollsten Postfach der Komponente</translation>
     </message>
     <message>
-        <source>no answer</source>
+        <source>no reply</source>
         <translation>keine Antwort</translation>
     </message>
     <message>
@@ -2358,7 +2358,7 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>%1 hat seit %2 s nicht geantwortet: ein Klick oder die Eingabetaste fragt noch einmal</translation>
     </message>
     <message>
-        <source>no answer in %1 s · ask again</source>
+        <source>no reply in %1 s · ask again</source>
         <translation>keine Antwort in %1 s · erneut fragen</translation>
     </message>
     <message>

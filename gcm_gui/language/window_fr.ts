@@ -582,7 +582,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>%1 sur %2 en attente dans la boîte aux lettres la plus pleine du composant</translation>
     </message>
     <message>
-        <source>no answer</source>
+        <source>no reply</source>
         <translation>sans réponse</translation>
     </message>
     <message>
@@ -2358,7 +2358,7 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>%1 n&apos;a pas répondu depuis %2 s : un clic ou Entrée redemande</translation>
     </message>
     <message>
-        <source>no answer in %1 s · ask again</source>
+        <source>no reply in %1 s · ask again</source>
         <translation>pas de réponse en %1 s · redemander</translation>
     </message>
     <message>

@@ -90,7 +90,7 @@ QString WordOf(ProcessState state) {
     case ProcessState::kAlive:
       return Words::tr("alive");
     case ProcessState::kSuspect:
-      return Words::tr("no answer");
+      return Words::tr("no reply");
     case ProcessState::kLost:
       return WordOf(StateMark::kLost);
     case ProcessState::kStarting:

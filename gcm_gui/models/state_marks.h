@@ -21,7 +21,7 @@ class ConnectionIndex;
 /// Returns the mark of a connection; null means that the interface is not connected.
 [[nodiscard]] StateMark MarkOf(const ConnectionDescription* connection);
 
-/// Returns the reason in the user's language: "suspended", "no answer"; empty for kNone.
+/// Returns the reason in the user's language: "suspended", "no reply"; empty for kNone.
 [[nodiscard]] QString WordOf(StaleReason why);
 /// Returns reason and age: "suspended · 12 s old"; without the age if it is unknown.
 [[nodiscard]] QString OldText(StaleReason why, std::optional<std::chrono::nanoseconds> age);
@@ -40,7 +40,7 @@ class ConnectionIndex;
 /// waits for nothing.
 [[nodiscard]] QString ReasonsText(const std::vector<UnsatisfiedInterface>& waits);
 
-/// Returns the state in the user's language: "alive", "no answer", "lost".
+/// Returns the state in the user's language: "alive", "no reply", "lost".
 [[nodiscard]] QString WordOf(ProcessState state);
 
 /// Returns true if the process does not run (any more) or is only starting. Its contents are then

@@ -126,7 +126,7 @@ TEST_P(ChannelContract, ACallTimesOutAndItsLateReplyIsIgnored) {
 
   ASSERT_FALSE(reply);
   EXPECT_EQ(reply.error().code, ErrorCode::kTimeout);
-  EXPECT_EQ(reply.error().message, "no answer from robot within 30 ms; outcome unknown");
+  EXPECT_EQ(reply.error().message, "no reply from robot within 30 ms; outcome unknown");
   ASSERT_TRUE(server->Wait([](const Oracle& oracle) { return oracle.kept_.size() == 1; }));
   server->kept_.front().ReplyWith(Result<void>());
   EXPECT_TRUE(channel_->Call<Question>(kAsk, 0, Question{"still there?", 0}, kLong));

@@ -268,7 +268,7 @@ class OverIce(unittest.TestCase):
 
     def test_a_silent_peer_times_out(self):
         self.acceptor.is_mute = True
-        with self.assertRaisesRegex(TimedOut, "accepted the connection but did not|^no answer"):
+        with self.assertRaisesRegex(TimedOut, "accepted the connection but did not|^no reply"):
             self.link(timeout=0.5)
 
     def test_a_slow_process_does_not_block_others(self):

@@ -17,7 +17,7 @@ enum class ErrorCode : std::int32_t {
   kNotFound,      ///< no such process, component, interface, member or file
   kExists,        ///< the name or the address is taken
   kIncompatible,  ///< the two sides do not fit together
-  kTimeout,       ///< no answer in time; the outcome is unknown
+  kTimeout,       ///< no reply in time; the outcome is unknown
   kDenied,        ///< the role does not allow it
 };
 

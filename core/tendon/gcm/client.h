@@ -226,7 +226,7 @@ Result<T> Wait(std::chrono::milliseconds timeout, Start&& start) {
   std::forward<Start>(start)(std::function<void(Result<T>)>(
       [reply](Result<T> result) { reply->set_value(std::move(result)); }));
   if (arrival.wait_for(timeout) == std::future_status::ready) return arrival.get();
-  return Error{ErrorCode::kTimeout, "no answer within " + std::to_string(timeout.count()) +
+  return Error{ErrorCode::kTimeout, "no reply within " + std::to_string(timeout.count()) +
                                         " ms; it is unknown whether the request was executed"};
 }
 

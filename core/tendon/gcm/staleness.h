@@ -22,7 +22,7 @@ enum class StaleReason {
   kLost
 };
 
-/// "suspended", "not started", "no answer"; "running" for kNone.
+/// "suspended", "not started", "no reply"; "running" for kNone.
 [[nodiscard]] constexpr std::string_view ToString(StaleReason why) noexcept {
   switch (why) {
     case StaleReason::kNone:
@@ -36,7 +36,7 @@ enum class StaleReason {
     case StaleReason::kFaulted:
       return "faulted";
     case StaleReason::kUnresponsive:
-      return "no answer";
+      return "no reply";
     case StaleReason::kLost:
       break;
   }

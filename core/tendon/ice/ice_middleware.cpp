@@ -81,7 +81,7 @@ Error WhyNotListening(const HostPort& place) {
 Error TimedOut(const HostPort& place, std::chrono::milliseconds timeout, const Tls* tls) {
   return {
       ErrorCode::kTimeout,
-      "no answer from " + ToString(place) + " within " + Milliseconds(timeout) +
+      "no reply from " + ToString(place) + " within " + Milliseconds(timeout) +
           (tls != nullptr ? ""
                           : ": the program at this address hangs, or requires a --certificate")};
 }

@@ -143,7 +143,7 @@ void PendingRequests::FinishAll(const Error& reason) {
 }
 
 Error NoReply(const std::string& peer, std::chrono::milliseconds timeout) {
-  return {ErrorCode::kTimeout, "no answer from " + peer + " within " +
+  return {ErrorCode::kTimeout, "no reply from " + peer + " within " +
                                    std::to_string(timeout.count()) + " ms; outcome unknown"};
 }
 

@@ -109,7 +109,7 @@ class PendingRequests {
   std::vector<Slot*> by_number_;  // by the low bits of the number; the size is a power of two
 };
 
-/// The error "no answer from robot within 500 ms; outcome unknown".
+/// The error "no reply from robot within 500 ms; outcome unknown".
 [[nodiscard]] Error NoReply(const std::string& peer, std::chrono::milliseconds timeout);
 
 /// Logs the current exception. Must be called in a catch block.

@@ -173,7 +173,7 @@ TEST_P(ChannelContract, DirectRequestsToAHungPeerEndAtTheirDeadline) {
   const auto next = AskClerk(*channel_, kHowMany, 0, std::chrono::milliseconds(30));
 
   ASSERT_FALSE(reply);
-  EXPECT_EQ(reply.error().message, "no answer from robot within 30 ms; outcome unknown");
+  EXPECT_EQ(reply.error().message, "no reply from robot within 30 ms; outcome unknown");
   EXPECT_FALSE(next);
   hung.unlock();
   EXPECT_TRUE(AskClerk(*channel_, kHowMany));  // it follows the late reply to the same question

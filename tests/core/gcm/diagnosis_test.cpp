@@ -210,7 +210,7 @@ TEST_F(DiagnosisTest, AProcessReachableFromHereMayNotAnswerItsPeer) {
   ExpectBad(diagnosis, 5, ErrorCode::kTimeout,
             "the connection is pending: robot did not answer" + FromDesk());
 
-  AddRoundTrip(diagnosis, Error{ErrorCode::kTimeout, "no answer"});
+  AddRoundTrip(diagnosis, Error{ErrorCode::kTimeout, "no reply"});
   ExpectBad(diagnosis, 5, ErrorCode::kTimeout,
             "the connection is pending: robot did not answer" + FromDesk());
   EXPECT_EQ(diagnosis.steps[4].fix, "check process 'robot': it may hang");
@@ -227,7 +227,7 @@ TEST_F(DiagnosisTest, AMissingRouteIsBlamedOnItsTarget) {
             0U);
 
   const DiagnosisStep before = diagnosis.steps[4];
-  AddRoundTrip(diagnosis, Error{ErrorCode::kTimeout, "no answer"});
+  AddRoundTrip(diagnosis, Error{ErrorCode::kTimeout, "no reply"});
   EXPECT_EQ(diagnosis.steps[4], before) << "what we see from here does not change that";
 }
 
@@ -263,9 +263,9 @@ TEST_F(DiagnosisTest, FindsAnUnresponsiveProcess) {
   Connect(ConnectionState::kActive);
   Diagnosis diagnosis = Examine();
 
-  AddRoundTrip(diagnosis, Error{ErrorCode::kTimeout, "no answer"});
+  AddRoundTrip(diagnosis, Error{ErrorCode::kTimeout, "no reply"});
 
-  ExpectBad(diagnosis, 7, ErrorCode::kTimeout, "no answer" + FromHere());
+  ExpectBad(diagnosis, 7, ErrorCode::kTimeout, "no reply" + FromHere());
 }
 
 TEST_F(DiagnosisTest, FindsLossesOfAnActiveConnection) {
@@ -332,11 +332,11 @@ TEST_F(DiagnosisTest, ARefusedConnectionLeavesNoRemnants) {
 
   AddRemnants(diagnosis, catalogue_, ConnectionCounts{});
   EXPECT_EQ(diagnosis.remnants[1].verdict, Left::kSomething);
-  AddRemnants(diagnosis, catalogue_, Error{ErrorCode::kTimeout, "no answer"});
+  AddRemnants(diagnosis, catalogue_, Error{ErrorCode::kTimeout, "no reply"});
   EXPECT_EQ(diagnosis.remnants[1].verdict, Left::kUnknown);
   EXPECT_EQ(diagnosis.remnants[1].text,
             "unknown, because process 'robot' does not report whether it still serves the "
-            "connection: no answer");
+            "connection: no reply");
 
   Connect(ConnectionState::kActive);  // to another interface in the same process
   AddRemnants(diagnosis, catalogue_, ConnectionCounts{});

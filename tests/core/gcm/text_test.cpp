@@ -103,8 +103,8 @@ TEST(VersionText, ReportsAnotherReleaseOrProtocol) {
 }
 
 TEST(VersionText, AnUnresponsiveProgramHasAnUnknownVersion) {
-  const VersionReport told = CompareVersion(Error{ErrorCode::kTimeout, "no answer"}, kOwn);
-  EXPECT_EQ(told.text, "of an unknown version (no answer)");
+  const VersionReport told = CompareVersion(Error{ErrorCode::kTimeout, "no reply"}, kOwn);
+  EXPECT_EQ(told.text, "of an unknown version (no reply)");
   EXPECT_FALSE(told.is_own);
 }
 

@@ -149,7 +149,7 @@ TEST(MalformedReply, AnUnansweredPingTimesOut) {
   ASSERT_FALSE(link);
   EXPECT_EQ(link.error().code, ErrorCode::kTimeout);
   EXPECT_EQ(link.error().message,
-            "no answer from " + liar.address() +
+            "no reply from " + liar.address() +
                 " within 2000 ms: the program at this address hangs, or requires a --certificate");
 }
 

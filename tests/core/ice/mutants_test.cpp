@@ -28,7 +28,7 @@ class PlainConnection {
     while (true) {
       pollfd one{.fd = socket_.descriptor(), .events = POLLIN, .revents = 0};
       const auto patience = std::chrono::duration_cast<std::chrono::milliseconds>(kPatience);
-      EXPECT_EQ(poll(&one, 1, static_cast<int>(patience.count())), 1) << "no answer, no end";
+      EXPECT_EQ(poll(&one, 1, static_cast<int>(patience.count())), 1) << "no reply, no end";
       const auto some = os::ReceiveSome(socket_, buffer);
       if (!some || !one.revents) return {};
       if (!some->empty()) return {some->begin(), some->end()};

@@ -53,7 +53,7 @@ class TlsClient {
       Bytes buffer(4096);
       const int size =
           is_up_ ? SSL_read(link_.get(), buffer.data(), static_cast<int>(buffer.size())) : 0;
-      EXPECT_FALSE(size < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) << "no answer, no end";
+      EXPECT_FALSE(size < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) << "no reply, no end";
       buffer.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
       return buffer;
     }

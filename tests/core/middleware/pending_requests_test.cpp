@@ -61,7 +61,7 @@ TEST(PendingRequests, ExpireEndsDueRequests) {
   ASSERT_EQ(outcomes.all.size(), 1U);
   EXPECT_EQ(
       outcomes.all[0].error(),
-      (Error{ErrorCode::kTimeout, "no answer from robot within 3600000 ms; outcome unknown"}));
+      (Error{ErrorCode::kTimeout, "no reply from robot within 3600000 ms; outcome unknown"}));
 }
 
 TEST(PendingRequests, FinishAllEndsAllAndRefusesNewOnes) {

@@ -14,7 +14,7 @@ using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
 TEST(ExplainFailure, ARequestThatOnlyReadsHasNoUnknownOutcome) {
   const Error failure = ExplainFailure(NoReply("robot", 500ms), message::kReadLog, "robot");
 
-  EXPECT_EQ(failure, (Error{ErrorCode::kTimeout, "no answer from robot within 500 ms"}));
+  EXPECT_EQ(failure, (Error{ErrorCode::kTimeout, "no reply from robot within 500 ms"}));
 }
 
 TEST(ExplainFailure, ACallWithoutAnAnswerHasAnUnknownOutcome) {

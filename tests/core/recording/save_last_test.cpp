@@ -314,7 +314,7 @@ class OneBadProcess final : public RecordedSystem {
   Result<Schema> FindSchema(const std::string& process, Fingerprint /*type*/) override {
     if (process != "bad" || !is_slow_with_types) return Invalid();
     ++questions;
-    return Error{ErrorCode::kTimeout, "no answer from bad within 100 ms"};
+    return Error{ErrorCode::kTimeout, "no reply from bad within 100 ms"};
   }
   void Resync() override {}
   void WatchLog() override {
@@ -440,7 +440,7 @@ TEST_F(SaveLastOfOneBadProcess, AProcessThatDoesNotSendATypeInTimeIsNotAskedAgai
   ASSERT_TRUE(saved) << saved.error().message;
   EXPECT_EQ(system_.questions, 1);
   ASSERT_TRUE(saved->events.at(0).past.failure);
-  EXPECT_EQ(saved->events[0].past.failure->message, "no answer from bad within 100 ms");
+  EXPECT_EQ(saved->events[0].past.failure->message, "no reply from bad within 100 ms");
   EXPECT_EQ(saved->counts.events, 1U);
 }
 

@@ -129,12 +129,12 @@ TEST(ProblemsModel, ListsLostProcessesFaultsAndFailedConnections) {
   arm.fault = "joint 3 is out of range";
   system.Component("robot", arm);
   system.Connect({"desk", "view", "Host"}, {"desk", "host_monitor", "state"},
-                 ConnectionState::kFailed, "no answer in 2 s");
+                 ConnectionState::kFailed, "no reply in 2 s");
 
   model.update(system.catalogue());
 
   ASSERT_EQ(model.rowCount(), 4);
-  EXPECT_EQ(model.row(0).text, "desk/view/Host is not connected: no answer in 2 s");
+  EXPECT_EQ(model.row(0).text, "desk/view/Host is not connected: no reply in 2 s");
   EXPECT_EQ(model.row(1).text, "robot/arm is faulted: joint 3 is out of range");
   EXPECT_EQ(model.row(2).text, "vision is lost: its connection broke");
   EXPECT_EQ(model.row(3).text, "desk/teleoperation waits for Robot: not connected");

@@ -133,9 +133,9 @@ TEST_F(CallPanelTest, ShowsTheTextOfARefusal) {
   ShowStop();
   Click();
 
-  calls_.answer(Error{ErrorCode::kTimeout, "no answer in 1 s; it may still be executed"}, 1);
+  calls_.answer(Error{ErrorCode::kTimeout, "no reply in 1 s; it may still be executed"}, 1);
 
-  EXPECT_EQ(Status(), "no answer in 1 s; it may still be executed");
+  EXPECT_EQ(Status(), "no reply in 1 s; it may still be executed");
   EXPECT_FALSE(ResultLabel().isVisible());
 }
 
@@ -209,10 +209,10 @@ TEST_F(CallPanelTest, IgnoresALateReplyOfAnotherCommand) {
 
 TEST_F(CallPanelTest, CannotCallWithoutTheTypeAndCanRetry) {
   const Result<Schema> known = calls_.schema;
-  calls_.schema = Error{ErrorCode::kTimeout, "no answer from robot in 2 s"};
+  calls_.schema = Error{ErrorCode::kTimeout, "no reply from robot in 2 s"};
   ShowMove();
   EXPECT_FALSE(Button().isEnabled());
-  EXPECT_EQ(Status(), "no answer from robot in 2 s");
+  EXPECT_EQ(Status(), "no reply from robot in 2 s");
 
   calls_.schema = known;
   Link("call.retry").click();

@@ -50,7 +50,7 @@ TEST_F(FormDefaultsTest, StartsWithTheCurrentPosition) {
 TEST_F(FormDefaultsTest, ReportsThatItsValuesAreNotCurrent) {
   Open();
 
-  calls_.value(Error{ErrorCode::kTimeout, "no answer"});
+  calls_.value(Error{ErrorCode::kTimeout, "no reply"});
 
   EXPECT_EQ(Status(),
             "These are not the current values: GetJoints does not report the current values");

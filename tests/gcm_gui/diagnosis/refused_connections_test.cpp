@@ -19,7 +19,7 @@ class RefusedConnectionsTest : public ::testing::Test {
     action.required = kRequired;
     action.provided = verb == Action::Verb::kDisconnect ? InterfaceName{} : kProvided;
     action.outcome = outcome;
-    action.refusal = outcome == Action::Outcome::kRefused ? "no answer" : "";
+    action.refusal = outcome == Action::Outcome::kRefused ? "no reply" : "";
     refusals_.onActionFinished(action);
   }
 
@@ -32,7 +32,7 @@ TEST_F(RefusedConnectionsTest, KeepsARefusalUntilTheConnectionIsMade) {
 
   ASSERT_NE(refusals_.find(kRequired), nullptr);
   EXPECT_EQ(refusals_.find(kRequired)->provided, kProvided);
-  EXPECT_EQ(refusals_.find(kRequired)->reason, "no answer");
+  EXPECT_EQ(refusals_.find(kRequired)->reason, "no reply");
 
   Finish(Action::Verb::kReplace, Action::Outcome::kDone);
 

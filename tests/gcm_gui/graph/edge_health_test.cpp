@@ -76,10 +76,10 @@ TEST_F(EdgeHealthTest, QueriesAHoveredConnectionAtOnce) {
 TEST_F(EdgeHealthTest, ReportsAFailedQuery) {
   health_.point("desk/client3/Robot");
 
-  AnswerAll(Error{ErrorCode::kTimeout, "no answer from desk in 1 s"});
+  AnswerAll(Error{ErrorCode::kTimeout, "no reply from desk in 1 s"});
 
   ASSERT_EQ(counted_.size(), 1);
-  EXPECT_EQ(counted_[0][1].toStringList(), QStringList{"no answer from desk in 1 s"});
+  EXPECT_EQ(counted_[0][1].toStringList(), QStringList{"no reply from desk in 1 s"});
 }
 
 TEST_F(EdgeHealthTest, WarnsOnceOfNewLosses) {

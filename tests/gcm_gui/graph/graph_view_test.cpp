@@ -172,7 +172,7 @@ TEST_F(GraphViewTest, AnEdgeShowsTheStateOfItsConnection) {
   EXPECT_EQ(scene_.edge(host)->look(), EdgeItem::Look::kActive);
 
   system_.Connect({"desk", "view", "Host"}, {"desk", "host_monitor", "state"},
-                  ConnectionState::kFailed, "no answer");
+                  ConnectionState::kFailed, "no reply");
   Show();
   EXPECT_EQ(scene_.edge(host)->look(), EdgeItem::Look::kFailed);
 

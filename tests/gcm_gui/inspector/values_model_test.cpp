@@ -129,12 +129,12 @@ TEST_F(ValuesModelTest, ATimedOutColumnCanBeRequestedAgain) {
   EXPECT_EQ(Value(0).toString(), "…");
   EXPECT_EQ(model_.askAgain(0), "");
   Pass(ValuesModel::kPatience);
-  EXPECT_EQ(Value(0).toString(), "no answer in 1 s · ask again");
+  EXPECT_EQ(Value(0).toString(), "no reply in 1 s · ask again");
   EXPECT_TRUE(Value(0, kAccentRole).toBool());
 
   EXPECT_EQ(model_.askAgain(0), kJoints);
   EXPECT_EQ(Value(0).toString(), "…");
-  EXPECT_EQ(Value(1).toString(), "no answer in 1 s · ask again") << "another column";
+  EXPECT_EQ(Value(1).toString(), "no reply in 1 s · ask again") << "another column";
 
   Send(1, {0.5, 0});
   EXPECT_EQ(Value(0).toString(), "0.5000");
@@ -163,7 +163,7 @@ TEST_F(ValuesModelTest, HiddenValuesDoNotTimeOut) {
   EXPECT_EQ(Value(0).toString(), "…");
 
   Pass(ValuesModel::kPatience);
-  EXPECT_EQ(Value(0).toString(), "no answer in 1 s · ask again");
+  EXPECT_EQ(Value(0).toString(), "no reply in 1 s · ask again");
 }
 
 TEST_F(ValuesModelTest, AReturnedProcessGetsANewTimeout) {

@@ -42,10 +42,10 @@ TEST(ConnectionsModel, ShowsTheReasonOfAFailedConnection) {
   ConnectionsModel model;
   SystemBuilder system = LookSystem(0);
   system.Connect({"desk", "view", "Host"}, {"desk", "host_monitor", "state"},
-                 ConnectionState::kFailed, "no answer in 2 s");
+                 ConnectionState::kFailed, "no reply in 2 s");
   model.update(system.catalogue());
 
-  EXPECT_EQ(model.index(0, ConnectionsModel::kState).data(), "refused · no answer in 2 s");
+  EXPECT_EQ(model.index(0, ConnectionsModel::kState).data(), "refused · no reply in 2 s");
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
 using Due = std::vector<std::pair<Fingerprint, std::string>>;
 
 constexpr Fingerprint kType{1, 2};
-const Error kNoReply{ErrorCode::kTimeout, "no answer"};
+const Error kNoReply{ErrorCode::kTimeout, "no reply"};
 
 TEST(TypeRequests, RequestsEachTypeOnce) {
   TypeRequests types;
@@ -31,7 +31,7 @@ TEST(TypeRequests, RetriesAFailedRequestWithBackoff) {
   SteadyTime now{};
   (void)types.takeDue(now);
   types.onReply(kType, kNoReply, now);
-  EXPECT_EQ(types.find(kType)->error().message, "no answer");
+  EXPECT_EQ(types.find(kType)->error().message, "no reply");
 
   for (const std::chrono::seconds pause : {1s, 2s, 4s, 8s, 16s, 30s, 30s}) {
     EXPECT_TRUE(types.takeDue(now + pause - 1ns).empty());

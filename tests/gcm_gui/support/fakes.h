@@ -48,7 +48,7 @@ class ScriptedCalls final : public CommandCalls {
                    ResultHandler handler) override;
   void readValue(const std::string& path, ValueHandler handler) override;
 
-  Result<Schema> schema = Error{ErrorCode::kTimeout, "no answer"};
+  Result<Schema> schema = Error{ErrorCode::kTimeout, "no reply"};
   std::map<Fingerprint, Schema> schemas;  ///< schemas of further types
   int asked_for_schema = 0;
   QStringList calls;

@@ -62,7 +62,7 @@ TEST_F(PlanControllerTest, ReportsAnUnknownClassBeforeAnyStep) {
 
 TEST_F(PlanControllerTest, ASilentProcessDoesNotBlockThePlan) {
   restore_.preview(wanted_, QStringLiteral("lab.gcm.json"));
-  reports_.class_handlers[0](Error{ErrorCode::kTimeout, "no answer"});
+  reports_.class_handlers[0](Error{ErrorCode::kTimeout, "no reply"});
 
   EXPECT_EQ(restore_.phase(), PlanController::Phase::kPreview);
   EXPECT_FALSE(restore_.plan().steps.empty());
@@ -134,9 +134,9 @@ TEST_F(SavingTest, ReportsAGcmTooOldToListItsProcesses) {
 }
 
 TEST_F(SavingTest, WithoutAnAnswerNothingIsWritten) {
-  reports_.children = Error{ErrorCode::kTimeout, "no answer within 2000 ms"};
+  reports_.children = Error{ErrorCode::kTimeout, "no reply within 2000 ms"};
 
-  EXPECT_EQ(Save(), "no answer within 2000 ms");
+  EXPECT_EQ(Save(), "no reply within 2000 ms");
   EXPECT_FALSE(ReadSystemFile(Path().toStdString()).ok());
 }
 

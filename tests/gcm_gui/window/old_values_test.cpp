@@ -110,7 +110,7 @@ TEST_F(OldValues, ASuspectProcessHasOldValuesOnlyWithoutNewRows) {
   SendRow(3000ms);
 
   EXPECT_TRUE(window_.catalogueModel().indexOf(kVelocity).data(kStaleRole).toBool());
-  EXPECT_TRUE(DetailOf(kJoints).startsWith("no answer · ")) << DetailOf(kJoints).toStdString();
+  EXPECT_TRUE(DetailOf(kJoints).startsWith("no reply · ")) << DetailOf(kJoints).toStdString();
 }
 
 }  // namespace

@@ -103,7 +103,7 @@ TEST_F(WindowPicturesTest, RendersANewConnection) {
   Theme::instance().choose(Theme::Choice::kLight);
   system_.Connect({"desk", "teleoperation", "Robot"}, {"robot", "controller", "Control"});
   system_.Connect({"desk", "view", "Host"}, {"desk", "host_monitor", "state"},
-                  ConnectionState::kFailed, "no answer from desk in 2 s");
+                  ConnectionState::kFailed, "no reply from desk in 2 s");
   Show();
   window_.selection().select("desk/teleoperation/Robot");
   Grab("window-connected");

@@ -289,7 +289,7 @@ Result<Socket> ConnectTo(const std::string& host, std::uint16_t port,
   }
   if (failure == ETIMEDOUT) {
     return Error{ErrorCode::kTimeout,
-                 "no answer from " + Name(host, port) + " within " + Milliseconds(timeout)};
+                 "no reply from " + Name(host, port) + " within " + Milliseconds(timeout)};
   }
   return Error{ErrorCode::kUnreachable, WhyNotReached(Name(host, port), failure)};
 }

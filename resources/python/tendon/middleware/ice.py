@@ -269,7 +269,7 @@ def _why_not_opened(why: Any, address: Address, timeout: float,
         return Unreachable(f"{address} does not accept {credentials.certificate}, or does not "
                            "use TLS: see the log of that program")
     if isinstance(why, Ice.TimeoutException):
-        return TimedOut(f"no answer from {address} within {timeout * 1000:.0f} ms")
+        return TimedOut(f"no reply from {address} within {timeout * 1000:.0f} ms")
     if isinstance(why, Ice.SyscallException):
         reason = str(why).strip().rpartition("\n")[2]
         return Unreachable(f"nobody answers at {address} ({reason})")

@@ -123,7 +123,7 @@ class Client final : public RivalClient {
   }
 
   void Read(Message& /*reply*/) override {
-    if (!Ask(DDS_SECS(10))) throw std::runtime_error("CycloneDDS: no answer in time");
+    if (!Ask(DDS_SECS(10))) throw std::runtime_error("CycloneDDS: no reply in time");
   }
 
  private:

@@ -65,7 +65,7 @@ TEST_F(ConnectionRestorerTest, RetriesWithAGrowingPause) {
   auto expected = Verdict::kTryAgain;
   for (const auto pause : {200ms, 400ms, 800ms, 1600ms, 3200ms, 5000ms, 5000ms}) {
     ASSERT_EQ(TakeDue(), kOne);
-    EXPECT_EQ(Settle(Error{ErrorCode::kTimeout, "no answer"}), expected);
+    EXPECT_EQ(Settle(Error{ErrorCode::kTimeout, "no reply"}), expected);
     expected = Verdict::kStillTrying;
 
     now_ += pause - 1ms;

@@ -20,7 +20,7 @@ class FakeExecutor : public PlanExecutor {
   Result<void> Execute(const PlanStep& step) override {
     const std::string text = ToString(step);
     tried_.push_back(text);
-    if (failing_.contains(text)) return Error{ErrorCode::kTimeout, "no answer to " + text};
+    if (failing_.contains(text)) return Error{ErrorCode::kTimeout, "no reply to " + text};
     return {};
   }
   [[nodiscard]] const std::vector<std::string>& tried() const { return tried_; }
@@ -48,7 +48,7 @@ Plan ThreeStarts() {
   return {.steps = {Step(Kind::kStart, "a"), Step(Kind::kStart, "b"), Step(Kind::kStart, "c")}};
 }
 
-/// Executes the plan and returns its reports: "2 start p/b failed: no answer".
+/// Executes the plan and returns its reports: "2 start p/b failed: no reply".
 std::vector<std::string> Execute(const Plan& plan, FakeExecutor& executor, AfterError after_error) {
   std::vector<std::string> told;
   ExecutePlan(plan, executor, after_error,
@@ -87,7 +87,7 @@ TEST(ExecutePlan, StopsAtTheFirstErrorAndListsRemainingSteps) {
   FakeExecutor executor({"start p/b"});
 
   EXPECT_THAT(Execute(ThreeStarts(), executor, AfterError::kStop),
-              ElementsAre("1 start p/a done", "2 start p/b failed: no answer to start p/b",
+              ElementsAre("1 start p/a done", "2 start p/b failed: no reply to start p/b",
                           "3 start p/c left"));
   EXPECT_THAT(executor.tried(), ElementsAre("start p/a", "start p/b"));
 }
@@ -106,7 +106,7 @@ TEST(ExecutePlan, AnInterruptStopsBetweenSteps) {
 
 TEST(ExecutePlan, CountsTheOutcomesOfSteps) {
   const auto nothing = [](std::size_t, const PlanStep&, const StepOutcome&) {};
-  const Error error{ErrorCode::kTimeout, "no answer to start p/b"};
+  const Error error{ErrorCode::kTimeout, "no reply to start p/b"};
   FakeExecutor whole;
   FakeExecutor stopped({"start p/b"});
   FakeExecutor gone_on({"start p/b"});

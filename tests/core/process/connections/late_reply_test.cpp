@@ -81,7 +81,7 @@ class LateReply : public RemoteConnection {
 TEST_P(LateReply, ToATimedOutAttemptLeavesNoSecondConnection) {
   ASSERT_TRUE(desk->Connect(kRobot, kControl).ok());
   ASSERT_EQ(desk->connections().front().state, ConnectionState::kPending);
-  EXPECT_THAT(Reason(), HasSubstr("no answer from robot"));
+  EXPECT_THAT(Reason(), HasSubstr("no reply from robot"));
 
   Release();
 

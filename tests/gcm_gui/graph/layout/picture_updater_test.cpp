@@ -42,7 +42,7 @@ TEST_F(PictureUpdaterTest, FollowsConnections) {
   system_.Connect({"desk", "teleoperation", "Robot"}, {"robot", "controller", "Control"});
   Follow();
   system_.Connect({"desk", "teleoperation", "Robot"}, {"robot", "controller", "Control"},
-                  ConnectionState::kFailed, "no answer");
+                  ConnectionState::kFailed, "no reply");
   Follow();
   system_.Disconnect({"desk", "teleoperation", "Robot"});
   Follow();
