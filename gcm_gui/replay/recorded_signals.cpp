@@ -15,8 +15,8 @@ namespace tendon::gui {
 namespace {
 
 constexpr std::chrono::milliseconds kFollowPeriod{33};
-constexpr std::int64_t kLongestRead = 3'600'000'000'000;  // ns, of what is seen
-constexpr std::int64_t kMostMargin = 60'000'000'000;      // ns, before and after it
+constexpr std::int64_t kLongestRead = 3'600'000'000'000;  // ns, of the visible time
+constexpr std::int64_t kMostMargin = 60'000'000'000;      // ns, before and after the visible time
 
 }  // namespace
 

@@ -27,7 +27,7 @@ Result<std::unique_ptr<HostedGcm>> HostedGcm::Start(const std::shared_ptr<Middle
 HostedGcm::HostedGcm(std::unique_ptr<GlobalManager> manager) : manager_(std::move(manager)) {}
 
 HostedGcm::~HostedGcm() {
-  process_.reset();  // first, so that the process leaves the GCM properly
+  process_.reset();  // before the GCM, so that the process can leave it
 }
 
 std::string HostedGcm::address() const { return manager_->address(); }

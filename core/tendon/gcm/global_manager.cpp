@@ -55,7 +55,7 @@ Result<std::unique_ptr<GlobalManager>> GlobalManager::Start(std::shared_ptr<Midd
   };
   auto listener = middleware->Listen(options.address, Channel::Acceptor(mine, choose));
   if (!listener) return listener.error();
-  auto promise = std::move(made);  // after an exception, destroyed before the listener
+  auto promise = std::move(made);  // moved, so that an exception destroys it before the listener
   auto server = std::make_shared<server::Server>(server::Server::Options{
       .history = StatePath(options, "history", ".jsonl"),
       .clock = options.clock,

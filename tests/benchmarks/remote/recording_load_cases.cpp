@@ -120,7 +120,7 @@ class SignalSystem {
       out = source.out();
       return out.size() > said && out.ends_with('\n');
     };
-    Require(EventuallyTrue(has_line), "a process with signals does not answer");
+    Require(EventuallyTrue(has_line), "a process with signals does not reply");
     return out.substr(said);
   }
 

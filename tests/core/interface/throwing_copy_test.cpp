@@ -66,7 +66,7 @@ struct Store {
   void Give(Fragile& value) { value.number = 7; }
 };
 
-/// Calls with such values, from one thread or from any thread.
+/// Calls with values that throw when they are copied, from one thread or from any thread.
 class ThrowingCopy : public testing::TestWithParam<CallerThreads> {
  protected:
   ThrowingCopy() {

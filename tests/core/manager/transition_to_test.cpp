@@ -12,7 +12,7 @@ using testing::HasSubstr;
 constexpr Patience kShort = std::chrono::milliseconds(20);
 constexpr Patience kLater = std::chrono::seconds(1);
 
-/// A component that continues to run when it is told to suspend.
+/// A component that continues to run after a request to suspend.
 class Restless final : public Component {
  public:
   using Component::Component;

@@ -59,9 +59,8 @@ TEST(PendingRequests, ExpireEndsDueRequests) {
   requests.Expire(SteadyClock().Now() + hours(2), "robot");
 
   ASSERT_EQ(outcomes.all.size(), 1U);
-  EXPECT_EQ(
-      outcomes.all[0].error(),
-      (Error{ErrorCode::kTimeout, "no reply from robot within 3600000 ms; outcome unknown"}));
+  EXPECT_EQ(outcomes.all[0].error(),
+            (Error{ErrorCode::kTimeout, "no reply from robot within 3600000 ms; outcome unknown"}));
 }
 
 TEST(PendingRequests, FinishAllEndsAllAndRefusesNewOnes) {

@@ -73,7 +73,8 @@ class RecordingFaults : public FaultTest {
   }
 
   [[nodiscard]] std::vector<std::uint64_t> LedgerIn(mcap::Reader& reader) const {
-    return NumbersIn(reader, "robot/ledger/state", MayExpireLeases() ? Gaps::kTold : Gaps::kNone);
+    return NumbersIn(reader, "robot/ledger/state",
+                     MayExpireLeases() ? Gaps::kReported : Gaps::kNone);
   }
 
   /// Waits until the component has run some more cycles.

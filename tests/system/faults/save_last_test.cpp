@@ -120,7 +120,7 @@ class SaveLastFaults : public FaultTest {
   void ExpectWholeWitness(const Saved& saved, std::uint64_t newest) const {
     const json table = TableOf(saved, "witness/herald/state");
     // The processor time may not suffice for the thread that keeps the rows.
-    const auto numbers = NumbersIn(*saved.file, "witness/herald/state", Gaps::kTold);
+    const auto numbers = NumbersIn(*saved.file, "witness/herald/state", Gaps::kReported);
     EXPECT_EQ(numbers.size(), table.value("rows", std::size_t{0}));
     EXPECT_EQ(PartOf(saved, "events").size(), 1U);
     if (MayExpireLeases() && table.contains("error")) return;
@@ -149,7 +149,7 @@ class SaveLastFaults : public FaultTest {
   /// not all of them had arrived before the interruption, the report must name this reason.
   void ExpectPartOfWell(const Saved& saved, const std::string& reason) const {
     const json table = TableOf(saved, "well/fountain/state");
-    const auto numbers = NumbersIn(*saved.file, "well/fountain/state", Gaps::kTold);
+    const auto numbers = NumbersIn(*saved.file, "well/fountain/state", Gaps::kReported);
     ASSERT_GE(numbers.size(), 64U) << "the first chunk has more";
     EXPECT_EQ(numbers.size(), table.value("rows", std::size_t{0}));
     if (table.contains("error")) {

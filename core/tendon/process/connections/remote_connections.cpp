@@ -357,7 +357,7 @@ Result<void> RemoteConnections::Disconnect(const InterfaceName& required) {
     TakeDown(ended.mapped(), SteadyClock().Now() + LocalManager::kDrainPatience);
   }
   context_.process.StructureChanged();
-  if (done) {  // on the worker, because any thread that holds the lock may be here
+  if (done) {  // called on the worker, because this thread may hold the lock
     context_.worker->Post([done, required] {
       done(Error{ErrorCode::kFailed,
                  ToString(required) + " was disconnected before the connection was made"});

@@ -121,7 +121,8 @@ void ProcessHistory::Run() {
   nanoseconds pause = kShortestGap;
   while (!is_stopping()) {
     const bool is_urgent = is_urgent_.Get();
-    if (is_urgent) is_urgent_.Set(false);  // a flag that was set since then stays set
+    // Cleared only if it was read, so that a later request is kept.
+    if (is_urgent) is_urgent_.Set(false);
     const nanoseconds before = os::ThreadCpuTime();
     nanoseconds patience = kLongestGap;
     try {

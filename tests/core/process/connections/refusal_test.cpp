@@ -155,8 +155,8 @@ class TypeMismatch : public RemoteConnection {
     return opened.error().message;
   }
 
-  /// Expects a message with this difference. Robot waits only briefly for the text of the type, so
-  /// on a machine that stalls the request is repeated.
+  /// Expects a message with this difference. Repeats the request, because robot waits only briefly
+  /// for the text of the type, which is too short on a machine that stalls.
   void ExpectDifference(const Schema& schema, const std::string& difference) {
     std::string why;
     EXPECT_TRUE(EventuallyTrue([&] {

@@ -105,7 +105,7 @@ class SlowViewer : public ViewingTest {
     ASSERT_TRUE(EventuallyTrue(all_taken, 10min));
   }
 
-  /// Prints the speed of this machine, without judging it.
+  /// Prints the speed of this machine. Does not check it.
   static void Tell(std::uint64_t rows, std::chrono::duration<double> took) {
     std::printf("%.0f rows a second to each viewer\n", static_cast<double>(rows) / took.count());
   }

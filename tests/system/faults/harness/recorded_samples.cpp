@@ -37,24 +37,24 @@ void NewestNumber::OnRows(const tendon::RowBatch& batch) {
   number_ = sample.number;
 }
 
-/// The file tells a loss before the rows of a batch, but the loss may be in the middle of the
+/// The file reports a loss before the rows of a batch, but the loss may be in the middle of the
 /// batch. Therefore, the sums are compared.
 std::vector<std::uint64_t> NumbersIn(mcap::Reader& reader, const std::string& table, Gaps gaps) {
   std::vector<std::uint64_t> numbers;
-  std::uint64_t told = 0;
+  std::uint64_t reported = 0;
   std::uint64_t missing = 0;
   ForEachMessage(reader, [&](const std::string& topic, mcap::ByteView body) {
     if (topic == tendon::recording::kLossTopic) {
       tendon::recording::Loss loss;
       EXPECT_TRUE(tendon::Decode(body, loss));
-      if (loss.path == table) told += loss.table + loss.network + loss.recorder;
+      if (loss.path == table) reported += loss.table + loss.network + loss.recorder;
     }
     if (topic != table + "/Sample") return;
     const std::uint64_t number = NumberOf(body);
     if (!numbers.empty()) {
       EXPECT_GT(number, numbers.back());
       missing += number - numbers.back() - 1;
-      EXPECT_LE(missing, gaps == Gaps::kNone ? 0 : told) << "before " << number;
+      EXPECT_LE(missing, gaps == Gaps::kNone ? 0 : reported) << "before " << number;
     }
     numbers.push_back(number);
   });

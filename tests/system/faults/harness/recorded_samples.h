@@ -30,10 +30,10 @@ class NewestNumber final : public tendon::RowSink {
 };
 
 /// Whether samples may be missing in a file.
-enum class Gaps { kNone, kTold };
+enum class Gaps { kNone, kReported };
 
 /// Returns the numbers of the samples of `table` in a file. Expects that they are consecutive. With
-/// Gaps::kTold, samples may be missing, but only as many as the file tells.
+/// Gaps::kReported, samples may be missing, but only as many as the file reports as lost.
 std::vector<std::uint64_t> NumbersIn(tendon::mcap::Reader& reader, const std::string& table,
                                      Gaps gaps);
 

@@ -10,7 +10,7 @@
 #include <tests/system/faults/instruments/parcels.h>
 
 extern "C" void TendonRegisterComponents(tendon::ComponentRegistry& registry) {
-  using namespace faults;  // NOLINT(google-build-using-namespace): all is from there
+  using namespace faults;  // NOLINT(google-build-using-namespace): every class is from there
   registry.Add<Client>("Client");
   registry.Add<Ledger>("Ledger");
   registry.Add<Drive>("Drive");
