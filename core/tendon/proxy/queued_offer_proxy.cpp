@@ -373,13 +373,13 @@ QueuedOfferProxy::QueuedOfferProxy(MemberDescription description, Outbox& outbox
 }
 
 Mailbox::SlotShape QueuedOfferProxy::shape() const {
-  if (shows_calls_) return ObservedCallProxy::Shape();
+  if (observes_calls_) return ObservedCallProxy::Shape();
   constexpr std::size_t kTokens = 2;  // the most tokens that a LatestCommand posts
   return {.reserve = keeps_latest_only() ? kTokens : 0};
 }
 
 std::unique_ptr<CommandBase> QueuedOfferProxy::Bind(Mailbox* mailbox) const {
-  if (shows_calls_) {
+  if (observes_calls_) {
     return std::make_unique<ObservedCallProxy>(outbox_, handle_, refused_, *mailbox);
   }
   if (keeps_latest_only()) {

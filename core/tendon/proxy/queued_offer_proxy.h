@@ -26,7 +26,7 @@ class QueuedOfferProxy final : public Offer {
 
   /// Call this before Bind() if the event handler observes a command; see
   /// RequiredInterface::ObserveCalls().
-  void SetShowsCalls() { shows_calls_ = true; }
+  void SetObservesCalls() { observes_calls_ = true; }
 
   [[nodiscard]] Mailbox::SlotShape shape() const override;
   [[nodiscard]] std::unique_ptr<CommandBase> Bind(Mailbox* mailbox) const override;
@@ -38,7 +38,7 @@ class QueuedOfferProxy final : public Offer {
  private:
   Outbox& outbox_;
   std::uint32_t handle_;
-  bool shows_calls_ = false;
+  bool observes_calls_ = false;
   mutable SharedCounter<> refused_;
 };
 

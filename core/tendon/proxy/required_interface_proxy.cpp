@@ -129,7 +129,7 @@ void RequiredInterfaceProxy::MakeExecutors(const ProvidedInterface& server,
 void RequiredInterfaceProxy::PrepareObservers(const ProvidedInterface& server) {
   if (!interface_.observes_calls()) return;
   for (QueuedOfferProxy* handler : handlers_) {
-    if (server.FindCommand(handler->description().name) != nullptr) handler->SetShowsCalls();
+    if (server.FindCommand(handler->description().name) != nullptr) handler->SetObservesCalls();
   }
 }
 
