@@ -19,7 +19,7 @@ class PlotMarks {
   PlotMarks(QwtPlot& plot, SharedTimeAxis& time_axis);
 
   /// Draws these marks, which must outlive the plot. After a later change of `marks`, call
-  /// PlotView::changed().
+  /// PlotView::requestRedraw().
   void set(const MarkTrack& marks);
   void setShown(bool shown);
   /// Returns the texts of the marks at canvas column `x`, one per line.

@@ -163,7 +163,7 @@ void PlotPanel::append(const QString& path, std::span<const Sample> samples) {
     if (curve == nullptr) continue;
     curve->append(samples);
     // New samples of a recorded curve do not cause a redraw by themselves.
-    if (curve->isRecorded()) view->changed();
+    if (curve->isRecorded()) view->requestRedraw();
   }
 }
 
@@ -173,12 +173,12 @@ void PlotPanel::setNames(const QString& path, const ValueNamesPointer& names) {
 
 void PlotPanel::addMark(Mark mark) {
   marks_.add(std::move(mark));
-  for (PlotView* view : tabs_.plots()) view->changed();
+  for (PlotView* view : tabs_.plots()) view->requestRedraw();
 }
 
 void PlotPanel::removeMarks() {
   marks_.clear();
-  for (PlotView* view : tabs_.plots()) view->changed();
+  for (PlotView* view : tabs_.plots()) view->requestRedraw();
 }
 
 void PlotPanel::setMarksShown(bool shown) {
@@ -193,7 +193,7 @@ void PlotPanel::removeSamples(const QString& recording) {
     for (const auto& curve : view->curves().curves()) {
       if (curve->recording() == recording) curve->removeSamples();
     }
-    view->changed();
+    view->requestRedraw();
   }
 }
 
@@ -203,7 +203,7 @@ void PlotPanel::setRecordedTime(const QString& recording, const TimeSpan& time) 
     for (const auto& curve : view->curves().curves()) {
       if (curve->recording() == recording) curve->setRecordedEnd(time.to_ns);
     }
-    view->changed();
+    view->requestRedraw();
   }
 }
 
@@ -253,7 +253,7 @@ void PlotPanel::updateStandstills() {
       const QString why = standstills_(curve->path(), newest);
       if (why == curve->standstill()) continue;
       curve->setStandstill(why);
-      view->changed();
+      view->requestRedraw();
     }
   }
 }

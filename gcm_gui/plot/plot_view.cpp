@@ -104,7 +104,7 @@ void PlotView::build() {
   connect(&legendBox(), &Legend::lookRequested, this, &PlotView::askForLook);
   connect(&legendBox(), &Legend::toggled, this, [this](const QString& path) {
     if (Curve* toggled = curve(path)) toggled->setVisible(!toggled->isVisible());
-    changed();
+    requestRedraw();
     updateLegend();
   });
   new PlotNavigator(*this);
@@ -115,7 +115,7 @@ Legend& PlotView::legendBox() { return legend_->legend(); }
 void PlotView::takeTheme() {
   axes_.takeTheme();
   grid_->setPen(Theme::instance().color(Token::kLine), 0);
-  changed();
+  requestRedraw();
   axes_.showValues(curves_.axes(), curves_.scale());
   updateLegend();
   if (curves_.empty()) replot();  // the timer does not redraw an empty plot
@@ -155,7 +155,7 @@ void PlotView::curvesChanged() {
   const QString curves = Words::tr("%1 curves").arg(curves_.curves().size());
   setAccessibleDescription(empty ? Words::tr(kHint) : curves);
   if (isVisible() && !empty) timer_.start(kFrame);
-  changed();
+  requestRedraw();
   axes_.showTime(window_);
   axes_.showValues(curves_.axes(), curves_.scale());
   updateLegend();
@@ -164,7 +164,7 @@ void PlotView::curvesChanged() {
 
 void PlotView::setFit(Fit fit) {
   curves_.setFit(fit);
-  changed();
+  requestRedraw();
 }
 
 void PlotView::setScale(ValueScale scale) {
@@ -172,7 +172,7 @@ void PlotView::setScale(ValueScale scale) {
   // Forgets the history of this plot, because its ranges belong to the other scale.
   time_axis_->leave(curves_);
   time_axis_->join(curves_);
-  changed();
+  requestRedraw();
   updateLegend();
 }
 
@@ -224,7 +224,7 @@ void PlotView::setHover(std::optional<int> x) {
 
 void PlotView::setPlotsAbove(const std::vector<PlotView*>& plots) {
   above_.assign(plots.begin(), plots.end());
-  changed();
+  requestRedraw();
 }
 
 void PlotView::setMarkedCurrent(bool marked) {
@@ -232,7 +232,7 @@ void PlotView::setMarkedCurrent(bool marked) {
   update();
 }
 
-void PlotView::changed() {
+void PlotView::requestRedraw() {
   time_axis_->touch();
   noticeChange();
 }
@@ -377,7 +377,7 @@ void PlotView::hideEvent(QHideEvent* event) {
 void PlotView::resizeEvent(QResizeEvent* event) {
   QwtPlot::resizeEvent(event);
   legend_->place();
-  changed();
+  requestRedraw();
 }
 
 void PlotView::paintEvent(QPaintEvent* event) {
@@ -424,12 +424,12 @@ void PlotView::startDrag(const QString& path) {
 
 void PlotView::setWindow(std::chrono::nanoseconds length) {
   window_.setLength(length);
-  changed();
+  requestRedraw();
 }
 
 void PlotView::setMotion(TimeWindow::Motion motion) {
   window_.setMotion(motion);
-  changed();
+  requestRedraw();
   Q_EMIT motionChanged();
 }
 
@@ -440,7 +440,7 @@ void PlotView::setPaused(bool paused) {
   } else {
     window_.goLive();
   }
-  changed();
+  requestRedraw();
 }
 
 bool PlotView::isFirst() const {

@@ -53,7 +53,7 @@ class PlotView : public QwtPlot {
   Curve& addCurve(const CurveKey& key);
   void removeCurve(const QString& path);
   /// Redraws after a change of a curve's state or of the marks.
-  void changed();
+  void requestRedraw();
   /// Unique among all plots of this program.
   [[nodiscard]] std::uint64_t id() const { return id_; }
   /// Removes a curve with its samples and returns it, so that another plot can adoptCurve() it;

@@ -77,7 +77,7 @@ TEST_F(GapBandsTest, TintsASuspensionDuringAndAfterIt) {
   other.append(Rows(0, 10'000, Flat));
 
   curve.setStandstill("suspended");
-  view_.changed();
+  view_.requestRedraw();
   const QColor silent = ColorAt(1.2);
   EXPECT_NE(silent, Theme::instance().color(Token::kPanel));
   EXPECT_GE(silent.blue(), silent.red());
@@ -87,7 +87,7 @@ TEST_F(GapBandsTest, TintsASuspensionDuringAndAfterIt) {
   std::vector<Sample> rows = Rows(5000, 8000, Flat);  // no tick is missing
   for (Sample& row : rows) row.time_ns += 2 * kSecond;
   curve.append(rows);
-  view_.changed();
+  view_.requestRedraw();
 
   EXPECT_NE(ColorAt(4.2), Theme::instance().color(Token::kPanel));
   EXPECT_EQ(ColorAt(1.2), Theme::instance().color(Token::kPanel));
