@@ -17,7 +17,7 @@ namespace tendon::gui {
 namespace {
 
 CsvTable InSight(const PlotView& view) {
-  const TimeWindow& window = view.window();
+  const TimeWindow& window = view.timeWindow();
   return CsvTableOf(view.curves(), window.firstTime(), window.lastTime(),
                     ShownWallTime() - view.now());
 }

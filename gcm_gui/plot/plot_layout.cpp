@@ -51,11 +51,11 @@ QJsonObject JsonOf(const PlotView& view, const QString& name, bool is_below) {
     if (!axis.isEmpty()) one["axis"] = axis;
     curves.append(one);
   }
-  const double seconds = static_cast<double>(view.window().length().count()) / kNsPerSecond;
+  const double seconds = static_cast<double>(view.timeWindow().length().count()) / kNsPerSecond;
   QJsonObject plot{{"window", seconds}, {"curves", curves}};
   if (!name.isEmpty() && !is_below) plot["name"] = name;
   if (is_below) plot["below"] = true;
-  if (view.window().motion() == TimeWindow::Motion::kSweep) plot["sweep"] = true;
+  if (view.timeWindow().motion() == TimeWindow::Motion::kSweep) plot["sweep"] = true;
   if (view.curves().scale() == ValueScale::kLogarithmic) plot["logarithmic"] = true;
   return plot;
 }

@@ -218,8 +218,8 @@ std::optional<TimeSpan> PlotPanel::seenOf(const QString& recording) const {
   for (PlotView* view : tabs_.currentPage().views()) {
     if (!view->recordedCurves().recordings().contains(recording)) continue;
     const std::int64_t back_ns = -view->recordedCurves().shift(recording);
-    return TimeSpan{.from_ns = MovedTime(view->window().firstTime(), back_ns),
-                    .to_ns = MovedTime(view->window().lastTime(), back_ns)};
+    return TimeSpan{.from_ns = MovedTime(view->timeWindow().firstTime(), back_ns),
+                    .to_ns = MovedTime(view->timeWindow().lastTime(), back_ns)};
   }
   return std::nullopt;
 }
@@ -358,9 +358,9 @@ void PlotPanel::updateHead() {
     if (losses_) each.losses = losses_(each.path).since(each.losses_before);
   }
   head_->setFigures(figures);
-  head_->setWindow(currentPlot().window().length());
+  head_->setWindow(currentPlot().timeWindow().length());
   head_->setCursors(currentPlot().cursors().times().any());
-  head_->setSweeping(currentPlot().window().motion() == TimeWindow::Motion::kSweep);
+  head_->setSweeping(currentPlot().timeWindow().motion() == TimeWindow::Motion::kSweep);
   head_->setWay(currentPlot().gestures().hasFormerView(), currentPlot().gestures().hasLaterView());
 }
 

@@ -65,7 +65,7 @@ class PlotView : public QwtPlot {
 
   /// Sets the time span of a live plot.
   void setWindow(std::chrono::nanoseconds length);
-  [[nodiscard]] const TimeWindow& window() const { return window_; }
+  [[nodiscard]] const TimeWindow& timeWindow() const { return window_; }
   /// Sets how a live plot moves.
   void setMotion(TimeWindow::Motion motion);
   /// True stops the view at the present time; false makes the view live.

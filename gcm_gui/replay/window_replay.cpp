@@ -41,7 +41,7 @@ std::int64_t WindowReplay::pastInSight() const {
   if (!IsMomentShown()) return 0;
   std::int64_t past = 0;
   for (int i = 0; i < plots_->plotCount(); ++i) {
-    const TimeWindow& window = plots_->plot(i).window();
+    const TimeWindow& window = plots_->plot(i).timeWindow();
     past = std::max<std::int64_t>(
         past, window.isLive() ? window.length().count() : ShownTime() - window.firstTime());
   }
@@ -54,7 +54,8 @@ void WindowReplay::showMoment() {
   const std::int64_t now = ShownTime();
   for (int i = 0; i < plots_->plotCount(); ++i) {
     PlotView& plot = plots_->plot(i);
-    const bool is_in_sight = now >= plot.window().firstTime() && now <= plot.window().lastTime();
+    const bool is_in_sight =
+        now >= plot.timeWindow().firstTime() && now <= plot.timeWindow().lastTime();
     if (!plot.isLive() && !is_in_sight) plot.gestures().goLiveTogether();
   }
 }

@@ -66,7 +66,7 @@ void FillPlotMenu(QMenu& menu, PlotPanel& panel, PlotView& view) {
   });
   sweep->setShortcut(Qt::Key_S);
   sweep->setCheckable(true);
-  sweep->setChecked(view.window().motion() == Motion::kSweep);
+  sweep->setChecked(view.timeWindow().motion() == Motion::kSweep);
   menu.addAction(Words::tr("Follow live data"), &view.gestures(), &PlotGestures::goLive);
   menu.addAction(Words::tr("Back to the previous view"), &view.gestures(), &PlotGestures::goBack)
       ->setEnabled(view.gestures().hasFormerView());

@@ -178,7 +178,7 @@ bool PlotNavigator::plainKey(int key) {
       Q_EMIT view_.marksToggled();
       return true;
     case Qt::Key_S:
-      view_.setMotion(view_.window().motion() == TimeWindow::Motion::kScroll
+      view_.setMotion(view_.timeWindow().motion() == TimeWindow::Motion::kScroll
                           ? TimeWindow::Motion::kSweep
                           : TimeWindow::Motion::kScroll);
       return true;

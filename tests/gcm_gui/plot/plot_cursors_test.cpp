@@ -28,7 +28,7 @@ class PlotCursors : public testing::Test {
 
   double xOf(double seconds) { return view_.transform(QwtAxis::XBottom, seconds); }
   std::vector<CursorLines::Line> Lines() {
-    return CursorLines(view_.curves(), view_.window(), view_.cursors().times()).lines();
+    return CursorLines(view_.curves(), view_.timeWindow(), view_.cursors().times()).lines();
   }
 
   PlotView view_;
@@ -69,7 +69,7 @@ TEST_F(PlotCursors, KeysPlaceAndRemoveThem) {
 
 TEST_F(PlotCursors, DraggingThemDoesNotZoom) {
   view_.cursors().place(Cursor::kA, xOf(-5));
-  const double span = view_.window().to() - view_.window().from();
+  const double span = view_.timeWindow().to() - view_.timeWindow().from();
   const QPoint from(static_cast<int>(xOf(-5)), 40);
   const QPoint to = from + QPoint(60, 30);
 
@@ -81,7 +81,7 @@ TEST_F(PlotCursors, DraggingThemDoesNotZoom) {
 
   EXPECT_EQ(view_.cursors().at(to.x()), Cursor::kA);
   EXPECT_FALSE(view_.cursors().at(from.x()).has_value());
-  EXPECT_EQ(view_.window().to() - view_.window().from(), span);
+  EXPECT_EQ(view_.timeWindow().to() - view_.timeWindow().from(), span);
 }
 
 TEST_F(PlotCursors, AnEmptyPlotHasNoCursors) {

@@ -32,7 +32,9 @@ class PlotGesturesTest : public testing::Test {
 
   [[nodiscard]] PlotGestures& gestures() { return view_.gestures(); }
   [[nodiscard]] PlotAxes& axes() { return view_.axes(); }
-  [[nodiscard]] double timeSpan() const { return view_.window().to() - view_.window().from(); }
+  [[nodiscard]] double timeSpan() const {
+    return view_.timeWindow().to() - view_.timeWindow().from();
+  }
   [[nodiscard]] const std::vector<UnitAxis>& valueAxes() const { return view_.curves().axes(); }
 
   std::shared_ptr<SharedTimeAxis> time_axis_ = std::make_shared<SharedTimeAxis>();
@@ -69,13 +71,13 @@ TEST_F(PlotGesturesTest, ZoomingValuesKeepsTheValuesAtThatRowAndStaysLive) {
 }
 
 TEST_F(PlotGesturesTest, PanningMovesByAPartOfTheCanvas) {
-  const double from = view_.window().from();
+  const double from = view_.timeWindow().from();
   const std::vector<UnitAxis> before = valueAxes();
 
   gestures().panTime(axes().columns() / 4);
   gestures().panValues(axes().rows() / 2.0);
 
-  EXPECT_NEAR(view_.window().from(), from + 2.5, 1e-9);
+  EXPECT_NEAR(view_.timeWindow().from(), from + 2.5, 1e-9);
   EXPECT_NEAR(timeSpan(), 10, 1e-9);
   EXPECT_FALSE(view_.isLive());
   for (std::size_t i = 0; i < before.size(); ++i) {
@@ -94,8 +96,8 @@ TEST_F(PlotGesturesTest, ZoomingToARectangleShowsItsTimesAndValues) {
 
   gestures().zoomTo(QRect(QPoint(100, 60), QPoint(220, 160)));
 
-  EXPECT_NEAR(view_.window().from(), left, 1e-9);
-  EXPECT_NEAR(view_.window().to(), right, 1e-9);
+  EXPECT_NEAR(view_.timeWindow().from(), left, 1e-9);
+  EXPECT_NEAR(view_.timeWindow().to(), right, 1e-9);
   EXPECT_NEAR(valueAxes().front().range.low, low, 1e-9);
   EXPECT_NEAR(valueAxes().front().range.high, high, 1e-9);
 }

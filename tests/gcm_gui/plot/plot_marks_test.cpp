@@ -28,7 +28,8 @@ class PlotMarksTest : public testing::Test {
 
   [[nodiscard]] PlotMarks& marks() { return view_.marks(); }
   [[nodiscard]] int columnOf(std::int64_t time_ns) {
-    return static_cast<int>(std::round(view_.axes().columnOf(view_.window().secondsAt(time_ns))));
+    return static_cast<int>(
+        std::round(view_.axes().columnOf(view_.timeWindow().secondsAt(time_ns))));
   }
   /// Returns the colour of the plot where the line of the mark is.
   [[nodiscard]] QColor colorOfMark() {

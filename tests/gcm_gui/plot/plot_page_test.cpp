@@ -111,7 +111,7 @@ TEST_F(PlotPages, AllPlotsShareZoomAndItsHistory) {
   refresh();
 
   EXPECT_FALSE(below().isLive());
-  EXPECT_EQ(below().window(), above().window());
+  EXPECT_EQ(below().timeWindow(), above().timeWindow());
 
   QTest::keyClick(below().canvas(), Qt::Key_Left, Qt::AltModifier);
   EXPECT_TRUE(above().isLive());
@@ -180,7 +180,7 @@ TEST_F(PlotPages, AllPlotsShareCursorsAndTheHoverLine) {
   below().refresh();
 
   const auto value = below().legendBox().rows().front()->entry().value.toDouble();
-  const auto at = below().window().shownAt(below().invTransform(QwtAxis::XBottom, 300));
+  const auto at = below().timeWindow().shownAt(below().invTransform(QwtAxis::XBottom, 300));
   EXPECT_NEAR(value, below().curve(kForce)->numberAt(at).value_or(0).nearest(), 1);
 }
 
@@ -268,7 +268,7 @@ TEST_F(PlotPages, ALayoutKeepsStackedPlots) {
   EXPECT_TRUE(other.isBelow(1));
   EXPECT_FALSE(other.isBelow(2));
   EXPECT_EQ(other.findChild<QTabBar*>("plotTabs")->count(), 2);
-  EXPECT_EQ(other.plot(0).window().motion(), TimeWindow::Motion::kSweep);
+  EXPECT_EQ(other.plot(0).timeWindow().motion(), TimeWindow::Motion::kSweep);
   EXPECT_EQ(other.plot(0).curves().scale(), ValueScale::kLinear);
   EXPECT_EQ(other.plot(1).curves().scale(), ValueScale::kLogarithmic);
 }

@@ -226,7 +226,7 @@ TEST_F(PlotPanelTest, AMenuChoosesTheTimeWindow) {
   QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(find("10 s")).center());
   EXPECT_EQ(button.text(), "Last 10 s");
   EXPECT_TRUE(find("10 s")->isChecked());
-  EXPECT_EQ(panel_.currentPlot().window().length(), std::chrono::seconds(10));
+  EXPECT_EQ(panel_.currentPlot().timeWindow().length(), std::chrono::seconds(10));
 }
 
 TEST_F(PlotPanelTest, DrawsOnlyTheVisiblePlot) {

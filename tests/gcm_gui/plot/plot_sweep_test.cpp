@@ -34,15 +34,15 @@ class PlotSweep : public testing::Test {
     Painted(view_);
   }
 
-  [[nodiscard]] double head() const { return view_.window().head(); }
+  [[nodiscard]] double head() const { return view_.timeWindow().head(); }
 
   PlotView view_;
   Curve* curve_ = nullptr;
 };
 
 TEST_F(PlotSweep, TheAxisIsFixedAndTheHeadShowsNow) {
-  EXPECT_TRUE(view_.window().isSweeping());
-  EXPECT_EQ(view_.window().origin() % (10 * kSecond), 0);
+  EXPECT_TRUE(view_.timeWindow().isSweeping());
+  EXPECT_EQ(view_.timeWindow().origin() % (10 * kSecond), 0);
   EXPECT_DOUBLE_EQ(view_.axisInterval(QwtAxis::XBottom).minValue(), 0);
   EXPECT_DOUBLE_EQ(view_.axisInterval(QwtAxis::XBottom).maxValue(), 10);
   EXPECT_GE(head(), 0);
@@ -52,29 +52,31 @@ TEST_F(PlotSweep, TheAxisIsFixedAndTheHeadShowsNow) {
 TEST_F(PlotSweep, RightOfTheHeadIsThePreviousSweep) {
   const double right_of_it = (head() + 10) / 2;
 
-  EXPECT_EQ(view_.window().shownAt(right_of_it), view_.window().timeAt(right_of_it) - 10 * kSecond);
-  EXPECT_EQ(view_.window().lastTime() - view_.window().firstTime(), 10 * kSecond);
-  EXPECT_NEAR(view_.window().pointOf(view_.window().shownAt(right_of_it)), right_of_it, 1e-6);
+  EXPECT_EQ(view_.timeWindow().shownAt(right_of_it),
+            view_.timeWindow().timeAt(right_of_it) - 10 * kSecond);
+  EXPECT_EQ(view_.timeWindow().lastTime() - view_.timeWindow().firstTime(), 10 * kSecond);
+  EXPECT_NEAR(view_.timeWindow().pointOf(view_.timeWindow().shownAt(right_of_it)), right_of_it,
+              1e-6);
 }
 
 TEST_F(PlotSweep, ZoomingLeavesTheSweepForTheSelectedTime) {
   const int left = static_cast<int>(view_.transform(QwtAxis::XBottom, head() * 0.25));
   const int right = static_cast<int>(view_.transform(QwtAxis::XBottom, head() * 0.75));
-  const std::int64_t from = view_.window().shownAt(view_.invTransform(QwtAxis::XBottom, left));
+  const std::int64_t from = view_.timeWindow().shownAt(view_.invTransform(QwtAxis::XBottom, left));
 
   view_.gestures().zoomTo(QRect(QPoint(left, 20), QPoint(right, 120)));
   Painted(view_);
 
-  EXPECT_FALSE(view_.window().isSweeping());
-  EXPECT_NEAR(static_cast<double>(view_.window().firstTime() - from), 0, 1e6);
-  EXPECT_LT(view_.window().lastTime() - view_.window().firstTime(), 10 * kSecond);
+  EXPECT_FALSE(view_.timeWindow().isSweeping());
+  EXPECT_NEAR(static_cast<double>(view_.timeWindow().firstTime() - from), 0, 1e6);
+  EXPECT_LT(view_.timeWindow().lastTime() - view_.timeWindow().firstTime(), 10 * kSecond);
 
   QTest::keyClick(view_.canvas(), Qt::Key_Left, Qt::AltModifier);
-  EXPECT_TRUE(view_.window().isSweeping());
+  EXPECT_TRUE(view_.timeWindow().isSweeping());
 }
 
 TEST_F(PlotSweep, CsvExportContainsTheVisibleTime) {
-  const TimeWindow& window = view_.window();
+  const TimeWindow& window = view_.timeWindow();
 
   const CsvTable table = CsvTableOf(view_.curves(), window.firstTime(), window.lastTime(), 0);
 
@@ -85,13 +87,13 @@ TEST_F(PlotSweep, CsvExportContainsTheVisibleTime) {
 
 TEST_F(PlotSweep, GoingLiveResumesTheSweep) {
   view_.gestures().goLive();
-  EXPECT_TRUE(view_.window().isSweeping());
-  const std::int64_t before = view_.window().lastTime();
+  EXPECT_TRUE(view_.timeWindow().isSweeping());
+  const std::int64_t before = view_.timeWindow().lastTime();
 
-  EXPECT_TRUE(QTest::qWaitFor([&] { return view_.window().lastTime() > before; }, 120'000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return view_.timeWindow().lastTime() > before; }, 120'000));
 
   QTest::keyClick(view_.canvas(), Qt::Key_S);
-  EXPECT_FALSE(view_.window().isSweeping());
+  EXPECT_FALSE(view_.timeWindow().isSweeping());
   EXPECT_TRUE(view_.isLive());
 }
 
@@ -103,7 +105,7 @@ TEST(PlotSweepPanel, TheButtonShowsWhetherSweepIsOn) {
 
   QTest::mouseClick(button, Qt::LeftButton);
   EXPECT_TRUE(button->isChecked());
-  EXPECT_EQ(panel.currentPlot().window().motion(), TimeWindow::Motion::kSweep);
+  EXPECT_EQ(panel.currentPlot().timeWindow().motion(), TimeWindow::Motion::kSweep);
 
   QTest::keyClick(panel.currentPlot().canvas(), Qt::Key_S);
   EXPECT_FALSE(button->isChecked());
@@ -125,7 +127,7 @@ TEST(SweepingWindow, DrawsBothSweepsWithABarBetween) {
 
   const QRect canvas = view.canvas()->geometry();
   const int head =
-      canvas.left() + static_cast<int>(view.transform(QwtAxis::XBottom, view.window().head()));
+      canvas.left() + static_cast<int>(view.transform(QwtAxis::XBottom, view.timeWindow().head()));
   const auto has_curve = [&](int from, int to) {
     for (int x = std::max(from, canvas.left()); x < std::min(to, canvas.right()); ++x) {
       for (int y = canvas.top(); y < canvas.bottom(); ++y) {

@@ -94,7 +94,7 @@ class PlotValues : public testing::Test {
 
   [[nodiscard]] int columnOf(std::int64_t time_ns) const {
     return static_cast<int>(
-        std::lround(view_.transform(QwtAxis::XBottom, view_.window().pointOf(time_ns))));
+        std::lround(view_.transform(QwtAxis::XBottom, view_.timeWindow().pointOf(time_ns))));
   }
 
   [[nodiscard]] const LegendEntry& entry() {
@@ -242,7 +242,8 @@ TEST_F(PlotValues, StatesShowTheirNameOnAxisLegendAndCursors) {
 
   view_.cursors().place(Cursor::kA, columnOf(kSecond));
   view_.cursors().place(Cursor::kB, columnOf(8 * kSecond));
-  const auto lines = CursorLines(view_.curves(), view_.window(), view_.cursors().times()).lines();
+  const auto lines =
+      CursorLines(view_.curves(), view_.timeWindow(), view_.cursors().times()).lines();
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[1].text, "off → automatic");
   KeepPicture(Painted(view_), "plot_states");

@@ -61,12 +61,12 @@ TEST_F(PlotViewTest, KeepsNowAtTheRightEdge) {
   Curve& curve = view_.addCurve({"p/a/state.x", "rad"});
   curve.append(Rows(0, 10'000));
   view_.refresh();
-  const std::int64_t before = view_.window().origin();
+  const std::int64_t before = view_.timeWindow().origin();
 
   curve.append(Rows(10'000, 20'000));
   view_.refresh();
 
-  EXPECT_NEAR(static_cast<double>(view_.window().origin() - before), 10e9, 0.5e9);
+  EXPECT_NEAR(static_cast<double>(view_.timeWindow().origin() - before), 10e9, 0.5e9);
 }
 
 TEST_F(PlotViewTest, ScrollsByWholeColumns) {
@@ -76,12 +76,12 @@ TEST_F(PlotViewTest, ScrollsByWholeColumns) {
   Painted(view_);
   const QwtScaleMap map = view_.canvasMap(QwtAxis::XBottom);
   const double column_ns = 10e9 / (map.p2() - map.p1());
-  const std::int64_t before = view_.window().origin();
+  const std::int64_t before = view_.timeWindow().origin();
 
   curve.append(Rows(10'000, 13'333));
   view_.refresh();
 
-  const double columns = static_cast<double>(view_.window().origin() - before) / column_ns;
+  const double columns = static_cast<double>(view_.timeWindow().origin() - before) / column_ns;
   EXPECT_GT(columns, 100);
   EXPECT_NEAR(columns, std::round(columns), 1e-6);
 }
@@ -131,17 +131,17 @@ TEST_F(PlotViewTest, PausingStopsTheViewAndLosesNoSample) {
   curve.append(Rows(0, 10'000));
   view_.refresh();
   view_.setPaused(true);
-  const std::int64_t origin = view_.window().origin();
+  const std::int64_t origin = view_.timeWindow().origin();
 
   curve.append(Rows(10'000, 60'000));
   view_.refresh();
-  EXPECT_EQ(view_.window().origin(), origin);
+  EXPECT_EQ(view_.timeWindow().origin(), origin);
   EXPECT_EQ(curve.samples().endIndex(), 60'000U);
   EXPECT_EQ(curve.samples().lost(), 0U);
 
   view_.setPaused(false);
   view_.refresh();
-  EXPECT_NEAR(static_cast<double>(view_.window().origin()), 60e9, 0.5e9);
+  EXPECT_NEAR(static_cast<double>(view_.timeWindow().origin()), 60e9, 0.5e9);
 }
 
 TEST_F(PlotViewTest, TheLegendShowsTheCurrentOrHoveredValue) {
@@ -210,9 +210,9 @@ TEST_F(PlotViewTest, AThemeChangeReachesTheCanvas) {
 
 TEST_F(PlotViewTest, RedrawsItselfWhileVisibleAndLive) {
   view_.addCurve({"p/a/state.x", "rad"}).append(Rows(0, 10'000));
-  const std::int64_t before = view_.window().origin();
+  const std::int64_t before = view_.timeWindow().origin();
 
-  EXPECT_TRUE(QTest::qWaitFor([&] { return view_.window().origin() > before; }, 120'000));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return view_.timeWindow().origin() > before; }, 120'000));
 }
 
 }  // namespace

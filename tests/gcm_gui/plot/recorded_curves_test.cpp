@@ -131,14 +131,14 @@ TEST_F(RecordedCurvesTest, AShiftIsAStepOfTheHistory) {
 }
 
 TEST_F(RecordedCurvesTest, TheArrowsWithCtrlShiftInOneStep) {
-  const TimeWindow before = view().window();
+  const TimeWindow before = view().timeWindow();
   for (int i = 0; i < 5; ++i) {
     QTest::keyClick(view().canvas(), Qt::Key_Right, Qt::ControlModifier);
   }
 
   EXPECT_GT(view().recordedCurves().shift(kRunFile), 5 * kSecond);
   EXPECT_TRUE(view().isLive());
-  EXPECT_EQ(view().window().length(), before.length());
+  EXPECT_EQ(view().timeWindow().length(), before.length());
 
   QTest::keyClick(view().canvas(), Qt::Key_Left, Qt::AltModifier);
   EXPECT_EQ(view().recordedCurves().shift(kRunFile), 5 * kSecond);
@@ -373,7 +373,7 @@ TEST_F(RecordedCurvesTest, ADragFromTheWindowOfARecordingPutsItsMomentAtTheRight
   ASSERT_NE(view().curve(recorded), nullptr);
   const std::int64_t there =
       MovedTime(moment - WallOffset(), view().recordedCurves().shift("/runs/third.mcap"));
-  EXPECT_NEAR(static_cast<double>(there), static_cast<double>(view().window().lastTime()),
+  EXPECT_NEAR(static_cast<double>(there), static_cast<double>(view().timeWindow().lastTime()),
               2 * kSecond);
 }
 
@@ -407,7 +407,7 @@ TEST_F(RecordedCurvesTest, TheMenuOffersAnotherCurveAndTheShiftOfEachRecording) 
     if (action->text() == "run.mcap") trigger(*action->menu(), "Begin at the left edge");
   }
   EXPECT_NEAR(static_cast<double>(First(curve(kRecordedX))),
-              static_cast<double>(view().window().firstTime()), 2 * kSecond);
+              static_cast<double>(view().timeWindow().firstTime()), 2 * kSecond);
 }
 
 }  // namespace

@@ -104,7 +104,7 @@ TEST_F(RecordingOverlayTest, AUserPutsARecordingBesideALiveCurveAndShiftsIt) {
   AddTheSameSignal();
 
   const std::int64_t begin = Recorded()->samples().time(0);
-  const auto left = static_cast<double>(Plot().window().firstTime());
+  const auto left = static_cast<double>(Plot().timeWindow().firstTime());
   EXPECT_NEAR(static_cast<double>(begin), left, 5.0 * kSecond) << "it begins at the left edge";
   EXPECT_EQ(Recorded()->colorIndex(), Plot().curve(kShownWave)->colorIndex());
   EXPECT_EQ(source_.subscribed.keys(), QStringList{kShownWave}) << "the system is not asked for it";

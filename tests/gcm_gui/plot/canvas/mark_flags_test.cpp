@@ -32,7 +32,7 @@ class MarkFlagsTest : public testing::Test {
   }
   PlotView& view() { return panel_.currentPlot(); }
   [[nodiscard]] double xOf(std::int64_t time_ns) {
-    return view().transform(QwtAxis::XBottom, view().window().secondsAt(time_ns));
+    return view().transform(QwtAxis::XBottom, view().timeWindow().secondsAt(time_ns));
   }
 
   PlotPanel panel_;

@@ -56,7 +56,9 @@ class PlotNavigatorTest : public testing::Test {
     QApplication::sendEvent(view_.canvas(), &event);
   }
 
-  [[nodiscard]] double timeSpan() const { return view_.window().to() - view_.window().from(); }
+  [[nodiscard]] double timeSpan() const {
+    return view_.timeWindow().to() - view_.timeWindow().from();
+  }
   [[nodiscard]] double valueSpan() const { return view_.axisInterval(QwtAxis::YLeft).width(); }
   [[nodiscard]] QPushButton& pill() const { return *view_.findChild<QPushButton*>("live"); }
 
@@ -77,11 +79,11 @@ TEST_F(PlotNavigatorTest, TheWheelZoomsInTimeAroundTheMouse) {
 
 TEST_F(PlotNavigatorTest, AZoomedViewStaysWhileSamplesArrive) {
   turnWheel({300, 100}, {0, 120});
-  const std::int64_t from = view_.window().timeAt(view_.window().from());
+  const std::int64_t from = view_.timeWindow().timeAt(view_.timeWindow().from());
 
   stream(20'000);
 
-  EXPECT_EQ(view_.window().timeAt(view_.window().from()), from);
+  EXPECT_EQ(view_.timeWindow().timeAt(view_.timeWindow().from()), from);
   EXPECT_EQ(curve_->samples().lost(), 0U);
   EXPECT_EQ(curve_->samples().endIndex(), tick_);
 }
@@ -104,8 +106,8 @@ TEST_F(PlotNavigatorTest, DraggingZoomsToTheRectangle) {
 
   drag({100, 60}, {220, 160});
 
-  EXPECT_NEAR(view_.window().from(), left, 0.06);
-  EXPECT_NEAR(view_.window().to(), right, 0.06);
+  EXPECT_NEAR(view_.timeWindow().from(), left, 0.06);
+  EXPECT_NEAR(view_.timeWindow().to(), right, 0.06);
   EXPECT_NEAR(view_.axisInterval(QwtAxis::YLeft).maxValue(), top, 1e-9);
 }
 
@@ -178,9 +180,9 @@ TEST_F(PlotNavigatorTest, AltLeftGoesBackStepByStep) {
 TEST_F(PlotNavigatorTest, WorksFromTheKeyboard) {
   QTest::keyClick(view_.canvas(), Qt::Key_Plus);
   EXPECT_NEAR(timeSpan(), 8, 1e-9);
-  const double from = view_.window().from();
+  const double from = view_.timeWindow().from();
   QTest::keyClick(view_.canvas(), Qt::Key_Left);
-  EXPECT_LT(view_.window().from(), from);
+  EXPECT_LT(view_.timeWindow().from(), from);
   QTest::keyClick(view_.canvas(), Qt::Key_End);
   EXPECT_TRUE(view_.isLive());
 }
