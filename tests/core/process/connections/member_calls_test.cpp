@@ -72,13 +72,13 @@ TEST_P(MemberCall, ExecutesCommandsOfEveryKindByName) {
   Move read;
   EXPECT_TRUE(EventuallyTrue([&] {
     const auto called = Call("Control", "GetMove");
-    return called && tendon::Decode(called->answer, read) && read == move;
+    return called && tendon::Decode(called->result, read) && read == move;
   }));
   const auto scaled = Call("Control", "GetScaled", EncodeBody(3.0));
-  ASSERT_TRUE(tendon::Decode(scaled->answer, read));
+  ASSERT_TRUE(tendon::Decode(scaled->result, read));
   EXPECT_EQ(read.goal, (std::array{3.0, 6.0, 9.0}));
   const auto column = Call("state", "Move");
-  ASSERT_TRUE(tendon::Decode(column->answer, read));
+  ASSERT_TRUE(tendon::Decode(column->result, read));
   EXPECT_EQ(read, move);
 }
 
