@@ -2,6 +2,7 @@
 
 #include <gcm_gui/plot/plot_tabs.h>
 #include <gcm_gui/plot/series/mark_track.h>
+#include <gcm_gui/plot/series/row_losses.h>
 #include <gcm_gui/plot/series/sample_ring.h>
 #include <gcm_gui/plot/series/signal_path.h>
 #include <gcm_gui/plot/series/time_window.h>

@@ -25,6 +25,7 @@ class ReplayStrip final : public QFrame {
   /// `session` must outlive this object.
   explicit ReplayStrip(ReplaySession& session, QWidget* parent = nullptr);
 
+  [[nodiscard]] const ReplayStripe& stripe() const { return *stripe_; }
   [[nodiscard]] TimeSlider& slider() const { return *slider_; }
   /// Shows which parts of the file are missing; empty if the file is complete.
   [[nodiscard]] QString warning() const { return warning_text_; }
