@@ -10,7 +10,7 @@
 namespace tendon::gui {
 namespace {
 
-const QString kX = "robot/arm/state.Joints.position[0]";
+const QString kPosition = "robot/arm/state.Joints.position[0]";
 
 class PlotTabsTest : public testing::Test {
  protected:
@@ -27,7 +27,7 @@ TEST_F(PlotTabsTest, ATabIsNamedByItsFirstColumn) {
   const QTabBar& tabs = Bar();
   EXPECT_EQ(tabs.tabText(0), "Plot 1");
 
-  panel_.addSignal(kX, "rad");
+  panel_.addSignal(kPosition, "rad");
   QTest::mouseClick(panel_.findChild<QToolButton*>("newPlot"), Qt::LeftButton);
 
   EXPECT_EQ(tabs.tabText(0), "Joints");
@@ -38,7 +38,7 @@ TEST_F(PlotTabsTest, ATabIsNamedByItsFirstColumn) {
 
 TEST_F(PlotTabsTest, TabsWithTheSameColumnAreToldApart) {
   const QTabBar& tabs = Bar();
-  panel_.addSignal(kX, "rad");
+  panel_.addSignal(kPosition, "rad");
   panel_.addPlot();
   panel_.addSignal("robot/old_arm/state.Joints.position[0]", "deg");
   EXPECT_EQ(tabs.tabText(0), "arm.Joints");
@@ -55,7 +55,7 @@ TEST_F(PlotTabsTest, TabsWithTheSameColumnAreToldApart) {
 
 TEST_F(PlotTabsTest, AnEmptyNameGivesTheTabTheTitleOfItsContents) {
   PlotTabs& tabs = panel_.tabs();
-  panel_.addSignal(kX, "rad");
+  panel_.addSignal(kPosition, "rad");
 
   tabs.setName(panel_.currentPlot(), " left   arm ");
   EXPECT_EQ(tabs.name(panel_.currentPlot()), "left arm");
