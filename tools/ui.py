@@ -20,7 +20,7 @@ import subprocess
 import sys
 import time
 
-PATIENCE = 60.0  # s; long enough for a busy machine
+TIMEOUT = 60.0  # s; long enough for a busy machine
 
 
 class Missing(Exception):
@@ -41,7 +41,7 @@ def holds(file, expression):
         return False
 
 
-def wait(file, expression, seconds=PATIENCE):
+def wait(file, expression, seconds=TIMEOUT):
     deadline = time.monotonic() + float(seconds)
     while not holds(file, expression):
         if time.monotonic() >= deadline:

@@ -137,9 +137,9 @@ class NewestRow final : public tendon::RowSink {
   }
   void OnStale(const tendon::Error& /*reason*/) override {}
 
-  std::optional<std::chrono::nanoseconds> WaitForAge(std::chrono::milliseconds patience) {
+  std::optional<std::chrono::nanoseconds> WaitForAge(std::chrono::milliseconds timeout) {
     std::unique_lock lock(mutex_);
-    if (!came_.wait_for(lock, patience, [this] { return written_.has_value(); })) return {};
+    if (!came_.wait_for(lock, timeout, [this] { return written_.has_value(); })) return {};
     return AgeOf(*written_);
   }
 
@@ -195,7 +195,7 @@ Result<tendon::TableSubscription> WholeTable(const tendon::Catalogue& catalogue,
 }
 
 std::optional<StaleValues> StaleValuesOf(tendon::GcmClient& client, const tendon::Path& path) {
-  constexpr std::chrono::milliseconds kPatience(500);
+  constexpr std::chrono::milliseconds kMaxWait(500);
   const tendon::Catalogue catalogue = client.catalogue();
   StaleValues old{path.process + "/" + path.component,
                   StaleReasonOf(catalogue, path.process, path.component),
@@ -215,7 +215,7 @@ std::optional<StaleValues> StaleValuesOf(tendon::GcmClient& client, const tendon
       path.process, path.component, table.name, {table.columns.front().name}};
   wanted.rows.delivery = tendon::RowDelivery::kNewest;
   const auto id = client.telemetry().Subscribe(wanted, row);
-  old.age = row->WaitForAge(kPatience);
+  old.age = row->WaitForAge(kMaxWait);
   client.telemetry().Unsubscribe(id);
   return IsStale(old.why, old.age, 0) ? std::optional(old) : std::nullopt;
 }

@@ -85,7 +85,7 @@ std::vector<std::string> ValuesFor(const ClassDescription& of, const std::string
 
 std::vector<std::string> LiveCompletion::Of(GcmClient& client, WordKind kind,
                                             const std::vector<std::string>& before) {
-  deadline_ = Clock::now() + patience_;
+  deadline_ = Clock::now() + timeout_;
   switch (kind) {
     case WordKind::kClass:
     case WordKind::kPlugIn:

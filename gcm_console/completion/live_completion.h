@@ -27,8 +27,8 @@ struct CachedReply {
 /// If a reply arrives too late for one call, the next call uses it. For one thread.
 class LiveCompletion {
  public:
-  /// `patience` is the maximum time that one call may wait in total.
-  explicit LiveCompletion(std::chrono::milliseconds patience) : patience_(patience) {}
+  /// `timeout` is the maximum time that one call may wait in total.
+  explicit LiveCompletion(std::chrono::milliseconds timeout) : timeout_(timeout) {}
 
   /// Returns the words of a kind that is not a path. `before` contains the verb's arguments before
   /// this word; paths in it are absolute.
@@ -45,7 +45,7 @@ class LiveCompletion {
   std::vector<std::string> OfCommand(tendon::GcmClient& client,
                                      const std::vector<std::string>& before);
 
-  const std::chrono::milliseconds patience_;
+  const std::chrono::milliseconds timeout_;
   TimePoint deadline_;
   std::map<std::string, CachedReply<tendon::message::Classes>> classes_;  // by process
   std::map<tendon::Fingerprint, CachedReply<tendon::Schema>> schemas_;

@@ -10,7 +10,7 @@ namespace console {
 namespace {
 
 /// The maximum time that the user waits after pressing Tab.
-constexpr std::chrono::milliseconds kPatience(300);
+constexpr std::chrono::milliseconds kCompletionTimeout(300);
 
 constexpr const char* kBash = R"(# bash completion of gcm
 _gcm() {
@@ -93,7 +93,7 @@ std::string Given(const std::vector<std::string>& words, const std::string& opti
 /// Returns a client that has received the catalogue; null if there is no GCM.
 std::shared_ptr<tendon::GcmClient> ClientFor(const std::vector<std::string>& words) {
   Settings settings;
-  settings.timeout = kPatience;
+  settings.timeout = kCompletionTimeout;
   settings.gcm = program::GcmAddress(Given(words, "--gcm"));
   settings.network.certificate = Given(words, "--certificate");
   settings.network.authority = Given(words, "--ca");
@@ -120,7 +120,7 @@ int PrintCompletions(const std::vector<std::string>& words, const Streams& strea
                 .words =
                     [&typed](WordKind kind, const std::vector<std::string>& before) {
                       const auto client = ClientFor(typed);
-                      return client ? LiveCompletion(kPatience).Of(*client, kind, before)
+                      return client ? LiveCompletion(kCompletionTimeout).Of(*client, kind, before)
                                     : std::vector<std::string>();
                     }});
   if (found.is_file) streams.out << ":files\n";

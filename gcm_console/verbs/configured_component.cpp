@@ -11,7 +11,7 @@ using tendon::Result;
 using tendon::message::Classes;
 
 Result<ConfiguredComponent> FindConfigured(tendon::GcmClient& client,
-                                           std::chrono::milliseconds patience,
+                                           std::chrono::milliseconds timeout,
                                            const tendon::Path& path) {
   const tendon::Catalogue catalogue = client.catalogue();
   const auto component = LookUpComponent(catalogue, path.process, path.component);
@@ -25,7 +25,7 @@ Result<ConfiguredComponent> FindConfigured(tendon::GcmClient& client,
                                          "set remotely"};
   }
   const auto all = tendon::Wait<Classes>(
-      patience, [&](auto handler) { client.GetClasses(path.process, std::move(handler)); });
+      timeout, [&](auto handler) { client.GetClasses(path.process, std::move(handler)); });
   if (!all) return all.error();
   const auto of = std::ranges::find_if(all->classes, [&](const tendon::ClassDescription& one) {
     return one.name == known.class_name && one.library == known.library;

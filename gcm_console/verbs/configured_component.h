@@ -18,10 +18,10 @@ struct ConfiguredComponent {
   std::uint64_t instance = 0;            ///< instance id of the process
 };
 
-/// Requests the data from the component's process, and waits at most `patience`. Returns kFailed if
+/// Requests the data from the component's process, and waits at most `timeout`. Returns kFailed if
 /// the component was not created from a class.
 tendon::Result<ConfiguredComponent> FindConfigured(tendon::GcmClient& client,
-                                                   std::chrono::milliseconds patience,
+                                                   std::chrono::milliseconds timeout,
                                                    const tendon::Path& component);
 
 }  // namespace console

@@ -133,8 +133,8 @@ void PrintReplayEnd(Context& context, const Replay& replay, const ReplayWords& w
 /// receivers accept them.
 ReplayEnd SendRest(const Replay& replay) {
   constexpr auto kBetweenLooks = 5ms;
-  constexpr auto kMostPatience = 5s;  // limit for a receiver that does not read
-  const tendon::SteadyTime deadline = tendon::SteadyClock().Now() + kMostPatience;
+  constexpr auto kMaxWait = 5s;  // limit for a receiver that does not read
+  const tendon::SteadyTime deadline = tendon::SteadyClock().Now() + kMaxWait;
   while (!replay.HasSentAll()) {
     if (tendon::os::TerminationRequested(kBetweenLooks)) return ReplayEnd::kInterrupted;
     if (tendon::SteadyClock().Now() >= deadline) return ReplayEnd::kUnsent;

@@ -78,7 +78,7 @@ ConsoleRunner::~ConsoleRunner() {
   if (desk_->interruption != nullptr) desk_->interruption->Request();
   desk_->change.notify_all();
   const bool is_done =
-      desk_->change.wait_for(lock, FileWriter::kPatience, [this] { return desk_->is_done; });
+      desk_->change.wait_for(lock, FileWriter::kTimeout, [this] { return desk_->is_done; });
   lock.unlock();
   if (is_done) {
     thread_.join();

@@ -48,7 +48,7 @@ class Background::HandedOver : public QObject {
   ~HandedOver() override {
     const auto begin = std::chrono::steady_clock::now();
     for (auto& [queue, thread] : threads_) {
-      finish(*queue, std::move(thread), begin, kPatienceAtEnd);
+      finish(*queue, std::move(thread), begin, kTimeoutAtEnd);
     }
   }
 
@@ -66,28 +66,28 @@ class Background::HandedOver : public QObject {
   std::vector<std::pair<std::shared_ptr<Queue>, std::thread>> threads_;
 };
 
-Background::Background(const char* what, std::chrono::milliseconds patience)
-    : patience_(patience), queue_(std::make_shared<Queue>(what)) {}
+Background::Background(const char* what, std::chrono::milliseconds timeout)
+    : timeout_(timeout), queue_(std::make_shared<Queue>(what)) {}
 
 Background::~Background() {
   if (!thread_.joinable()) return;
   queue_->close();
-  finish(*queue_, std::move(thread_), std::chrono::steady_clock::now(), patience_);
+  finish(*queue_, std::move(thread_), std::chrono::steady_clock::now(), timeout_);
 }
 
 void Background::finish(Queue& queue, std::thread thread,
                         std::chrono::steady_clock::time_point begin,
-                        std::chrono::milliseconds patience) {
+                        std::chrono::milliseconds timeout) {
   std::unique_lock lock(queue.mutex);
   const bool is_done =
-      queue.changed.wait_until(lock, begin + patience, [&] { return queue.is_done; });
+      queue.changed.wait_until(lock, begin + timeout, [&] { return queue.is_done; });
   if (is_done) {
     lock.unlock();
     thread.join();
     return;
   }
   std::cerr << "gcm-gui: " << queue.what << " was not finished: it took longer than "
-            << patience.count() << " ms\n";
+            << timeout.count() << " ms\n";
   queue.tasks.clear();
   thread.detach();
 }

@@ -23,14 +23,14 @@ class Background {
   using Task = std::function<void()>;
 
   /// When the program ends, it waits at most this long for all tasks that were handed over.
-  static constexpr std::chrono::seconds kPatienceAtEnd{2};
+  static constexpr std::chrono::seconds kTimeoutAtEnd{2};
 
   /// `what` names the work, such as QT_TRANSLATE_NOOP("Words", "a system file"). This name is used
-  /// on stderr and by the ExceptionGuard. `patience` is the maximum time that the destructor waits.
-  explicit Background(const char* what, std::chrono::milliseconds patience = FileWriter::kPatience);
+  /// on stderr and by the ExceptionGuard. `timeout` is the maximum time that the destructor waits.
+  explicit Background(const char* what, std::chrono::milliseconds timeout = FileWriter::kTimeout);
   Background(const Background&) = delete;
   Background& operator=(const Background&) = delete;
-  /// Waits for all tasks, at most for `patience`. Then reports unfinished tasks on stderr. Does not
+  /// Waits for all tasks, at most for `timeout`. Then reports unfinished tasks on stderr. Does not
   /// wait after handOver().
   ~Background();
 
@@ -46,11 +46,11 @@ class Background {
   class HandedOver;
 
   static void work(const std::shared_ptr<Queue>& queue);
-  /// Waits until `begin` + `patience` for the thread of a closed queue. Then reports it on stderr.
+  /// Waits until `begin` + `timeout` for the thread of a closed queue. Then reports it on stderr.
   static void finish(Queue& queue, std::thread thread, std::chrono::steady_clock::time_point begin,
-                     std::chrono::milliseconds patience);
+                     std::chrono::milliseconds timeout);
 
-  const std::chrono::milliseconds patience_;
+  const std::chrono::milliseconds timeout_;
   std::shared_ptr<Queue> queue_;
   std::thread thread_;
 };

@@ -82,8 +82,8 @@ FileWriter& FileWriter::exports() {
   return OfApplication(writer);
 }
 
-FileWriter::FileWriter(QObject* parent, std::chrono::milliseconds patience)
-    : QObject(parent), patience_(patience), queue_(std::make_shared<Queue>()) {
+FileWriter::FileWriter(QObject* parent, std::chrono::milliseconds timeout)
+    : QObject(parent), timeout_(timeout), queue_(std::make_shared<Queue>()) {
   queue_->writer = this;
   thread_ = std::thread([queue = queue_] { work(queue); });
 }
@@ -93,8 +93,7 @@ FileWriter::~FileWriter() {
   queue_->writer = nullptr;
   queue_->is_closed = true;
   queue_->changed.notify_all();
-  const bool is_done =
-      queue_->changed.wait_for(lock, patience_, [this] { return queue_->is_done; });
+  const bool is_done = queue_->changed.wait_for(lock, timeout_, [this] { return queue_->is_done; });
   for (const FinishedJob& job : queue_->finished) {
     if (job.refusal.isEmpty()) continue;
     std::cerr << "gcm-gui: " << NotSaved(job.file, job.refusal).toStdString() << '\n';
@@ -107,7 +106,7 @@ FileWriter::~FileWriter() {
   }
   if (!queue_->current.isEmpty()) {
     std::cerr << "gcm-gui: " << queue_->current.toStdString() << " was not written: it took longer "
-              << "than " << patience_.count() << " ms\n";
+              << "than " << timeout_.count() << " ms\n";
   }
   for (const Job& job : queue_->jobs) {
     std::cerr << "gcm-gui: " << job.file.toStdString() << " was not written\n";
@@ -139,10 +138,10 @@ void FileWriter::write(const QString& file, const QByteArray& content, const QOb
       context, std::move(done), readers);
 }
 
-bool FileWriter::waitForWritten(std::chrono::milliseconds patience) {
+bool FileWriter::waitForWritten(std::chrono::milliseconds timeout) {
   std::unique_lock lock(queue_->mutex);
   return queue_->changed.wait_for(
-      lock, patience, [this] { return queue_->jobs.empty() && queue_->current.isEmpty(); });
+      lock, timeout, [this] { return queue_->jobs.empty() && queue_->current.isEmpty(); });
 }
 
 void FileWriter::callNextHandler() {

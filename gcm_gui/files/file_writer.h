@@ -27,7 +27,7 @@ class FileWriter : public QObject {
   /// Who may read the file.
   enum class Readers { kAll, kOwner };
 
-  static constexpr std::chrono::seconds kPatience{5};
+  static constexpr std::chrono::seconds kTimeout{5};
 
   /// Returns the writer of the present QCoreApplication, which owns the writer.
   static FileWriter& instance();
@@ -35,9 +35,9 @@ class FileWriter : public QObject {
   /// Small files, and the state that is saved when the program ends, do not wait for such content.
   static FileWriter& exports();
 
-  /// `patience` is the maximum time that the destructor waits.
-  explicit FileWriter(QObject* parent = nullptr, std::chrono::milliseconds patience = kPatience);
-  /// Waits at most `patience` for the remaining files. Then reports on stderr the files that were
+  /// `timeout` is the maximum time that the destructor waits.
+  explicit FileWriter(QObject* parent = nullptr, std::chrono::milliseconds timeout = kTimeout);
+  /// Waits at most `timeout` for the remaining files. Then reports on stderr the files that were
   /// not written, and the failures whose handlers could not be called any more.
   ~FileWriter() override;
 
@@ -51,7 +51,7 @@ class FileWriter : public QObject {
 
   /// Waits until all files are written; returns false on a time-out. Handlers of written files may
   /// be called later.
-  bool waitForWritten(std::chrono::milliseconds patience = kPatience);
+  bool waitForWritten(std::chrono::milliseconds timeout = kTimeout);
 
  private:
   struct Job;
@@ -64,7 +64,7 @@ class FileWriter : public QObject {
   /// Calls the handler of the oldest finished request.
   void callNextHandler();
 
-  const std::chrono::milliseconds patience_;
+  const std::chrono::milliseconds timeout_;
   std::shared_ptr<Queue> queue_;
   std::thread thread_;
 };

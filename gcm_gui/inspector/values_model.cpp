@@ -85,7 +85,7 @@ QString ValuesModel::silenceOf(const Block& block) const {
   if (!block.refusal.isEmpty()) return block.refusal;
   return Words::tr("%1 has not answered for %2 s: click, or press Enter, to ask again")
       .arg(block.column.section('/', 0, 0))
-      .arg(kPatience.count());
+      .arg(kReplyTimeout.count());
 }
 
 /// Returns the text for screen readers, including the rate or the age.
@@ -106,7 +106,7 @@ QVariant ValuesModel::valueOf(const RowPosition& position, int role) const {
       if (silent && !block->refusal.isEmpty()) {
         return Words::tr("%1 · ask again").arg(block->refusal);
       }
-      if (silent) return Words::tr("no reply in %1 s · ask again").arg(kPatience.count());
+      if (silent) return Words::tr("no reply in %1 s · ask again").arg(kReplyTimeout.count());
       break;
     case kUnitRole:
       break;
@@ -139,7 +139,7 @@ QString ValuesModel::wholeOf(const RowPosition& position) {
 bool ValuesModel::isSilent(const Block& block) const {
   const bool can_answer = why_ == StaleReason::kNone || why_ == StaleReason::kUnresponsive;
   if (block.isKnown() || !can_answer || block.awaited == SteadyTime::max()) return false;
-  return !block.refusal.isEmpty() || clock_.Now() - block.awaited >= kPatience;
+  return !block.refusal.isEmpty() || clock_.Now() - block.awaited >= kReplyTimeout;
 }
 
 std::optional<std::chrono::nanoseconds> ValuesModel::ageOf(const Block& block) const {
@@ -186,7 +186,7 @@ void ValuesModel::tick() {
   const auto has_passed = [&](SteadyTime end) { return end > before && end <= ticked_; };
   const bool any = std::any_of(blocks_.begin(), blocks_.end(), [&](const Block& block) {
     if (!block.isKnown()) {
-      return block.awaited != SteadyTime::max() && has_passed(block.awaited + kPatience);
+      return block.awaited != SteadyTime::max() && has_passed(block.awaited + kReplyTimeout);
     }
     return isOld(block) ||
            std::any_of(block.changed.begin(), block.changed.end(),

@@ -32,7 +32,7 @@ class ValuesModel : public QAbstractTableModel {
   /// A value counts as just changed for this time.
   static constexpr std::chrono::milliseconds kFresh{500};
   /// After this time without a reply, the row of the column says so.
-  static constexpr std::chrono::seconds kPatience{1};
+  static constexpr std::chrono::seconds kReplyTimeout{1};
 
   explicit ValuesModel(QObject* parent = nullptr, const Clock& clock = ShownClock())
       : QAbstractTableModel(parent), clock_(clock) {}

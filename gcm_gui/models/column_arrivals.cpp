@@ -29,8 +29,8 @@ std::optional<double> ColumnArrivals::rate(const QString& column) const {
   if (it == all_.constEnd() || it->rate.hz() <= 0) return std::nullopt;
   const std::chrono::duration<double> silence = clock_.Now() - it->time;
   const std::chrono::duration<double> usual(kMostPeriods / it->rate.hz());
-  const std::chrono::duration<double> patience = kSilence;
-  if (silence > std::max(patience, usual)) return std::nullopt;
+  const std::chrono::duration<double> limit = kSilence;
+  if (silence > std::max(limit, usual)) return std::nullopt;
   return it->rate.hz();
 }
 

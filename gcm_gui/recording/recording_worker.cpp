@@ -78,9 +78,9 @@ class RecordingWorker::Run {
     changed_.notify_all();
   }
   /// True if the thread has nothing left to do.
-  bool waitForEnd(std::chrono::milliseconds patience) {
+  bool waitForEnd(std::chrono::milliseconds timeout) {
     std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, patience, [this] { return is_done_; });
+    return changed_.wait_for(lock, timeout, [this] { return is_done_; });
   }
   /// Empty if there is none yet.
   QString file() {
@@ -89,9 +89,9 @@ class RecordingWorker::Run {
   }
 
  private:
-  bool waitForStop(std::chrono::milliseconds patience) {
+  bool waitForStop(std::chrono::milliseconds timeout) {
     std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, patience, [this] { return is_stop_requested_; });
+    return changed_.wait_for(lock, timeout, [this] { return is_stop_requested_; });
   }
 
   template <typename... Args, typename... Values>
@@ -242,13 +242,13 @@ void RecordingWorker::stop() {
   if (run_) run_->requestStop();
 }
 
-void RecordingWorker::complete(std::chrono::milliseconds patience) {
+void RecordingWorker::complete(std::chrono::milliseconds timeout) {
   if (!thread_.joinable()) return;
   run_->requestStop();
-  if (run_->waitForEnd(patience)) return thread_.join();
+  if (run_->waitForEnd(timeout)) return thread_.join();
   std::cerr << "gcm-gui: the recording " << run_->file().toStdString()
             << " is not complete: the rest could not be written to the disk within "
-            << patience.count() << " ms\n";
+            << timeout.count() << " ms\n";
   thread_.detach();
 }
 

@@ -18,7 +18,7 @@ class RecordingWorker final : public RecordingRunner {
 
  public:
   /// When the window ends, it waits this long for the file.
-  static constexpr std::chrono::seconds kPatience{15};
+  static constexpr std::chrono::seconds kTimeout{15};
 
   /// `options` are the options of the window's client. Each recording connects as a separate
   /// viewer.
@@ -28,9 +28,9 @@ class RecordingWorker final : public RecordingRunner {
 
   void start(const RecordingRequest& request) override;
   void stop() override;
-  /// Called at the end of the window. Stops the recording, and waits at most `patience` until its
+  /// Called at the end of the window. Stops the recording, and waits at most `timeout` until its
   /// file is complete. If it is still incomplete, reports this on stderr.
-  void complete(std::chrono::milliseconds patience = kPatience);
+  void complete(std::chrono::milliseconds timeout = kTimeout);
 
  private:
   class Run;

@@ -21,7 +21,7 @@ bool IsBy(const std::string& who, const std::string& program) {
 std::string Question(const message::HistoryEntry& step, std::int64_t wall_now) {
   const QString question =
       Words::tr("To undo '%2' (by %3, %4 ago), press Ctrl+Z again within %1 s")
-          .arg(UndoChoice::kPatience.count())
+          .arg(UndoChoice::kTimeout.count())
           .arg(ToQString(ToString(step)), ToQString(step.who), AgeText(wall_now - step.when));
   const QString motion =
       IsLifecycleStep(step) ? Words::tr("; this undo can move something") : QString();
@@ -43,7 +43,7 @@ Result<std::uint64_t> UndoChoice::Choose(const message::History& history, Time n
   const bool is_answered = std::exchange(asked_, 0) == newest->id && now <= until_;
   if (is_answered || (IsBy(newest->who, me_) && !IsLifecycleStep(*newest))) return newest->id;
   asked_ = newest->id;
-  until_ = now + kPatience;
+  until_ = now + kTimeout;
   return Error{ErrorCode::kFailed, Question(*newest, wall_now)};
 }
 

@@ -19,7 +19,7 @@ class UndoChoice {
  public:
   using Time = std::chrono::steady_clock::time_point;
   /// A second request within this time confirms the first.
-  static constexpr std::chrono::seconds kPatience{10};
+  static constexpr std::chrono::seconds kTimeout{10};
 
   explicit UndoChoice(std::string me) : me_(std::move(me)) {}
 

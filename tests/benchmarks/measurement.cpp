@@ -91,7 +91,7 @@ std::function<std::optional<Pair>()> SideBySide(Subject ours, Subject floor) {
 }
 
 std::optional<Outcome> Measure(const Case& one, const Effort& effort) {
-  constexpr std::chrono::seconds kPatience(10);
+  constexpr std::chrono::seconds kMaxTime(10);
   // Lets other programs run, and keeps below the kernel's limit for real-time threads.
   constexpr std::chrono::milliseconds kPause(2);
   const int wanted = one.runs_once ? 1 : effort.repetitions;
@@ -103,7 +103,7 @@ std::optional<Outcome> Measure(const Case& one, const Effort& effort) {
     pairs.push_back(*pair);
     if (!pair->is_disturbed) ++undisturbed;
     const bool has_enough = std::ssize(pairs) >= wanted;
-    if (has_enough && (effort.is_tiny || Clock::now() - start > kPatience)) break;
+    if (has_enough && (effort.is_tiny || Clock::now() - start > kMaxTime)) break;
     std::this_thread::sleep_for(kPause);
   }
   return Summary(one, pairs, wanted);

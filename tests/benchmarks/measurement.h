@@ -41,9 +41,9 @@ void Use(T& value) {
 /// not seem to run.
 template <typename Attempt>
 void Insist(Attempt attempt) {
-  constexpr int kPatience = 20'000;
+  constexpr int kSpins = 20'000;
   for (int failed = 1; !attempt(); ++failed) {
-    if (failed % kPatience == 0) std::this_thread::yield();
+    if (failed % kSpins == 0) std::this_thread::yield();
   }
 }
 

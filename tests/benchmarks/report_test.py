@@ -14,12 +14,12 @@ NETWORK_IDS = ["R1", "R1-one", "R7", "R7-filled", "R7-copy", "R3", "R4", "R2", "
                "R6-row", "R9", "R9-con", "T1", "T1-con", "G1", "G2", "G3", "W-load", "W-lost",
                "W-flat", "W-size"]
 WINDOW_IDS = ["V1", "V2", "V1-noi", "V2-noi", "V1-new", "V2-new", "V1-nn", "V2-nn", "W1", "W2", "W3"]
-PATIENCE = 240  # s, for a sanitizer on a busy machine
+TIMEOUT = 240  # s, for a sanitizer on a busy machine
 KEYS = {"id", "ours", "floor", "ratio", "gate", "stretch", "holds"}
 
 
 def run(*arguments):
-    return subprocess.run([PROGRAM, "--tiny", *arguments], capture_output=True, text=True, timeout=PATIENCE)
+    return subprocess.run([PROGRAM, "--tiny", *arguments], capture_output=True, text=True, timeout=TIMEOUT)
 
 
 def entries(*arguments):

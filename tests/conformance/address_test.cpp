@@ -52,7 +52,7 @@ TEST_P(AddressContract, OpenFailsAsUnreachableIfNobodyListens) {
   const std::string address = listener_->address();
   listener_.reset();
 
-  const auto link = pair_.client->Open(address, std::make_shared<Recorder>(), kPatience);
+  const auto link = pair_.client->Open(address, std::make_shared<Recorder>(), kTestTimeout);
 
   ASSERT_FALSE(link);
   EXPECT_EQ(link.error().code, ErrorCode::kUnreachable);
@@ -63,7 +63,7 @@ TEST_P(AddressContract, AnUnknownHostIsUnreachable) {
   const Pair pair = GetParam().make(Exposure::kInsecure);
 
   const auto link =
-      pair.client->Open("no-such-host.invalid:10705", std::make_shared<Recorder>(), kPatience);
+      pair.client->Open("no-such-host.invalid:10705", std::make_shared<Recorder>(), kTestTimeout);
 
   ASSERT_FALSE(link);
   EXPECT_EQ(link.error().code, ErrorCode::kUnreachable);
@@ -75,7 +75,8 @@ TEST_P(ExposureContract, RemoteAddressesNeedTheInsecureOption) {
   const Pair pair = GetParam().make(Exposure::kLoopbackOnly);
 
   const auto listener = pair.server->Listen("0.0.0.0:0", host.accept());
-  const auto link = pair.client->Open("192.0.2.1:10705", std::make_shared<Recorder>(), kPatience);
+  const auto link =
+      pair.client->Open("192.0.2.1:10705", std::make_shared<Recorder>(), kTestTimeout);
 
   ASSERT_FALSE(listener);
   ASSERT_FALSE(link);
@@ -92,7 +93,7 @@ TEST_P(ExposureContract, TheInsecureOptionAllowsAnyAddress) {
   ASSERT_TRUE(listener) << listener.error().message;
   const std::string address = (*listener)->address();
   const auto link = pair.client->Open("127.0.0.1" + address.substr(address.rfind(':')),
-                                      std::make_shared<Recorder>(), kPatience);
+                                      std::make_shared<Recorder>(), kTestTimeout);
 
   EXPECT_TRUE(link) << link.error().message;
 }
@@ -103,7 +104,7 @@ TEST_P(AddressContract, RefusesMalformedAddressesWithAMessage) {
   for (const std::string address : {"", "nonsense", "127.0.0.1:", "127.0.0.1:abc",
                                     "127.0.0.1:65536", "127.0.0.1:-1", ":80", "::1:80"}) {
     const auto listener = pair.server->Listen(address, host.accept());
-    const auto link = pair.client->Open(address, std::make_shared<Recorder>(), kPatience);
+    const auto link = pair.client->Open(address, std::make_shared<Recorder>(), kTestTimeout);
 
     ASSERT_FALSE(listener) << address;
     ASSERT_FALSE(link) << address;
@@ -115,7 +116,7 @@ TEST_P(AddressContract, RefusesMalformedAddressesWithAMessage) {
 TEST_P(AddressContract, OpeningPortZeroIsRefused) {
   const Pair pair = GetParam().make(Exposure::kLoopbackOnly);
 
-  const auto link = pair.client->Open("127.0.0.1:0", std::make_shared<Recorder>(), kPatience);
+  const auto link = pair.client->Open("127.0.0.1:0", std::make_shared<Recorder>(), kTestTimeout);
 
   ASSERT_FALSE(link);
   EXPECT_EQ(link.error().message, "port '0': expected 1..65535");
@@ -127,7 +128,7 @@ TEST_P(AddressContract, LocalhostIsThisMachine) {
   const std::string address = listener_->address();
 
   const auto link = pair_.client->Open("localhost" + address.substr(address.rfind(':')),
-                                       std::make_shared<Recorder>(), kPatience);
+                                       std::make_shared<Recorder>(), kTestTimeout);
 
   EXPECT_TRUE(link) << link.error().message;
 }

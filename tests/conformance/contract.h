@@ -27,7 +27,7 @@ class Contract : public testing::TestWithParam<Kind> {
     return link;
   }
   Result<std::shared_ptr<Link>> OpenUnauthenticated(std::shared_ptr<LinkHandler> handler) {
-    return pair_.client->Open(listener_->address(), std::move(handler), kPatience);
+    return pair_.client->Open(listener_->address(), std::move(handler), kTestTimeout);
   }
 
   Pair pair_;
@@ -141,7 +141,7 @@ class ChannelContract : public Contract {
                const std::shared_ptr<ChannelHandler>& client) {
     Start(Channel::Acceptor(HelloOf("robot"), [server] { return server; }));
     auto channel =
-        Channel::Open(*pair_.client, listener_->address(), HelloOf("desk"), client, kPatience);
+        Channel::Open(*pair_.client, listener_->address(), HelloOf("desk"), client, kTestTimeout);
     ASSERT_TRUE(channel) << channel.error().message;
     channel_ = *std::move(channel);
   }

@@ -61,7 +61,7 @@ TEST_P(ChannelContract, ARefusedAcceptorVersionSaysWhichProgramToUpdate) {
     const auto client = std::make_shared<Oracle>();
 
     const auto channel =
-        Channel::Open(*pair_.client, listener_->address(), HelloOf("desk"), client, kPatience);
+        Channel::Open(*pair_.client, listener_->address(), HelloOf("desk"), client, kTestTimeout);
 
     ASSERT_FALSE(channel);
     EXPECT_EQ(channel.error().code, ErrorCode::kIncompatible);
@@ -84,7 +84,7 @@ TEST_P(CookieContract, AWrongCookieIsDeniedWithoutAnOpenEvent) {
     hello.cookie = cookie;
 
     const auto channel = Channel::Open(*pair_.client, listener_->address(), hello,
-                                       std::make_shared<Oracle>(), kPatience);
+                                       std::make_shared<Oracle>(), kTestTimeout);
 
     ASSERT_FALSE(channel) << cookie;
     EXPECT_EQ(channel.error().code, ErrorCode::kDenied);
@@ -123,7 +123,7 @@ TEST_P(CookieContract, AnImpostorAtThePortIsDeniedAndLearnsNothing) {
   Start(impostor.accept());
 
   const auto channel = Channel::Open(*pair_.client, listener_->address(), HelloOf("desk"),
-                                     std::make_shared<Oracle>(), kPatience);
+                                     std::make_shared<Oracle>(), kTestTimeout);
 
   ASSERT_FALSE(channel);
   EXPECT_EQ(channel.error().code, ErrorCode::kDenied);
@@ -148,7 +148,7 @@ TEST_P(CookieContract, ARelayedHandshakeIsDenied) {
   ASSERT_TRUE(relay);
 
   const auto channel = Channel::Open(*pair_.client, (*relay)->address(), HelloOf("desk"),
-                                     std::make_shared<Oracle>(), kPatience);
+                                     std::make_shared<Oracle>(), kTestTimeout);
 
   ASSERT_FALSE(channel);
   EXPECT_EQ(channel.error().code, ErrorCode::kDenied);
@@ -164,7 +164,7 @@ TEST_P(ChannelContract, AcceptsUnauthenticatedPeersIfAllowed) {
   hello.cookie = 0;
 
   const auto channel = Channel::Open(*pair_.client, listener_->address(), hello,
-                                     std::make_shared<Oracle>(), kPatience);
+                                     std::make_shared<Oracle>(), kTestTimeout);
 
   EXPECT_TRUE(channel) << channel.error().message;
 }

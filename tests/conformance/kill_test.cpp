@@ -66,7 +66,7 @@ TEST_P(PortContract, TheOpenerIsNotifiedOnceOfAKilledAcceptor) {
   Peer peer({GetParam().name, "listen"});
   const std::string address = peer.ReadLine();
   const auto recorder = std::make_shared<Recorder>();
-  const auto link = pair_.client->Open(address, recorder, kPatience);
+  const auto link = pair_.client->Open(address, recorder, kTestTimeout);
   ASSERT_TRUE(link) << link.error().message;
 
   peer.Kill();

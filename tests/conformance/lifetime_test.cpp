@@ -129,7 +129,7 @@ TEST_P(LifetimeContract, OpeningDuringListenerShutdownAlwaysEnds) {
     const auto recorder = std::make_shared<Recorder>();
     Result<std::shared_ptr<Link>> link = Error{};
     std::thread opener([&, address = listener_->address()] {
-      link = pair_.client->Open(address, recorder, kPatience);
+      link = pair_.client->Open(address, recorder, kTestTimeout);
     });
 
     listener_.reset();

@@ -199,7 +199,7 @@ TEST_P(LinkContract, DeliversNoFrameAfterALocalClose) {
 
   for (std::uint32_t i = 0; i < 100; ++i) (void)server_->Send(FrameOf(i));
 
-  ASSERT_EQ(closed.get_future().wait_for(kPatience), std::future_status::ready);
+  ASSERT_EQ(closed.get_future().wait_for(kTestTimeout), std::future_status::ready);
   ASSERT_TRUE(client_recorder_->WaitForClosed());
   EXPECT_EQ(client_recorder_->numbers().size(), 1U);
 }

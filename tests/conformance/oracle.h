@@ -18,7 +18,7 @@ inline constexpr auto kTell = static_cast<MessageType>(0x102);
 inline constexpr auto kKeep = static_cast<MessageType>(0x103);
 inline constexpr auto kThrow = static_cast<MessageType>(0x104);
 inline constexpr auto kDrop = static_cast<MessageType>(0x105);
-inline constexpr std::chrono::milliseconds kLong = kPatience;
+inline constexpr std::chrono::milliseconds kLong = kTestTimeout;
 
 struct Question {
   std::string text;
@@ -86,7 +86,7 @@ class Oracle final : public ChannelHandler {
   template <typename Condition>
   bool Wait(const Condition& condition) {
     std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, kPatience, [&] { return condition(*this); });
+    return changed_.wait_for(lock, kTestTimeout, [&] { return condition(*this); });
   }
 
   std::mutex mutex_;

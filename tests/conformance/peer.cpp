@@ -13,7 +13,7 @@ namespace {
 
 using tendon::conformance::FrameOf;
 using tendon::conformance::Host;
-using tendon::conformance::kPatience;
+using tendon::conformance::kTestTimeout;
 using tendon::conformance::Recorder;
 
 int Run(const std::string& kind, const std::string& verb, const std::string& address) {
@@ -27,7 +27,7 @@ int Run(const std::string& kind, const std::string& verb, const std::string& add
     listener = *std::move(made);
     std::cout << listener->address() << std::endl;
   } else {
-    const auto link = middleware->Open(address, recorder, kPatience);
+    const auto link = middleware->Open(address, recorder, kTestTimeout);
     if (!link || !(*link)->Send(FrameOf(1))) return EXIT_FAILURE;
     std::cout << "open" << std::endl;
   }

@@ -13,7 +13,7 @@
 namespace tendon::conformance {
 
 /// Longer than any action in these tests takes, even on a machine that stalls.
-inline constexpr std::chrono::seconds kPatience{60};
+inline constexpr std::chrono::seconds kTestTimeout{60};
 
 /// A frame with `number` as its handle, so that a test can identify it.
 inline Bytes FrameOf(std::uint32_t number, std::size_t body_size = 8) {
@@ -69,7 +69,7 @@ class Recorder final : public LinkHandler {
   template <typename Condition>
   bool Wait(const Condition& condition) {
     std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, kPatience, condition);
+    return changed_.wait_for(lock, kTestTimeout, condition);
   }
   template <typename T>
   T Get(const T& member) const {
@@ -117,7 +117,7 @@ class Host {
   Guest guest(std::size_t index = 0) {
     std::unique_lock lock(guests_->mutex);
     const bool came =
-        guests_->changed.wait_for(lock, kPatience, [&] { return guests_->all.size() > index; });
+        guests_->changed.wait_for(lock, kTestTimeout, [&] { return guests_->all.size() > index; });
     return came ? guests_->all[index] : Guest{};
   }
   std::size_t count() const {

@@ -37,7 +37,7 @@ class UnauthenticatedPeer {
  public:
   explicit UnauthenticatedPeer(const std::string& address) {
     const auto place = ParseAddress(address, 1);
-    auto socket = os::ConnectTo(place->host, place->port, kPatience);
+    auto socket = os::ConnectTo(place->host, place->port, kTestTimeout);
     EXPECT_TRUE(socket);
     if (socket) socket_ = *std::move(socket);
   }

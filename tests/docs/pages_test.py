@@ -23,7 +23,7 @@ import time
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 from free_port import free_port
 
-PATIENCE = 60  # s, for a machine that is busy
+TIMEOUT = 60  # s, for a machine that is busy
 ALL_ACTIVE = r"\A(.*\tactive\t.*\n)+\Z"
 STEP = re.compile(r"^```sh\n(?P<block>.*?)^```|^<!-- eventually: (?P<command>.*?) => (?P<pattern>.*?) -->", re.M | re.S)
 
@@ -48,14 +48,14 @@ class Place:
         return self.run_once(line)
 
     def run_once(self, line):
-        patient = re.sub(r"^gcm ", f"gcm --timeout {1000 * PATIENCE} ", line)
+        patient = re.sub(r"^gcm ", f"gcm --timeout {1000 * TIMEOUT} ", line)
         return subprocess.run(["sh", "-c", patient], cwd=self.root, env=self.environment, text=True,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=2 * PATIENCE, check=False)
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=2 * TIMEOUT, check=False)
 
     def start(self, line):
         words = ["gcm", "serve"] if line.startswith("gcm-gui") else shlex.split(line)  # there is no screen
         if words[0] == "lcm":
-            words += ["--timeout", str(1000 * PATIENCE)]
+            words += ["--timeout", str(1000 * TIMEOUT)]
         self.processes.append(subprocess.Popen(words, cwd=self.root, env=self.environment))
         listed = words[words.index("--name") + 1] if "--name" in words else ""
         self.eventually("gcm ls", f"^{listed}.*alive" if listed else "")
@@ -63,20 +63,20 @@ class Place:
             self.eventually(f"gcm ls {listed}", ALL_ACTIVE)
 
     def eventually(self, line, pattern):
-        deadline = time.monotonic() + PATIENCE
+        deadline = time.monotonic() + TIMEOUT
         while True:
             done = self.run_once(line)
             if done.returncode == 0 and re.search(pattern, done.stdout, re.M):
                 return done
             if time.monotonic() > deadline:
-                sys.exit(f"in {PATIENCE} s '{line}' never printed {pattern!r}, but:\n{done.stdout}")
+                sys.exit(f"in {TIMEOUT} s '{line}' never printed {pattern!r}, but:\n{done.stdout}")
             time.sleep(0.2)
 
     def end(self):
         for process in reversed(self.processes):
             process.send_signal(signal.SIGTERM)
             try:
-                process.wait(PATIENCE)
+                process.wait(TIMEOUT)
             except subprocess.TimeoutExpired:
                 process.kill()
 

@@ -234,7 +234,7 @@ TEST_F(ConsoleTest, WatchWritesItsSummaryToTheGivenStream) {
   std::ostringstream err;
   int exit_code = -1;
   std::thread([&] {  // signals are held only in this thread
-    exit_code = console::RunCommandLine({"--gcm", address, "--timeout", kPatience, "watch",
+    exit_code = console::RunCommandLine({"--gcm", address, "--timeout", kTestTimeout, "watch",
                                          "robot/arm/state.Joints.position[0]", "--count", "3"},
                                         out, err, 0);
   })

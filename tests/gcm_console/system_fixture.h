@@ -32,7 +32,7 @@ class SystemFixture : public testing::Test {
   /// Runs `gcm WORDS...` with the fixture's GCM, with a timeout that is long enough for a busy
   /// machine.
   Outcome Gcm(Program::Words words) const {
-    words.insert(words.begin(), {Binary("gcm"), "--gcm", address, "--timeout", kPatience});
+    words.insert(words.begin(), {Binary("gcm"), "--gcm", address, "--timeout", kTestTimeout});
     return RunProgram(words);
   }
   /// Runs `gcm WORDS...` without any option, as a new user types it.
@@ -44,7 +44,7 @@ class SystemFixture : public testing::Test {
   Outcome Shell(const std::string& words) const {
     return RunProgram(
         {"/bin/sh", "-c",
-         Binary("gcm") + " --gcm " + address + " --timeout " + kPatience + " " + words});
+         Binary("gcm") + " --gcm " + address + " --timeout " + kTestTimeout + " " + words});
   }
   void StartGcm() {
     gcm = std::make_unique<Program>(
@@ -54,7 +54,7 @@ class SystemFixture : public testing::Test {
   }
   std::unique_ptr<Program> StartLcm(const std::string& name, const std::string& system) const {
     return std::make_unique<Program>(Program::Words{Binary("lcm"), "--name", name, "--gcm", address,
-                                                    "--timeout", kPatience, "--system", system});
+                                                    "--timeout", kTestTimeout, "--system", system});
   }
   /// Starts a process with only this component.
   std::unique_ptr<Program> StartOne(const std::string& process, const std::string& component,
@@ -80,7 +80,7 @@ class SystemFixture : public testing::Test {
                                        << last.out << last.err;
   }
 
-  static constexpr const char* kPatience = "20000";  // ms
+  static constexpr const char* kTestTimeout = "20000";  // ms
 
   const std::string port = std::to_string(FreePort());
   const std::string address = "127.0.0.1:" + port;

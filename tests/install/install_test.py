@@ -20,7 +20,7 @@ sys.path.append(str(Path(__file__).resolve().parents[2] / "tools"))
 from free_port import free_port
 
 LAMP = Path(__file__).resolve().parent / "lamp"
-PATIENCE = 60  # s, for a machine that is busy
+TIMEOUT = 60  # s, for a machine that is busy
 
 
 def run(*command, **options):
@@ -61,15 +61,15 @@ def running(*command, environment):
         yield process
     finally:
         process.terminate()
-        process.wait(PATIENCE)
+        process.wait(TIMEOUT)
 
 
 def wait_for(what, succeeds, *processes):
-    deadline = time.monotonic() + PATIENCE
+    deadline = time.monotonic() + TIMEOUT
     while not succeeds():
         ended = [process.args[0] for process in processes if process.poll() is not None]
         if ended or time.monotonic() > deadline:
-            sys.exit(f"{what} did not appear within {PATIENCE} s; programs that ended: {ended}")
+            sys.exit(f"{what} did not appear within {TIMEOUT} s; programs that ended: {ended}")
         time.sleep(0.1)
 
 

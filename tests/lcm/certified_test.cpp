@@ -29,7 +29,7 @@ class CertifiedPrograms : public SystemFixture {
 
   [[nodiscard]] Words Command(const std::string& program, const std::string& name,
                               const Words& words) const {
-    Words all{Binary(program),    "--gcm", address, "--timeout", kPatience, "--certificate",
+    Words all{Binary(program),    "--gcm", address, "--timeout", kTestTimeout, "--certificate",
               CertificateOf(name)};
     all.insert(all.end(), words.begin(), words.end());
     return all;
@@ -94,7 +94,7 @@ TEST_F(CertifiedPrograms, TheEnvironmentCanNameTheCertificate) {
   auto environment = environment_;
   environment["TENDON_CERTIFICATE"] = CertificateOf("vera");
   environment["TENDON_CA"] = (home.path() / "tendon" / "ca").string();
-  const Words ls{Binary("gcm"), "--gcm", address, "--timeout", kPatience, "ls"};
+  const Words ls{Binary("gcm"), "--gcm", address, "--timeout", kTestTimeout, "ls"};
 
   EXPECT_EQ(RunProgram(ls, environment).exit_code, program::kOk);
   environment["TENDON_CA"] = home.path().string();

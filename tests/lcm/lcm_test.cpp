@@ -27,8 +27,8 @@ class HangingServer {
     place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     EXPECT_EQ(bind(socket_, reinterpret_cast<const sockaddr*>(&place), sizeof(place)), 0);
     EXPECT_EQ(listen(socket_, SOMAXCONN), 0);
-    const timeval patience{.tv_sec = 20, .tv_usec = 0};  // the time limit for a receive
-    EXPECT_EQ(setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof(patience)), 0);
+    const timeval timeout{.tv_sec = 20, .tv_usec = 0};  // the time limit for a receive
+    EXPECT_EQ(setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &timeout, sizeof(timeout)), 0);
   }
   HangingServer(const HangingServer&) = delete;
   HangingServer& operator=(const HangingServer&) = delete;
@@ -155,7 +155,7 @@ TEST_F(LcmTest, SigtermEndsItWhileItStartsComponents) {
          "configuration": {"file": ")" +
                                    gate + R"("}},
         {"name": "next", "class": "Switch", "library": "lamps"}]}]})");
-  Program lcm({Binary("lcm"), "--name", "robot", "--gcm", address, "--timeout", kPatience,
+  Program lcm({Binary("lcm"), "--name", "robot", "--gcm", address, "--timeout", kTestTimeout,
                "--system", system},
               {{"TENDON_COMPONENTS", Built("tests/support/built")}});
   ASSERT_TRUE(EventuallySays({"ls"}, "robot\talive")) << lcm.err();

@@ -14,7 +14,7 @@ PROGRAMS, ROOT = map(pathlib.Path, sys.argv[1:])
 sys.path.append(str(ROOT / "tools"))
 from free_port import free_port  # noqa: E402  pylint: disable=wrong-import-position
 
-PATIENCE = 60  # s, for a machine that is busy
+TIMEOUT = 60  # s, for a machine that is busy
 
 
 class UnderTls(unittest.TestCase):
@@ -34,7 +34,7 @@ class UnderTls(unittest.TestCase):
         cls.anna = cls.issue("anna", "--role", "operator")
         cls.start("gcm", "serve", "--certificate", str(cls.processes["gcm"]))
         cls.start("lcm", "--name", "robot", "--system", str(ROOT / "resources/systems/demo.json"),
-                  "--certificate", str(cls.processes["robot"]), "--timeout", str(1000 * PATIENCE))
+                  "--certificate", str(cls.processes["robot"]), "--timeout", str(1000 * TIMEOUT))
 
     @classmethod
     def cert(cls, *words):
@@ -53,10 +53,10 @@ class UnderTls(unittest.TestCase):
 
     def connect(self, certificate):
         """Connects as soon as the GCM answers."""
-        deadline = time.monotonic() + PATIENCE
+        deadline = time.monotonic() + TIMEOUT
         while True:
             try:
-                return tendon.connect(self.address, timeout=PATIENCE, certificate=certificate)
+                return tendon.connect(self.address, timeout=TIMEOUT, certificate=certificate)
             except tendon.Unreachable:
                 if time.monotonic() > deadline:
                     raise
@@ -69,16 +69,16 @@ class UnderTls(unittest.TestCase):
 
     def test_an_operator_reads_watches_and_commands(self):
         with self.connect(self.anna) as system:
-            system.wait_until(self.is_running, PATIENCE)
+            system.wait_until(self.is_running, TIMEOUT)
             self.assertEqual(len(system.read("robot/arm/state.Joints.position")), 7)
             self.assertIsNone(system.call("robot/arm/Control.Stop"))
-            with system.watch("robot/arm", ["Refused"], timeout=PATIENCE) as rows:
+            with system.watch("robot/arm", ["Refused"], timeout=TIMEOUT) as rows:
                 self.assertGreater(next(rows).tick, 0)
 
     def test_a_viewer_reads_and_is_denied_commands(self):
         with self.connect(self.issue("vera", "--role", "viewer")) as system:
-            system.wait_until(self.is_running, PATIENCE)
-            self.assertGreater(next(system.watch("robot/arm", timeout=PATIENCE)).tick, 0)
+            system.wait_until(self.is_running, TIMEOUT)
+            self.assertGreater(next(system.watch("robot/arm", timeout=TIMEOUT)).tick, 0)
             with self.assertRaisesRegex(tendon.Denied, "operator"):
                 system.call("robot/arm/Control.Stop")
 
@@ -86,7 +86,7 @@ class UnderTls(unittest.TestCase):
         os.environ["TENDON_CERTIFICATE"] = str(self.anna)
         try:
             with self.connect(None) as system:
-                system.wait_until(self.is_running, PATIENCE)
+                system.wait_until(self.is_running, TIMEOUT)
         finally:
             del os.environ["TENDON_CERTIFICATE"]
 
@@ -97,10 +97,10 @@ class UnderTls(unittest.TestCase):
 
     def test_a_process_is_not_accepted_as_the_gcm(self):
         with self.connect(self.anna) as system:
-            system.wait_until(self.is_running, PATIENCE)
+            system.wait_until(self.is_running, TIMEOUT)
             robot, = (one for one in system.processes() if one["name"] == "robot")
         with self.assertRaisesRegex(tendon.Unreachable, "is 'robot', but 'gcm' was expected"):
-            tendon.connect(robot["address"], timeout=PATIENCE, certificate=self.anna)
+            tendon.connect(robot["address"], timeout=TIMEOUT, certificate=self.anna)
 
     def test_the_gcm_of_another_ca_is_not_trusted(self):
         elsewhere = self.folder / "elsewhere"
@@ -108,7 +108,7 @@ class UnderTls(unittest.TestCase):
                        env={**os.environ, "TENDON_CA": str(elsewhere)})
         self.connect(self.anna).close()
         with self.assertRaisesRegex(tendon.Denied, "is not trusted"):
-            tendon.connect(self.address, timeout=PATIENCE, certificate=self.anna,
+            tendon.connect(self.address, timeout=TIMEOUT, certificate=self.anna,
                            authority=elsewhere)
 
     def test_the_gcm_rejects_a_revoked_certificate(self):
@@ -116,7 +116,7 @@ class UnderTls(unittest.TestCase):
         self.connect(eve).close()
         self.cert("revoke", "eve")
         with self.assertRaises(tendon.Unreachable):
-            tendon.connect(self.address, timeout=PATIENCE, certificate=eve)
+            tendon.connect(self.address, timeout=TIMEOUT, certificate=eve)
 
     def test_unusable_files_are_reported(self):
         with self.assertRaisesRegex(tendon.NotFound, "there is no .*nobody.crt"):

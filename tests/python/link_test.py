@@ -21,7 +21,7 @@ from tendon.middleware.link import Link
 from tendon.paths import Path
 from tendon.processes import Processes
 
-PATIENCE = 60  # s, for a machine that is busy
+TIMEOUT = 60  # s, for a machine that is busy
 COOKIE = 0x1f
 IDENTITY = Ice.Identity("tendon", "")
 ECHO, REFUSE, IGNORE, TELL, HANG_UP, TALK_NONSENSE, TALK_NO_ICE, GATHER = range(0x1000, 0x1008)
@@ -148,7 +148,7 @@ class OverIce(unittest.TestCase):
         self.notices = []
         self.closed = threading.Event()
 
-    def link(self, timeout=PATIENCE):
+    def link(self, timeout=TIMEOUT):
         return Link(self.network, parse_address(self.acceptor.address), "test", timeout,
                     lambda header, body: self.notices.append(header.handle),
                     lambda reason: self.closed.set())
@@ -156,13 +156,13 @@ class OverIce(unittest.TestCase):
     def test_a_request_is_answered(self):
         link = self.link()
         self.assertEqual((link.peer_name, link.peer_instance), ("acceptor", 42))
-        self.assertEqual(link.request(ECHO, b"hello", PATIENCE), b"hello")
+        self.assertEqual(link.request(ECHO, b"hello", TIMEOUT), b"hello")
         self.assertTrue(link.is_open)
 
     def test_all_frames_have_the_protocol_version(self):
         link = self.link()
         for size in (5, 3 * MAX_PIECE_SIZE):  # one frame, and a frame in parts
-            self.assertEqual(link.request(ECHO, bytes(size), PATIENCE), bytes(size))
+            self.assertEqual(link.request(ECHO, bytes(size), TIMEOUT), bytes(size))
         self.assertEqual(self.acceptor.versions, {PROTOCOL_VERSION})
 
     def test_another_protocol_version_is_rejected(self):
@@ -173,44 +173,44 @@ class OverIce(unittest.TestCase):
 
     def test_a_refusal_raises_the_peers_message(self):
         with self.assertRaisesRegex(Failed, "^no$"):
-            self.link().request(REFUSE, b"", PATIENCE)
+            self.link().request(REFUSE, b"", TIMEOUT)
 
     def test_large_frames_are_sent_in_parts(self):
         link = self.link()
         for _ in range(2):
             body = os.urandom(9 * MAX_PIECE_SIZE + 5)
-            self.assertEqual(link.request(ECHO, body, PATIENCE), body)
-        link.request(ECHO, b"", PATIENCE)  # its answer arrives after the acknowledgements
+            self.assertEqual(link.request(ECHO, body, TIMEOUT), body)
+        link.request(ECHO, b"", TIMEOUT)  # its answer arrives after the acknowledgements
         self.assertEqual(self.acceptor.taken, self.acceptor.told_taken)
 
     def test_batched_replies_are_accepted(self):
         link = self.link()
         others = [link.start(GATHER, b"", None) for _ in range(3)]
-        self.assertEqual(link.request(GATHER, b"last", PATIENCE), b"last")
+        self.assertEqual(link.request(GATHER, b"last", TIMEOUT), b"last")
         self.assertEqual([asked.reply.result(0) for asked in others], [b""] * 3)
 
     def test_a_timeout_keeps_the_link_open(self):
         link = self.link()
         with self.assertRaisesRegex(TimedOut, "^acceptor did not answer within 10 ms; outcome unk"):
             link.request(IGNORE, b"", 0.01)
-        self.assertEqual(link.request(ECHO, b"hello", PATIENCE), b"hello")
+        self.assertEqual(link.request(ECHO, b"hello", TIMEOUT), b"hello")
 
     def test_a_reply_is_handled_before_later_notices(self):
         told_before = []
         link = self.link()
-        link.request(TELL, b"", PATIENCE, lambda body: told_before.append(list(self.notices)))
-        link.request(ECHO, b"", PATIENCE)  # its answer arrives after the notices
+        link.request(TELL, b"", TIMEOUT, lambda body: told_before.append(list(self.notices)))
+        link.request(ECHO, b"", TIMEOUT)  # its answer arrives after the notices
         self.assertEqual(told_before, [[]])
         self.assertEqual(self.notices, list(range(100)))
 
     def test_a_lost_peer_ends_waiting_requests(self):
         link = self.link()
         with self.assertRaisesRegex(Unreachable, "acceptor did not answer: .*; outcome unknown"):
-            link.request(HANG_UP, b"", PATIENCE)
+            link.request(HANG_UP, b"", TIMEOUT)
         self.assertFalse(link.is_open)
-        self.assertTrue(self.closed.wait(PATIENCE))
+        self.assertTrue(self.closed.wait(TIMEOUT))
         with self.assertRaises(Unreachable):
-            link.request(ECHO, b"", PATIENCE)
+            link.request(ECHO, b"", TIMEOUT)
 
     def test_a_send_error_closes_the_link(self):
         is_held, may_go_on = threading.Event(), threading.Event()
@@ -220,9 +220,9 @@ class OverIce(unittest.TestCase):
             is_held.set()
             may_go_on.wait()
 
-        link = Link(self.network, parse_address(self.acceptor.address), "test", PATIENCE, hold)
-        link.request(TELL, b"", PATIENCE)
-        self.assertTrue(is_held.wait(PATIENCE))
+        link = Link(self.network, parse_address(self.acceptor.address), "test", TIMEOUT, hold)
+        link.request(TELL, b"", TIMEOUT)
+        self.assertTrue(is_held.wait(TIMEOUT))
         link.notify(HANG_UP, 0)  # the held thread of Ice does not notice that the peer hangs up
 
         with self.assertRaises(Unreachable):
@@ -238,20 +238,20 @@ class OverIce(unittest.TestCase):
         no_replies = write_frame(Header(MessageType.REPLIES), bytes(11))
         for nonsense in (b"nonsense", greeting, other_version, no_part, taken, no_replies):
             with self.subTest(nonsense=nonsense), self.assertRaises(Unreachable):
-                self.link().request(TALK_NONSENSE, nonsense, PATIENCE)
+                self.link().request(TALK_NONSENSE, nonsense, TIMEOUT)
 
     def test_malformed_ice_messages_do_no_harm(self):
         for number in range(len(NO_ICE)):
             with self.subTest(number=number):
                 with contextlib.suppress(Unreachable):  # Ice itself rejects some of them
-                    self.link().request(TALK_NO_ICE, bytes([number]), PATIENCE)
-                self.assertEqual(self.link().request(ECHO, b"hello", PATIENCE), b"hello")
+                    self.link().request(TALK_NO_ICE, bytes([number]), TIMEOUT)
+                self.assertEqual(self.link().request(ECHO, b"hello", TIMEOUT), b"hello")
 
     def test_closing_calls_the_close_handler(self):
         link = self.link()
         link.close()
         self.assertFalse(link.is_open)
-        self.assertTrue(self.closed.wait(PATIENCE))
+        self.assertTrue(self.closed.wait(TIMEOUT))
 
     def test_a_peer_without_the_cookie_gets_no_proof(self):
         self.acceptor.cookie = COOKIE + 1
@@ -263,7 +263,7 @@ class OverIce(unittest.TestCase):
         self.acceptor.is_impostor = True
         with self.assertRaisesRegex(Invalid, "answered the Hello with an unexpected message"):
             self.link()
-        self.assertTrue(self.closed.wait(PATIENCE))
+        self.assertTrue(self.closed.wait(TIMEOUT))
         self.assertEqual(self.notices, [])
 
     def test_a_silent_peer_times_out(self):
@@ -273,7 +273,7 @@ class OverIce(unittest.TestCase):
 
     def test_a_slow_process_does_not_block_others(self):
         self.acceptor.is_mute = True
-        processes = Processes(self.network, "test", PATIENCE)
+        processes = Processes(self.network, "test", TIMEOUT)
         stop = {"name": "Stop", "signature": {"kind": "void"}}
 
         def call(process, address):
@@ -287,12 +287,12 @@ class OverIce(unittest.TestCase):
         begin = time.monotonic()
         slow = threading.Thread(target=call_slow, daemon=True)
         slow.start()
-        self.assertTrue(self.acceptor.is_greeted.wait(PATIENCE))
+        self.assertTrue(self.acceptor.is_greeted.wait(TIMEOUT))
         with self.assertRaisesRegex(Unreachable, "^process 'gone' does not answer at "):
             call("gone", "127.0.0.1:1")
-        self.assertLess(time.monotonic() - begin, PATIENCE)  # the slow process still has time
+        self.assertLess(time.monotonic() - begin, TIMEOUT)  # the slow process still has time
         self.network.close()
-        slow.join(PATIENCE)
+        slow.join(TIMEOUT)
 
     def test_a_refused_connection_is_reported(self):
         self.acceptor.communicator.destroy()

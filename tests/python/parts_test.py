@@ -8,7 +8,7 @@ from tendon.middleware.frame import HEADER_SIZE, MAX_BODY_SIZE, Header, read_fra
 from tendon.middleware.parts import (LEAST_PART_SIZE, MAX_PART_SIZE, PART_SIZE, PARTS_AHEAD,
                                      PartAssembly, PartSender)
 
-PATIENCE = 60  # s, for a machine that is busy
+TIMEOUT = 60  # s, for a machine that is busy
 BODY = bytes(range(256)) * 4096
 FRAME = write_frame(Header(0x201, 5), BODY)
 PARTS = [FRAME[start:start + PART_SIZE] for start in range(0, len(FRAME), PART_SIZE)]
@@ -69,7 +69,7 @@ class Sender(unittest.TestCase):
     def test_a_frame_is_sent_in_parts(self):
         for number in (1, 2):
             self.sent.clear()
-            self.sender.send(FRAME, PATIENCE)
+            self.sender.send(FRAME, TIMEOUT)
             self.assertEqual([read_frame(frame) for frame in self.sent],
                              [(Header(MessageType.PART, 0, number), part) for part in PARTS])
             if number == 1:
@@ -91,11 +91,11 @@ class Sender(unittest.TestCase):
         thread = threading.Timer(0.01, lambda: self.sender.close(Unreachable("gone")))
         thread.start()
         with self.assertRaisesRegex(Unreachable, "^gone$"):
-            self.sender.send(FRAME + bytes(2 * PARTS_AHEAD), PATIENCE)
+            self.sender.send(FRAME + bytes(2 * PARTS_AHEAD), TIMEOUT)
         thread.join()
 
     def test_false_acknowledgements_are_rejected(self):
-        self.sender.send(FRAME, PATIENCE)
+        self.sender.send(FRAME, TIMEOUT)
         self.take()
         for taken in (len(FRAME) + 1, len(FRAME) - 1):
             with self.subTest(taken=taken), self.assertRaises(Invalid):

@@ -16,7 +16,7 @@ PROGRAMS, ROOT = map(pathlib.Path, sys.argv[1:])
 sys.path.append(str(ROOT / "tools"))
 from free_port import free_port  # noqa: E402  pylint: disable=wrong-import-position
 
-PATIENCE = 60  # s, for a machine that is busy
+TIMEOUT = 60  # s, for a machine that is busy
 TRACK = """{"version": 1, "name": "track", "processes": [{"name": "track", "components": [
     {"name": "odometer", "class": "Odometer", "library": "odometer"}]}]}"""
 TABLE = "track/odometer/state"
@@ -26,7 +26,7 @@ EXACT = {"f": float, "u": int, "i": int, "b": lambda cell: {"true": True, "false
 
 def gcm(*words):
     """Runs gcm, and returns its output."""
-    return subprocess.run([PROGRAMS / "gcm", "--timeout", str(1000 * PATIENCE), *map(str, words)],
+    return subprocess.run([PROGRAMS / "gcm", "--timeout", str(1000 * TIMEOUT), *map(str, words)],
                           check=True, stdout=subprocess.PIPE, text=True).stdout
 
 
@@ -44,7 +44,7 @@ class Recorded(unittest.TestCase):
         (cls.folder / "track.json").write_text(TRACK, encoding="utf-8")
         cls.start("gcm", "serve")
         cls.start("lcm", "--name", "track", "--system", str(cls.folder / "track.json"),
-                  "--timeout", str(1000 * PATIENCE))
+                  "--timeout", str(1000 * TIMEOUT))
         cls.wait_for_rows()
         for compression in ("zstd", "lz4", "none"):
             gcm("record", "**", "-o", cls.folder / f"{compression}.mcap", "--for", "1s",
@@ -58,7 +58,7 @@ class Recorded(unittest.TestCase):
 
     @classmethod
     def wait_for_rows(cls):
-        deadline = time.monotonic() + PATIENCE
+        deadline = time.monotonic() + TIMEOUT
         while True:
             try:
                 return gcm("get", f"{TABLE}.Count")

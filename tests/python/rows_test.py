@@ -9,7 +9,7 @@ from tendon.middleware.frame import Header
 from tendon.payload.schema_text import parse
 from tendon.rows import MOST_WAITING, Batch, Column, Feed, Feeds, Watch
 
-PATIENCE = 60  # s, for a machine that is busy
+TIMEOUT = 60  # s, for a machine that is busy
 
 # A column of numbers, whose cells have one size, and a column of texts, whose cells differ in size.
 SCHEMAS = [parse("float64"), parse("string")]
@@ -125,9 +125,9 @@ class Rows(unittest.TestCase):
         thread = threading.Thread(target=take, daemon=True)
         thread.start()
         self.hear(body_of(0, [(1, 0, 0, "")]))
-        self.assertTrue(is_waiting.wait(PATIENCE))
+        self.assertTrue(is_waiting.wait(TIMEOUT))
         endless.close()
-        thread.join(PATIENCE)
+        thread.join(TIMEOUT)
 
         self.assertFalse(thread.is_alive())
         self.assertEqual(rows, [1])

@@ -21,7 +21,7 @@ PROGRAMS, ROOT = map(pathlib.Path, sys.argv[1:])
 sys.path.append(str(ROOT / "tools"))
 from free_port import free_port  # noqa: E402  pylint: disable=wrong-import-position
 
-PATIENCE = 60  # s, for a machine that is busy
+TIMEOUT = 60  # s, for a machine that is busy
 GUEST = {"version": 1, "name": "guest", "processes": [{"name": "guest", "components": [
     {"name": "host_monitor", "class": "HostMonitor", "library": "host_monitor"}]}]}
 TRACK = {"version": 1, "name": "track", "processes": [{"name": "track", "components": [
@@ -51,14 +51,14 @@ class Place:
 
     def run(self, process, system):
         return self.start("lcm", "--name", process, "--system", str(system), "--timeout",
-                          str(1000 * PATIENCE))
+                          str(1000 * TIMEOUT))
 
     def end(self):
         for program in reversed(self.programs):
             if program.poll() is None:
                 program.terminate()
                 try:
-                    program.wait(PATIENCE)
+                    program.wait(TIMEOUT)
                 except subprocess.TimeoutExpired:
                     program.kill()
                     program.wait()
@@ -66,10 +66,10 @@ class Place:
 
     def connect(self):
         """Connects as soon as the GCM answers."""
-        deadline = time.monotonic() + PATIENCE
+        deadline = time.monotonic() + TIMEOUT
         while True:
             try:
-                return tendon.connect(self.address, timeout=PATIENCE)
+                return tendon.connect(self.address, timeout=TIMEOUT)
             except (tendon.Unreachable, tendon.Denied):
                 if time.monotonic() > deadline:
                     raise
@@ -102,7 +102,7 @@ class InTheDemoSystem(unittest.TestCase):
                                    ("desk", "teleoperation"), ("desk", "supervisor"),
                                    ("desk", "old_arm")):
             cls.system.wait_until(
-                lambda system, who=(process, component): is_active(system, *who), PATIENCE)
+                lambda system, who=(process, component): is_active(system, *who), TIMEOUT)
 
     def connection(self, system):
         """The connection of teleoperation; None if there is none."""
@@ -135,14 +135,14 @@ class InTheDemoSystem(unittest.TestCase):
         self.assertIsNone(
             self.system.call("robot/arm/Control.MoveTo", {"position": position, "duration": 0.1}))
 
-        with self.system.watch("robot/arm", ["Goal.position"], timeout=PATIENCE) as rows:
+        with self.system.watch("robot/arm", ["Goal.position"], timeout=TIMEOUT) as rows:
             goal = next(row for row in rows if row["Goal.position"] == position)
 
         self.assertGreater(goal.tick, 0)
         self.assertIsNone(self.system.call("robot/arm/Control.Stop"))
 
     def test_every_row_arrives(self):
-        with self.system.watch("robot/arm/state", timeout=PATIENCE) as watch:
+        with self.system.watch("robot/arm/state", timeout=TIMEOUT) as watch:
             rows = [next(watch) for _ in range(500)]
             lost = watch.lost_table + watch.lost_network + watch.lost_viewer
 
@@ -155,7 +155,7 @@ class InTheDemoSystem(unittest.TestCase):
         self.assertLessEqual(gaps, lost)
 
     def test_a_period_limits_the_row_rate(self):
-        with self.system.watch("robot/arm", ["Refused"], period=0.01, timeout=PATIENCE) as rows:
+        with self.system.watch("robot/arm", ["Refused"], period=0.01, timeout=TIMEOUT) as rows:
             stretches = [next(rows).time // 10_000_000 for _ in range(20)]
 
         self.assertEqual(stretches, sorted(set(stretches)))
@@ -186,7 +186,7 @@ class InTheDemoSystem(unittest.TestCase):
         made = self.system.connect(ROBOT, CONTROL)
         self.assertEqual(made["provided"], tendon.paths.parse_interface(CONTROL))
         self.system.wait_until(
-            lambda system: (self.connection(system) or {}).get("state") == "active", PATIENCE)
+            lambda system: (self.connection(system) or {}).get("state") == "active", TIMEOUT)
         with self.assertRaisesRegex(tendon.Exists, f"^{ROBOT} is connected to {CONTROL} already"):
             self.system.connect(ROBOT, CONTROL)
 
@@ -202,10 +202,10 @@ class InTheDemoSystem(unittest.TestCase):
         file = pathlib.Path(self.place.folder.name) / "track.json"
         file.write_text(json.dumps(TRACK), encoding="utf-8")
         self.place.run("track", file)
-        self.system.wait_until(lambda system: is_active(system, "track", "odometer"), PATIENCE)
+        self.system.wait_until(lambda system: is_active(system, "track", "odometer"), TIMEOUT)
 
         columns = ["Count", "Stamp", "Ready", "Mode"]
-        with self.system.watch("track/odometer", columns, timeout=PATIENCE) as rows:
+        with self.system.watch("track/odometer", columns, timeout=TIMEOUT) as rows:
             first, second = next(rows), next(rows)
         self.assertEqual(self.system.read("track/odometer/state.Last"), 2**64 - 1)
         self.assertGreater(first["Count"], 2**53)
@@ -221,7 +221,7 @@ class InTheDemoSystem(unittest.TestCase):
                          (-math.inf, sys.float_info.max, 5e-324, 0.1 + 0.2))
 
         self.system.call("track/odometer/Control.SetCount", 2**64 - 2**20 - 1)
-        with self.system.watch("track/odometer", ["Count"], timeout=PATIENCE) as rows:
+        with self.system.watch("track/odometer", ["Count"], timeout=TIMEOUT) as rows:
             some = itertools.islice(rows, 1000)
             self.assertTrue(any(row["Count"] >= 2**64 - 2**20 - 1 for row in some))
         self.assertGreaterEqual(self.system.read("track/odometer/Control.GetCount"),
@@ -231,8 +231,8 @@ class InTheDemoSystem(unittest.TestCase):
         file = pathlib.Path(self.place.folder.name) / "guest.json"
         file.write_text(json.dumps(GUEST), encoding="utf-8")
         guest = self.place.run("guest", file)
-        self.system.wait_until(lambda system: is_active(system, "guest", "host_monitor"), PATIENCE)
-        rows = self.system.watch("guest/host_monitor", timeout=PATIENCE)
+        self.system.wait_until(lambda system: is_active(system, "guest", "host_monitor"), TIMEOUT)
+        rows = self.system.watch("guest/host_monitor", timeout=TIMEOUT)
         next(rows)
 
         guest.send_signal(signal.SIGKILL)
@@ -240,35 +240,35 @@ class InTheDemoSystem(unittest.TestCase):
         with self.assertRaises(tendon.Unreachable):
             for _ in rows:
                 pass
-        self.system.wait_until(lambda system: state_of(system, "guest") == "lost", PATIENCE)
+        self.system.wait_until(lambda system: state_of(system, "guest") == "lost", TIMEOUT)
         with self.assertRaisesRegex(tendon.Failed, "^process 'guest' is lost"):
             self.system.watch("guest/host_monitor")
 
         self.place.run("guest", file)
 
-        self.system.wait_until(lambda system: is_active(system, "guest", "host_monitor"), PATIENCE)
-        with self.system.watch("guest/host_monitor", timeout=PATIENCE) as rows:
+        self.system.wait_until(lambda system: is_active(system, "guest", "host_monitor"), TIMEOUT)
+        with self.system.watch("guest/host_monitor", timeout=TIMEOUT) as rows:
             next(rows)
 
     def test_data_flows_without_a_gcm_and_a_new_one_is_found(self):
-        with self.system.watch("robot/arm", ["Refused"], timeout=PATIENCE) as rows:
+        with self.system.watch("robot/arm", ["Refused"], timeout=TIMEOUT) as rows:
             next(rows)
             self.gcm.send_signal(signal.SIGKILL)
             self.gcm.wait()
-            self.system.wait_until(lambda system: self.has_no_gcm(), PATIENCE)
+            self.system.wait_until(lambda system: self.has_no_gcm(), TIMEOUT)
             before = next(rows).tick
             self.assertGreater(next(row.tick for row in rows if row.tick > before), before)
         self.assertEqual(len(self.system.read("robot/arm/state.Joints.position")), 7)
 
         type(self).gcm = self.place.serve()
 
-        deadline = time.monotonic() + PATIENCE
+        deadline = time.monotonic() + TIMEOUT
         while self.has_no_gcm():
             self.assertLess(time.monotonic(), deadline)
             time.sleep(0.05)
         for process in ("robot", "desk"):
             self.system.wait_until(
-                lambda system, who=process: state_of(system, who) == "alive", PATIENCE)
+                lambda system, who=process: state_of(system, who) == "alive", TIMEOUT)
 
     def has_no_gcm(self):
         """True if a request fails because there is no GCM."""
@@ -288,7 +288,7 @@ class InTheDemoSystem(unittest.TestCase):
         os.environ["XDG_RUNTIME_DIR"] = str(folder / "other")
         try:
             with self.assertRaisesRegex(tendon.Denied, "both must run as the same user"):
-                tendon.connect(self.place.address, timeout=PATIENCE)
+                tendon.connect(self.place.address, timeout=TIMEOUT)
         finally:
             os.environ["XDG_RUNTIME_DIR"] = str(folder)
 
@@ -304,23 +304,23 @@ class InTheDemoSystem(unittest.TestCase):
         names = {}
         recording = pathlib.Path(self.place.folder.name) / "run.mcap"
         goal = {"position": [0.0] * 7, "duration": 0.1}
-        with subprocess.Popen([PROGRAMS / "gcm", "--timeout", str(1000 * PATIENCE), "record",
+        with subprocess.Popen([PROGRAMS / "gcm", "--timeout", str(1000 * TIMEOUT), "record",
                                "robot/**", "-o", recording, "--for", "1s"]) as recorder:
             while recorder.poll() is None:
                 self.system.call("robot/arm/Control.MoveTo", goal)
         self.assertEqual(recorder.returncode, 0)
         for example in examples:
-            patient = example.replace("connect()", f"connect(timeout={PATIENCE})")
+            patient = example.replace("connect()", f"connect(timeout={TIMEOUT})")
             patient = patient.replace("run.mcap", str(recording))
-            patient = patient.replace("timeout=10", f"timeout={PATIENCE}")
+            patient = patient.replace("timeout=10", f"timeout={TIMEOUT}")
             printed = io.StringIO()
             with self.subTest(example=example), contextlib.redirect_stdout(printed):
                 exec(patient, names)
             self.assertTrue(printed.getvalue() or "connect(" in example)
 
     def test_a_closed_system_ends_its_watches(self):
-        with tendon.connect(self.place.address, timeout=PATIENCE) as system:
-            rows = system.watch("robot/arm", timeout=PATIENCE)
+        with tendon.connect(self.place.address, timeout=TIMEOUT) as system:
+            rows = system.watch("robot/arm", timeout=TIMEOUT)
             next(rows)
         with self.assertRaisesRegex(tendon.Unreachable, "^this program closed the connection$"):
             for _ in rows:

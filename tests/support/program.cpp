@@ -163,7 +163,7 @@ void Program::Signal(int signal) const {
   waitid(P_PID, static_cast<id_t>(pid_), &state, WSTOPPED | WEXITED | WNOWAIT);
 }
 
-std::optional<int> Program::Wait(std::chrono::seconds patience) {
+std::optional<int> Program::Wait(std::chrono::seconds timeout) {
   EventuallyTrue(
       [this] {
         int status = 0;
@@ -171,7 +171,7 @@ std::optional<int> Program::Wait(std::chrono::seconds patience) {
         exit_code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
         return true;
       },
-      patience);
+      timeout);
   return exit_code_;
 }
 

@@ -31,7 +31,7 @@ class Program {
   void Signal(int signal) const;
   /// Waits for the end. Returns the exit code, or 128 + the number of the signal that killed the
   /// program; empty if the program has not ended in time.
-  std::optional<int> Wait(std::chrono::seconds patience = tendon::test::LongestWait());
+  std::optional<int> Wait(std::chrono::seconds timeout = tendon::test::LongestWait());
   /// Returns the output so far.
   [[nodiscard]] std::string out() const;
   [[nodiscard]] std::string err() const;

@@ -58,9 +58,9 @@ TEST(Program, EndsWhenItsTestIsKilled) {
   int status = 0;
   ASSERT_EQ(waitpid(test, &status, 0), test);
 
-  constexpr int kPatience = 30'000;  // ms
+  constexpr int kTestTimeout = 30'000;  // ms
   pollfd all_gone{.fd = ends[0], .events = 0, .revents = 0};
-  EXPECT_EQ(poll(&all_gone, 1, kPatience), 1);
+  EXPECT_EQ(poll(&all_gone, 1, kTestTimeout), 1);
   EXPECT_EQ(status, SIGKILL);
   close(ends[0]);
 }

@@ -48,7 +48,7 @@ Error NoCommand(const std::string& path) {
 /// time a busy process has to accept a link.
 client::ProcessLinks::Options OpeningOf(const GcmClient::Options& options) {
   client::ProcessLinks::Options opening{.name = options.name, .role = options.role};
-  opening.patience = std::max(opening.patience, options.timeout / 2);
+  opening.timeout = std::max(opening.timeout, options.timeout / 2);
   return opening;
 }
 
@@ -181,7 +181,7 @@ class GcmClient::Implementation {
   [[nodiscard]] std::chrono::milliseconds timeout() const { return timeout_; }
 
   void ExecuteLifecycleOrder(message::LifecycleOrder order, DoneHandler done) {
-    if (order.patience <= std::chrono::nanoseconds(0)) order.patience = timeout_;
+    if (order.timeout <= std::chrono::nanoseconds(0)) order.timeout = timeout_;
     if (order.instance == 0) {
       order.instance = link_->WithCatalogue([&](const Catalogue& catalogue) {
         const ProcessEntry* entry = catalogue.FindProcess(order.process);
@@ -189,7 +189,7 @@ class GcmClient::Implementation {
       });
     }
     const auto replied_within =
-        kLifecycleOrderTimeouts * std::max<std::chrono::nanoseconds>(order.patience, timeout_);
+        kLifecycleOrderTimeouts * std::max<std::chrono::nanoseconds>(order.timeout, timeout_);
     const auto orders = (replied_within + timeout_ - std::chrono::nanoseconds(1)) / timeout_;
     link_->Request<None>(
         message::kLifecycleOrder, order,
@@ -348,8 +348,8 @@ void GcmClient::ExecuteLifecycleOrder(const message::LifecycleOrder& order, Done
 
 void GcmClient::ExecuteProcessOrder(message::ProcessOrder order, DoneHandler handler) {
   constexpr int kTimeoutsUntilAskedToEnd = kProcessOrderTimeouts - 2;
-  if (order.patience <= std::chrono::nanoseconds(0)) {
-    order.patience = kTimeoutsUntilAskedToEnd * implementation_->timeout();
+  if (order.timeout <= std::chrono::nanoseconds(0)) {
+    order.timeout = kTimeoutsUntilAskedToEnd * implementation_->timeout();
   }
   implementation_->link().Request<None>(
       message::kProcess, order,
@@ -372,7 +372,7 @@ void GcmClient::GetClasses(const std::string& process,
 }
 
 void GcmClient::Undo(StepHandler handler, std::uint64_t step) {
-  const message::StepSelection which{.id = step, .patience = implementation_->timeout() * 2 / 3};
+  const message::StepSelection which{.id = step, .timeout = implementation_->timeout() * 2 / 3};
   implementation_->link().Request<message::HistoryEntry>(
       message::kUndo, which, implementation_->Guarded(std::move(handler)), kUndoTimeouts);
 }

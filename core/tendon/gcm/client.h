@@ -115,7 +115,7 @@ class GcmClient {
                WhenConnected when_connected = WhenConnected::kRefuse);
   void Disconnect(const InterfaceName& required, DoneHandler handler);
   /// Sends an order for the lifecycle of a component, or an order to load a plug-in. May take twice
-  /// `order.patience`; if `order.patience` is 0, `timeout` is used instead. If `order.instance` is
+  /// `order.timeout`; if `order.timeout` is 0, `timeout` is used instead. If `order.instance` is
   /// 0, the order is valid only for the process instance that is in the catalogue now.
   void ExecuteLifecycleOrder(const message::LifecycleOrder& order, DoneHandler handler);
   /// Starts an `lcm` on the GCM's host, or ends an `lcm` that the GCM started. May take

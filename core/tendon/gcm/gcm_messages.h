@@ -117,7 +117,7 @@ struct ProcessOrder {
   RestartPolicy restart = RestartPolicy::kNever;  ///< used only with kStart
   /// The time limit; if 0, the GCM chooses it. kStart ends a process that has not joined within
   /// this time. kKill kills a process that has not ended within this time.
-  std::chrono::nanoseconds patience{0};
+  std::chrono::nanoseconds timeout{0};
 };
 
 /// The change that a lifecycle step made, and the state before the step.
@@ -155,7 +155,7 @@ struct StepSelection {
   /// newest.
   std::uint64_t id = 0;
   /// The time limit for each order that undoes a part of the step; if 0, the GCM chooses it.
-  std::chrono::nanoseconds patience{0};
+  std::chrono::nanoseconds timeout{0};
 };
 
 /// Takes or releases the lock for the execution of plans. Sent before the first and after the last
@@ -239,7 +239,7 @@ inline constexpr auto tendon::kPayload<tendon::message::ProcessOrder> = tendon::
     "tendon.ProcessOrder", tendon::Field{"verb", &tendon::message::ProcessOrder::verb},
     tendon::Field{"process", &tendon::message::ProcessOrder::process},
     tendon::Field{"restart", &tendon::message::ProcessOrder::restart},
-    tendon::Field{"patience", &tendon::message::ProcessOrder::patience});
+    tendon::Field{"patience", &tendon::message::ProcessOrder::timeout});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::Child> =
@@ -253,7 +253,7 @@ inline constexpr auto tendon::kPayload<tendon::message::Children> = tendon::Desc
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::StepSelection> = tendon::Describe(
     "tendon.StepSelection", tendon::Field{"id", &tendon::message::StepSelection::id},
-    tendon::Field{"patience", &tendon::message::StepSelection::patience});
+    tendon::Field{"patience", &tendon::message::StepSelection::timeout});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::PlanLock> = tendon::Describe(

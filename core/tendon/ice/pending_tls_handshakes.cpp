@@ -53,7 +53,7 @@ void PendingTlsHandshakes::Begin(const SSL& link) {
   const std::scoped_lock lock(mutex_);
   if (unfinished_.size() >= kMany) {
     for (const auto& [other, one] : unfinished_) {
-      if (now - one.since > kPatience) os::ShutDown(one.socket);
+      if (now - one.since > kHandshakeTimeout) os::ShutDown(one.socket);
     }
   }
   unfinished_.emplace(&link, Unfinished{now, SSL_get_fd(&link)});

@@ -11,11 +11,11 @@ namespace tendon::ice {
 
 /// The unfinished TLS handshakes of accepted connections. The timeout of Ice ends only a silent
 /// handshake, not one in which the peer sends a byte from time to time. Therefore, when a handshake
-/// begins while kMany are unfinished, this class ends the handshakes that are older than kPatience,
-/// so that they do not use up the sockets. Thread-safe; called by OpenSSL.
+/// begins while kMany are unfinished, this class ends the handshakes that are older than
+/// kHandshakeTimeout, so that they do not use up the sockets. Thread-safe; called by OpenSSL.
 class PendingTlsHandshakes {
  public:
-  static constexpr std::chrono::seconds kPatience{3};
+  static constexpr std::chrono::seconds kHandshakeTimeout{3};
   static constexpr std::size_t kMany = 32;
 
   /// Begins to watch the handshakes of `context`. This object must outlive the handshakes.

@@ -165,11 +165,11 @@ void Connection::BindFunctions() {
   peer_.members = members_.data();
 }
 
-std::size_t Connection::Close(std::chrono::milliseconds patience) {
+std::size_t Connection::Close(std::chrono::milliseconds timeout) {
   if (!open_) return 0;
   open_ = false;
   if (is_notified_here()) required_.AnnounceNone();
-  const auto deadline = std::chrono::steady_clock::now() + patience;
+  const auto deadline = std::chrono::steady_clock::now() + timeout;
   if (commands_ != nullptr) {
     // A caller that waits uses the binding. Therefore, all calls with waiting callers are executed
     // or cancelled before the binding is destroyed.

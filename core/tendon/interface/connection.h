@@ -38,10 +38,10 @@ class Connection {
 
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
-  /// Calls Close() with no patience if the connection is still open.
+  /// Calls Close() with the timeout 0 if the connection is still open.
   ~Connection();
 
-  /// Refuses new calls and events, and gives both ends at most `patience` to execute the accepted
+  /// Refuses new calls and events, and gives both ends at most `timeout` to execute the accepted
   /// ones. After that, callers that still wait get kNotConnected, and all data is freed. If a
   /// handler has not returned, its data is freed when it returns. Returns the number of accepted
   /// calls and events that were dropped.
@@ -49,7 +49,7 @@ class Connection {
   /// Component::OnDisconnected() and OnClientGone() run in the components' own threads. If the
   /// component of `required` has no thread, OnDisconnected() runs in the calling thread, before
   /// everything else. Never call Close() from a thread that executes a mailbox of either end.
-  std::size_t Close(std::chrono::milliseconds patience);
+  std::size_t Close(std::chrono::milliseconds timeout);
 
   /// The time when the connection was made.
   [[nodiscard]] SteadyTime made() const { return made_; }

@@ -69,7 +69,7 @@ LocalManager::LocalManager()
 
 LocalManager::~LocalManager() {
   SetObserver(nullptr);
-  EndAll(SteadyClock().Now() + kEndPatience);
+  EndAll(SteadyClock().Now() + kEndTimeout);
   Clear();
 }
 
@@ -113,7 +113,7 @@ LocalManager::Entry LocalManager::MakeEntry(std::unique_ptr<Component> component
   return {{component.release(), destroy}, std::move(origin)};
 }
 
-Result<void> LocalManager::Remove(const std::string& component, Patience patience) {
+Result<void> LocalManager::Remove(const std::string& component, std::chrono::nanoseconds timeout) {
   std::shared_ptr<Component> removed;
   {
     const auto lock = Lock();
@@ -121,10 +121,10 @@ Result<void> LocalManager::Remove(const std::string& component, Patience patienc
     if (!found) return found.error();
     removed = *found;
   }
-  const SteadyTime deadline = DeadlineAfter(patience);
+  const SteadyTime deadline = DeadlineAfter(timeout);
   (void)requests_->StopInOrder(
       [&](const Component& one) { return &one == removed.get() || RunsAfter(one, *removed); },
-      std::min<SteadyTime>(deadline, SteadyClock().Now() + kEndPatience));
+      std::min<SteadyTime>(deadline, SteadyClock().Now() + kEndTimeout));
   {
     const auto lock = Lock();
     if (Find(component) != removed.get()) {
@@ -187,10 +187,10 @@ void LocalManager::Detach(Component& component) {
   watchdog_.Forget(component);
 }
 
-Result<void> LocalManager::Retry(Patience patience,
+Result<void> LocalManager::Retry(std::chrono::nanoseconds timeout,
                                  const std::function<Result<void>(SteadyTime)>& attempt) {
   constexpr std::chrono::milliseconds kAtOnce(20);
-  const SteadyTime deadline = DeadlineAfter(patience);
+  const SteadyTime deadline = DeadlineAfter(timeout);
   while (true) {
     Result<void> done;
     bool is_last = false;
@@ -244,7 +244,7 @@ Result<void> LocalManager::Disconnect(const InterfaceName& required) {
       return Error{ErrorCode::kNotFound,
                    found.error().message + ": there is nothing to disconnect"};
     }
-    Close(connections_.at(*found), kDrainPatience);
+    Close(connections_.at(*found), kDrainTimeout);
     connections_.erase(*found);
   }
   NotifyChanged();
@@ -276,8 +276,8 @@ Result<ConnectionId> LocalManager::FindConnection(const InterfaceName& required)
   return Error{ErrorCode::kNotFound, ToString(required) + " is not connected"};
 }
 
-void LocalManager::Close(const LocalConnection& connection, std::chrono::milliseconds patience) {
-  const std::size_t dropped = connection.connection->Close(patience);
+void LocalManager::Close(const LocalConnection& connection, std::chrono::milliseconds timeout) {
+  const std::size_t dropped = connection.connection->Close(timeout);
   if (dropped == 0) return;
   const ConnectionDescription& ends = connection.description;
   Log(LogLevel::kWarning, ends.required.component,
@@ -286,9 +286,9 @@ void LocalManager::Close(const LocalConnection& connection, std::chrono::millise
 }
 
 Result<void> LocalManager::RunAfter(const std::string& component, const std::string& leader,
-                                    Patience patience) {
-  const auto done = Retry(
-      patience, [&](SteadyTime deadline) { return TryRunAfter(component, leader, deadline); });
+                                    std::chrono::nanoseconds timeout) {
+  const auto done =
+      Retry(timeout, [&](SteadyTime deadline) { return TryRunAfter(component, leader, deadline); });
   if (done) NotifyChanged();
   return done;
 }
@@ -311,41 +311,47 @@ Result<void> LocalManager::TryRunAfter(const std::string& component, const std::
   return task->RunAfter(*leading, deadline);
 }
 
-Result<void> LocalManager::Start(const std::string& component, Patience patience) {
-  return requests_->Start(component, patience);
+Result<void> LocalManager::Start(const std::string& component, std::chrono::nanoseconds timeout) {
+  return requests_->Start(component, timeout);
 }
 
-Result<void> LocalManager::Start(const std::string& component, Patience patience,
+Result<void> LocalManager::Start(const std::string& component, std::chrono::nanoseconds timeout,
                                  std::function<bool()> proceed) {
-  return requests_->Start(component, patience, std::move(proceed));
+  return requests_->Start(component, timeout, std::move(proceed));
 }
 
-Result<void> LocalManager::Suspend(const std::string& component, Patience patience) {
-  return requests_->Suspend(component, patience);
+Result<void> LocalManager::Suspend(const std::string& component, std::chrono::nanoseconds timeout) {
+  return requests_->Suspend(component, timeout);
 }
 
-Result<void> LocalManager::Stop(const std::string& component, Patience patience) {
-  return requests_->Stop(component, patience);
+Result<void> LocalManager::Stop(const std::string& component, std::chrono::nanoseconds timeout) {
+  return requests_->Stop(component, timeout);
 }
 
 Result<void> LocalManager::TransitionTo(const std::string& component, ComponentState wanted,
-                                        Patience patience) {
-  return requests_->TransitionTo(component, wanted, patience);
+                                        std::chrono::nanoseconds timeout) {
+  return requests_->TransitionTo(component, wanted, timeout);
 }
 
-Result<void> LocalManager::StartAll(Patience patience) { return requests_->StartAll(patience); }
+Result<void> LocalManager::StartAll(std::chrono::nanoseconds timeout) {
+  return requests_->StartAll(timeout);
+}
 
-Result<void> LocalManager::SuspendAll(Patience patience) { return requests_->SuspendAll(patience); }
+Result<void> LocalManager::SuspendAll(std::chrono::nanoseconds timeout) {
+  return requests_->SuspendAll(timeout);
+}
 
-Result<void> LocalManager::StopAll(Patience patience) { return requests_->StopAll(patience); }
+Result<void> LocalManager::StopAll(std::chrono::nanoseconds timeout) {
+  return requests_->StopAll(timeout);
+}
 
 Result<void> LocalManager::WaitFor(const std::string& component, ComponentState state,
-                                   Patience patience) {
-  return requests_->WaitFor(component, state, patience);
+                                   std::chrono::nanoseconds timeout) {
+  return requests_->WaitFor(component, state, timeout);
 }
 
-Result<void> LocalManager::WaitForAll(ComponentState state, Patience patience) {
-  return requests_->WaitForAll(state, patience);
+Result<void> LocalManager::WaitForAll(ComponentState state, std::chrono::nanoseconds timeout) {
+  return requests_->WaitForAll(state, timeout);
 }
 
 void LocalManager::EndAll(SteadyTime deadline) {
@@ -528,11 +534,11 @@ Result<RunSettings> LocalManager::SettingsOf(const std::string& component) const
 }
 
 Result<void> LocalManager::Replace(std::unique_ptr<Component> component, ComponentOrigin origin,
-                                   Patience patience) {
+                                   std::chrono::nanoseconds timeout) {
   if (!component) throw ConfigurationError("LocalManager::Replace: null component");
   Entry given = MakeEntry(std::move(component), std::move(origin));
   const auto replaced =
-      Retry(patience, [&](SteadyTime deadline) { return TryReplace(given, deadline); });
+      Retry(timeout, [&](SteadyTime deadline) { return TryReplace(given, deadline); });
   if (replaced) NotifyChanged();
   return replaced;
 }

@@ -71,7 +71,7 @@ class LocalManager {
   LocalManager();
   LocalManager(const LocalManager&) = delete;
   LocalManager& operator=(const LocalManager&) = delete;
-  /// Stops all components like StopAll(), within kEndPatience. Then disconnects and destroys them.
+  /// Stops all components like StopAll(), within kEndTimeout. Then disconnects and destroys them.
   /// If a component is busy in one of its own functions, waits for it without a time limit.
   virtual ~LocalManager();
 
@@ -93,7 +93,8 @@ class LocalManager {
   /// Stops the component while its connections still work, and waits until servers have executed
   /// its last calls. Then disconnects and destroys the component. Fails with kTimeout if the
   /// component does not stop; then it still exists, but has no connections.
-  Result<void> Remove(const std::string& component, Patience patience = kPatience);
+  Result<void> Remove(const std::string& component,
+                      std::chrono::nanoseconds timeout = kDefaultTimeout);
 
   /// Replaces the component that has the same name as `component`, and destroys the old one. Other
   /// threads always find a component with this name, and the observer is called once. The new
@@ -103,7 +104,7 @@ class LocalManager {
   /// Fails with kFailed if the old component is not at rest or other components run after it, and
   /// with kTimeout like RunAfter(). A failure changes nothing.
   Result<void> Replace(std::unique_ptr<Component> component, ComponentOrigin origin,
-                       Patience patience = kPatience);
+                       std::chrono::nanoseconds timeout = kDefaultTimeout);
 
   // Connections.
 
@@ -112,7 +113,7 @@ class LocalManager {
   /// kIncompatible (the error says why).
   virtual Result<ConnectionId> Connect(const InterfaceName& required,
                                        const InterfaceName& provided);
-  /// Disconnects a required interface. Waits up to kDrainPatience until accepted calls and events
+  /// Disconnects a required interface. Waits up to kDrainTimeout until accepted calls and events
   /// are executed; drops the others and logs their number.
   virtual Result<void> Disconnect(const InterfaceName& required);
 
@@ -122,43 +123,47 @@ class LocalManager {
   /// of `leader`, in the leader's thread (ThreadedTask::RunAfter()). Fails with kFailed if the
   /// component is not at rest or never has a thread of its own, or if the two would run after each
   /// other. Fails with kTimeout, and changes nothing, if a cycle of the former leader does not end
-  /// within `patience`.
+  /// within `timeout`.
   Result<void> RunAfter(const std::string& component, const std::string& leader,
-                        Patience patience = kPatience);
+                        std::chrono::nanoseconds timeout = kDefaultTimeout);
 
   /// These functions request a change of the state, as the table of transitions (component_state.h)
   /// allows, and wait for the new state. They fail with kTimeout if the component does not reach it
-  /// within `patience`.
-  Result<void> Start(const std::string& component, Patience patience = kPatience);
+  /// within `timeout`.
+  Result<void> Start(const std::string& component,
+                     std::chrono::nanoseconds timeout = kDefaultTimeout);
   /// Starts a component, but lets the caller cancel the start: see `proceed` of Component::Start().
-  Result<void> Start(const std::string& component, Patience patience,
+  Result<void> Start(const std::string& component, std::chrono::nanoseconds timeout,
                      std::function<bool()> proceed);
-  Result<void> Suspend(const std::string& component, Patience patience = kPatience);
+  Result<void> Suspend(const std::string& component,
+                       std::chrono::nanoseconds timeout = kDefaultTimeout);
   /// Stops a component. Components that run after it are stopped first. After the stop, waits for
-  /// at most kDrainPatience until servers have executed the last calls of its Cleanup().
-  Result<void> Stop(const std::string& component, Patience patience = kPatience);
+  /// at most kDrainTimeout until servers have executed the last calls of its Cleanup().
+  Result<void> Stop(const std::string& component,
+                    std::chrono::nanoseconds timeout = kDefaultTimeout);
   /// Brings a component at rest to the state that a file requests. For kActive, starts it. For
   /// kSuspended, starts and then suspends it. For any other state, does nothing. If the component
-  /// cannot be suspended within `patience`, stops it, because it must not run; the error then says
+  /// cannot be suspended within `timeout`, stops it, because it must not run; the error then says
   /// whether the stop has succeeded.
   Result<void> TransitionTo(const std::string& component, ComponentState wanted,
-                            Patience patience = kPatience);
+                            std::chrono::nanoseconds timeout = kDefaultTimeout);
   /// Starts all components that are not active, one after the other, in the order in which they
-  /// were added, except that leaders come before the components that run after them. `patience` is
+  /// were added, except that leaders come before the components that run after them. `timeout` is
   /// the total time. If a start fails, starts the others nevertheless, and returns the first error.
-  Result<void> StartAll(Patience patience = kPatience);
+  Result<void> StartAll(std::chrono::nanoseconds timeout = kDefaultTimeout);
   /// Suspends all active components in the reverse order of StartAll().
-  Result<void> SuspendAll(Patience patience = kPatience);
+  Result<void> SuspendAll(std::chrono::nanoseconds timeout = kDefaultTimeout);
   /// Stops all running components. Clients are stopped before their servers, so that the servers
   /// can still execute the clients' last calls. Components are stopped before their leaders.
   /// Components that do not depend on each other are stopped at the same time. If connections form
   /// a cycle, one server must be stopped before its client. It is chosen by the order in which the
   /// components were added.
-  Result<void> StopAll(Patience patience = kPatience);
+  Result<void> StopAll(std::chrono::nanoseconds timeout = kDefaultTimeout);
   /// These functions wait until the component, or all components, are in this state. They fail with
-  /// kTimeout if this takes longer than `patience`, and with kFailed if a component is faulted.
-  Result<void> WaitFor(const std::string& component, ComponentState state, Patience patience);
-  Result<void> WaitForAll(ComponentState state, Patience patience);
+  /// kTimeout if this takes longer than `timeout`, and with kFailed if a component is faulted.
+  Result<void> WaitFor(const std::string& component, ComponentState state,
+                       std::chrono::nanoseconds timeout);
+  Result<void> WaitForAll(ComponentState state, std::chrono::nanoseconds timeout);
 
   // Descriptions of components and connections.
 
@@ -178,10 +183,10 @@ class LocalManager {
   [[nodiscard]] Result<MailboxFill> FillOf(const std::string& component) const;
 
   /// The time for which a disconnect waits until servers have executed accepted calls.
-  static constexpr std::chrono::milliseconds kDrainPatience{500};
+  static constexpr std::chrono::milliseconds kDrainTimeout{500};
   /// The time for which the destructor waits until all components have stopped, before it
   /// disconnects them. This time lets a program end within 2 s after a termination request.
-  static constexpr std::chrono::milliseconds kEndPatience{1300};
+  static constexpr std::chrono::milliseconds kEndTimeout{1300};
 
  protected:
   /// These functions return an interface. They fail with kNotFound; the error suggests a name.
@@ -234,13 +239,14 @@ class LocalManager {
   [[nodiscard]] std::vector<std::string> component_names() const;
   [[nodiscard]] Result<ConnectionId> FindConnection(const InterfaceName& required) const;
   /// Closes a connection and logs how many calls and events were dropped.
-  static void Close(const LocalConnection& connection, std::chrono::milliseconds patience);
+  static void Close(const LocalConnection& connection, std::chrono::milliseconds timeout);
   /// Makes a connection. Called while the lock is held; does not call the observer.
   Result<ConnectionId> Join(const InterfaceName& required, const InterfaceName& provided);
   void DisconnectAll(const std::string& component);
   /// Calls `attempt` repeatedly, while the lock is held, until its result is not kTimeout or
-  /// `patience` is over. Releases the lock between the calls.
-  Result<void> Retry(Patience patience, const std::function<Result<void>(SteadyTime)>& attempt);
+  /// `timeout` is over. Releases the lock between the calls.
+  Result<void> Retry(std::chrono::nanoseconds timeout,
+                     const std::function<Result<void>(SteadyTime)>& attempt);
   Result<void> TryRunAfter(const std::string& component, const std::string& leader,
                            SteadyTime deadline);
   Result<void> TryTakeOut(const std::shared_ptr<Component>& component, SteadyTime deadline);

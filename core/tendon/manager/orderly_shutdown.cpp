@@ -67,7 +67,7 @@ void OrderlyShutdown::RequestStop(std::size_t place) {
 
 void OrderlyShutdown::BeginDrain(std::size_t place) {
   phases_[place] = Phase::kEnded;
-  drained_by_[place] = SteadyClock().Now() + kLastCallsPatience;
+  drained_by_[place] = SteadyClock().Now() + kLastCallsTimeout;
 }
 
 /// Waits a short time. Calls WaitFor(), because it also does the work of components without a

@@ -44,7 +44,7 @@ class OrderlyShutdown {
 
   static constexpr std::chrono::milliseconds kGrace{100};
   /// Time limit for the last calls of an ended component.
-  static constexpr std::chrono::milliseconds kLastCallsPatience{1300};
+  static constexpr std::chrono::milliseconds kLastCallsTimeout{1300};
 
   /// Logs that the last calls of `client` were not executed in time.
   static void LogNotExecuted(const Component& client);

@@ -102,14 +102,14 @@ std::string DescribePluginAbi(std::uint64_t abi) {
          strings + containers;
 }
 
-Result<Plugin> LoadPlugin(const fs::path& file, std::chrono::milliseconds patience) {
+Result<Plugin> LoadPlugin(const fs::path& file, std::chrono::milliseconds timeout) {
   auto copy = os::LibraryCopy::Make(file);
   if (!copy) return LoadError(file, copy.error().message);
   Plugin plugin{.registry = {}, .content = (*copy)->content()};
   const std::scoped_lock lock(loaded_mutex);
   void*& library = LoadedLibraries()[{plugin.content.file, plugin.content.hash}];
   if (library == nullptr) {
-    if (auto probed = ProbePlugin((*copy)->path(), file, patience); !probed) return probed.error();
+    if (auto probed = ProbePlugin((*copy)->path(), file, timeout); !probed) return probed.error();
     const auto loaded = LoadGuarded((*copy)->path(), file);
     if (!loaded) return loaded.error();
     library = *loaded;
@@ -127,17 +127,17 @@ Result<ComponentRegistry> OpenPlugin(const fs::path& file, const fs::path& origi
 }
 
 Result<void> ProbePlugin(const fs::path& file, const fs::path& original,
-                         std::chrono::milliseconds patience) {
+                         std::chrono::milliseconds timeout) {
   if (auto checked = os::CheckSharedLibrary(file); !checked) {
     return LoadError(original, checked.error().message);
   }
   const fs::path program = ProbeProgram();
   if (program.empty()) return {};
-  const auto outcome = os::RunProgram(program, {file.string(), original.string()}, patience);
+  const auto outcome = os::RunProgram(program, {file.string(), original.string()}, timeout);
   if (!outcome) {
     if (outcome.error().code != ErrorCode::kTimeout) return outcome.error();
     return LoadError(original,
-                     kCannotLoad + ("loading it has not finished after " + Milliseconds(patience)));
+                     kCannotLoad + ("loading it has not finished after " + Milliseconds(timeout)));
   }
   // The output is checked too, because the plug-in itself may print text or end the process with
   // any exit code.

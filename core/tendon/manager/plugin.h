@@ -24,7 +24,7 @@ struct Plugin {
 /// process has already loaded from this file is not loaded again. An error says which file, what
 /// was expected and what was found. Thread-safe.
 Result<Plugin> LoadPlugin(const std::filesystem::path& file,
-                          std::chrono::milliseconds patience = std::chrono::seconds(30));
+                          std::chrono::milliseconds timeout = std::chrono::seconds(30));
 
 // The steps of LoadPlugin(). `file` is the copy. Errors name the file `original`.
 
@@ -37,6 +37,6 @@ Result<ComponentRegistry> OpenPlugin(const std::filesystem::path& file,
 /// program, or in ../bin relative to the Tendon library. If it is not installed, only the format of
 /// the file is checked.
 Result<void> ProbePlugin(const std::filesystem::path& file, const std::filesystem::path& original,
-                         std::chrono::milliseconds patience);
+                         std::chrono::milliseconds timeout);
 
 }  // namespace tendon

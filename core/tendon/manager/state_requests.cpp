@@ -35,52 +35,53 @@ Result<void> WithoutLock(std::unique_lock<std::recursive_mutex>& lock, const aut
 
 StateRequests::StateRequests(Manager manager) : manager_(std::move(manager)) {}
 
-Result<void> StateRequests::Start(const std::string& component, Patience patience) {
-  return RequestState(component, kStart, ComponentState::kActive, patience);
+Result<void> StateRequests::Start(const std::string& component, std::chrono::nanoseconds timeout) {
+  return RequestState(component, kStart, ComponentState::kActive, timeout);
 }
 
-Result<void> StateRequests::Start(const std::string& component, Patience patience,
+Result<void> StateRequests::Start(const std::string& component, std::chrono::nanoseconds timeout,
                                   std::function<bool()> proceed) {
   const auto start = [proceed = std::move(proceed)](Component& one) {
     return one.Start(kNoWait, proceed);
   };
-  return RequestState(component, start, ComponentState::kActive, patience);
+  return RequestState(component, start, ComponentState::kActive, timeout);
 }
 
-Result<void> StateRequests::Suspend(const std::string& component, Patience patience) {
-  return RequestState(component, kSuspend, ComponentState::kSuspended, patience);
+Result<void> StateRequests::Suspend(const std::string& component,
+                                    std::chrono::nanoseconds timeout) {
+  return RequestState(component, kSuspend, ComponentState::kSuspended, timeout);
 }
 
-Result<void> StateRequests::Stop(const std::string& component, Patience patience) {
-  if (patience <= kNoWait) {
-    return RequestState(component, kStop, ComponentState::kFinished, patience);
+Result<void> StateRequests::Stop(const std::string& component, std::chrono::nanoseconds timeout) {
+  if (timeout <= kNoWait) {
+    return RequestState(component, kStop, ComponentState::kFinished, timeout);
   }
   const auto found = manager_.find(component);
   if (!found) return found.error();
-  const SteadyTime deadline = DeadlineAfter(patience);
+  const SteadyTime deadline = DeadlineAfter(timeout);
   (void)StopInOrder([&](const Component& one) { return RunsAfter(one, **found); }, deadline);
-  const Patience left =
-      std::max<Patience>(RequestSerializer::kShortest, deadline - SteadyClock().Now());
+  const std::chrono::nanoseconds left = std::max<std::chrono::nanoseconds>(
+      RequestSerializer::kShortest, deadline - SteadyClock().Now());
   const auto stopped = RequestStateOfAll({*found}, kStop, ComponentState::kFinished, left);
   if (stopped) {
     LetExecute(**found,
-               std::min<SteadyTime>(deadline, SteadyClock().Now() + LocalManager::kDrainPatience));
+               std::min<SteadyTime>(deadline, SteadyClock().Now() + LocalManager::kDrainTimeout));
   }
   return stopped;
 }
 
 Result<void> StateRequests::TransitionTo(const std::string& component, ComponentState wanted,
-                                         Patience patience) {
+                                         std::chrono::nanoseconds timeout) {
   if (!IsRunning(wanted)) return {};
-  auto done = Start(component, patience);
+  auto done = Start(component, timeout);
   if (wanted == ComponentState::kActive) return done;
   const auto is_at_rest = [&] {
     const auto found = manager_.find(component);
     return !found || (*found)->is_at_rest();
   };
-  if (done) done = Suspend(component, patience);
+  if (done) done = Suspend(component, timeout);
   if (done || is_at_rest()) return done;
-  const auto stopped = Stop(component, kPatience);
+  const auto stopped = Stop(component, kDefaultTimeout);
   const std::string before = "'" + component + "' could not be suspended: " + done.error().message;
   if (stopped || is_at_rest()) {
     return Error{done.error().code, before + "; it was stopped instead"};
@@ -89,26 +90,26 @@ Result<void> StateRequests::TransitionTo(const std::string& component, Component
                before + "; it may still run, because it does not stop: " + stopped.error().message};
 }
 
-Result<void> StateRequests::StartAll(Patience patience) {
+Result<void> StateRequests::StartAll(std::chrono::nanoseconds timeout) {
   Components all = StartOrder();
   std::erase_if(all, [](const auto& one) { return one->state() == ComponentState::kActive; });
-  return RequestStateOfAll(all, kStart, ComponentState::kActive, patience);
+  return RequestStateOfAll(all, kStart, ComponentState::kActive, timeout);
 }
 
-Result<void> StateRequests::SuspendAll(Patience patience) {
+Result<void> StateRequests::SuspendAll(std::chrono::nanoseconds timeout) {
   Components all = StartOrder();
   std::reverse(all.begin(), all.end());
   std::erase_if(all, [](const auto& one) { return one->state() != ComponentState::kActive; });
-  return RequestStateOfAll(all, kSuspend, ComponentState::kSuspended, patience);
+  return RequestStateOfAll(all, kSuspend, ComponentState::kSuspended, timeout);
 }
 
-Result<void> StateRequests::StopAll(Patience patience) {
+Result<void> StateRequests::StopAll(std::chrono::nanoseconds timeout) {
   const auto any = [](const Component& /*one*/) { return true; };
-  if (patience > kNoWait) return StopInOrder(any, DeadlineAfter(patience));
+  if (timeout > kNoWait) return StopInOrder(any, DeadlineAfter(timeout));
   Components all;
   for (OrderlyShutdown::Member& one : EndOrder(any)) all.push_back(std::move(one.component));
   std::erase_if(all, [this](const auto& one) { return IsAtRest(*one); });
-  return RequestStateOfAll(all, kStop, ComponentState::kFinished, patience);
+  return RequestStateOfAll(all, kStop, ComponentState::kFinished, timeout);
 }
 
 Result<void> StateRequests::StopInOrder(const IsMeant& is_meant, SteadyTime deadline) {
@@ -138,13 +139,14 @@ void StateRequests::LetExecute(const Component& client, SteadyTime deadline) con
 }
 
 Result<void> StateRequests::WaitFor(const std::string& component, ComponentState state,
-                                    Patience patience) const {
+                                    std::chrono::nanoseconds timeout) const {
   const auto found = manager_.find(component);
-  return found ? (*found)->WaitFor(state, patience) : found.error();
+  return found ? (*found)->WaitFor(state, timeout) : found.error();
 }
 
-Result<void> StateRequests::WaitForAll(ComponentState state, Patience patience) const {
-  const SteadyTime deadline = DeadlineAfter(patience);
+Result<void> StateRequests::WaitForAll(ComponentState state,
+                                       std::chrono::nanoseconds timeout) const {
+  const SteadyTime deadline = DeadlineAfter(timeout);
   for (const auto& one : StartOrder()) {
     const auto reached = one->WaitFor(state, std::max(kNoWait, deadline - SteadyClock().Now()));
     if (!reached) return reached;
@@ -153,18 +155,19 @@ Result<void> StateRequests::WaitForAll(ComponentState state, Patience patience) 
 }
 
 Result<void> StateRequests::RequestState(const std::string& component, const Request& request,
-                                         ComponentState wanted, Patience patience) {
+                                         ComponentState wanted, std::chrono::nanoseconds timeout) {
   const auto found = manager_.find(component);
-  return found ? RequestStateOfAll({*found}, request, wanted, patience) : found.error();
+  return found ? RequestStateOfAll({*found}, request, wanted, timeout) : found.error();
 }
 
 Result<void> StateRequests::RequestStateOfAll(const Components& components, const Request& request,
-                                              ComponentState wanted, Patience patience) {
-  const SteadyTime deadline = DeadlineAfter(patience);
+                                              ComponentState wanted,
+                                              std::chrono::nanoseconds timeout) {
+  const SteadyTime deadline = DeadlineAfter(timeout);
   Result<void> outcome;
   for (const auto& one : components) {
     Result<void> done = MakeRequest(one, request, deadline);
-    if (done && patience > kNoWait) {
+    if (done && timeout > kNoWait) {
       done = one->WaitForEffect(wanted, std::max(kNoWait, deadline - SteadyClock().Now()));
     }
     if (!done && outcome) outcome = done;

@@ -37,17 +37,19 @@ class StateRequests {
 
   explicit StateRequests(Manager manager);
 
-  Result<void> Start(const std::string& component, Patience patience);
-  Result<void> Start(const std::string& component, Patience patience,
+  Result<void> Start(const std::string& component, std::chrono::nanoseconds timeout);
+  Result<void> Start(const std::string& component, std::chrono::nanoseconds timeout,
                      std::function<bool()> proceed);
-  Result<void> Suspend(const std::string& component, Patience patience);
-  Result<void> Stop(const std::string& component, Patience patience);
-  Result<void> TransitionTo(const std::string& component, ComponentState wanted, Patience patience);
-  Result<void> StartAll(Patience patience);
-  Result<void> SuspendAll(Patience patience);
-  Result<void> StopAll(Patience patience);
-  Result<void> WaitFor(const std::string& component, ComponentState state, Patience patience) const;
-  Result<void> WaitForAll(ComponentState state, Patience patience) const;
+  Result<void> Suspend(const std::string& component, std::chrono::nanoseconds timeout);
+  Result<void> Stop(const std::string& component, std::chrono::nanoseconds timeout);
+  Result<void> TransitionTo(const std::string& component, ComponentState wanted,
+                            std::chrono::nanoseconds timeout);
+  Result<void> StartAll(std::chrono::nanoseconds timeout);
+  Result<void> SuspendAll(std::chrono::nanoseconds timeout);
+  Result<void> StopAll(std::chrono::nanoseconds timeout);
+  Result<void> WaitFor(const std::string& component, ComponentState state,
+                       std::chrono::nanoseconds timeout) const;
+  Result<void> WaitForAll(ComponentState state, std::chrono::nanoseconds timeout) const;
 
   /// Stops the components for which `is_meant` is true, as OrderlyShutdown says.
   Result<void> StopInOrder(const IsMeant& is_meant, SteadyTime deadline);
@@ -63,9 +65,9 @@ class StateRequests {
   using Request = std::function<Result<void>(Component&)>;
 
   Result<void> RequestState(const std::string& component, const Request& request,
-                            ComponentState wanted, Patience patience);
+                            ComponentState wanted, std::chrono::nanoseconds timeout);
   Result<void> RequestStateOfAll(const Components& components, const Request& request,
-                                 ComponentState wanted, Patience patience);
+                                 ComponentState wanted, std::chrono::nanoseconds timeout);
   Result<void> MakeRequest(const ComponentPointer& component, const Request& request,
                            SteadyTime deadline);
   [[nodiscard]] bool IsAtRest(const Component& component) const;

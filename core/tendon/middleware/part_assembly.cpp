@@ -130,7 +130,7 @@ SteadyTime PartAssembly::given_up() const {
   if (unfinished_.empty()) return SteadyTime::max();
   const auto oldest = std::ranges::min_element(
       unfinished_, {}, [](const auto& one) { return one.second.last_part; });
-  return oldest->second.last_part + kPatience + unfinished_.size() * PartSender::kPartTime;
+  return oldest->second.last_part + kPartTimeout + unfinished_.size() * PartSender::kPartTime;
 }
 
 void PartAssembly::Clear() {

@@ -57,7 +57,7 @@ class PartAssembly {
   /// The time to wait for the next part of a frame. The sender may first handle a large message for
   /// up to LargeMessageInProgress::kAtMost. After that, it sends one part of each of its frames in
   /// turn, each part within PartSender::kPartTime.
-  static constexpr std::chrono::seconds kPatience =
+  static constexpr std::chrono::seconds kPartTimeout =
       LargeMessageInProgress::kAtMost + std::chrono::seconds(10);
   /// The time at which the oldest unfinished frame times out; max() if there is no unfinished
   /// frame.

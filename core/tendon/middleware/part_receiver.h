@@ -51,8 +51,8 @@ class PartReceiver {
   /// sends no parts while it handles a large message, and this end reads no parts while it handles
   /// a large message.
   [[nodiscard]] bool IsUnfinishedTooLong(SteadyTime now) const {
-    return now >=
-           std::max(given_up_.Get(), LargeMessageInProgress::Last(now) + PartAssembly::kPatience);
+    return now >= std::max(given_up_.Get(),
+                           LargeMessageInProgress::Last(now) + PartAssembly::kPartTimeout);
   }
 
  private:

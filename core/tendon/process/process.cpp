@@ -346,7 +346,7 @@ Process::Process(std::string name, ProcessOptions options) {
 
 Process::~Process() {
   SetObserver(nullptr);
-  const SteadyTime deadline = SteadyClock().Now() + kEndPatience;
+  const SteadyTime deadline = SteadyClock().Now() + kEndTimeout;
   parts_->RefuseOrders();
   EndAll(deadline);
   parts_->Close(deadline);

@@ -140,9 +140,9 @@ std::size_t Outbox::SendTaken(std::size_t limit, Delivery delivery) {
   }
 }
 
-void Outbox::SendRest(std::chrono::milliseconds patience) {
+void Outbox::SendRest(std::chrono::milliseconds timeout) {
   constexpr std::chrono::milliseconds kUntilLinkHasRoom(1);
-  const SteadyTime deadline = SteadyClock().Now() + patience;
+  const SteadyTime deadline = SteadyClock().Now() + timeout;
   while (is_held_up()) {
     (void)Send(0);
     if (!is_held_up() || SteadyClock().Now() >= deadline) return;

@@ -83,8 +83,8 @@ class Outbox {
   /// number.
   std::size_t Send(std::size_t limit = kAnyNumber);
   /// Sends the calls that the network thread took from the inbox but could not send. Tries for at
-  /// most `patience`. Must be called after the network thread has stopped using this object.
-  void SendRest(std::chrono::milliseconds patience);
+  /// most `timeout`. Must be called after the network thread has stopped using this object.
+  void SendRest(std::chrono::milliseconds timeout);
   /// Network thread: returns true if the link was full or a caller is sending. Then Send() must be
   /// called again soon.
   [[nodiscard]] bool is_held_up() const {

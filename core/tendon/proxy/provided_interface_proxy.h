@@ -72,8 +72,8 @@ class ProvidedInterfaceProxy final : public NetworkJob,
   /// be executed yet. Returns false while the remote component is stopped. Any thread.
   [[nodiscard]] bool HasCallsUnderWay(const Connection& connection);
   /// Sends the calls that the network thread took from the queue but could not send. Tries for at
-  /// most `patience`. Must be called after the network thread has stopped using this proxy.
-  void SendRest(std::chrono::milliseconds patience) { outbox_.SendRest(patience); }
+  /// most `timeout`. Must be called after the network thread has stopped using this proxy.
+  void SendRest(std::chrono::milliseconds timeout) { outbox_.SendRest(timeout); }
   /// Called when the connection to the other process has ended. Later calls are refused with
   /// kNotConnected. Any thread.
   void Sever();

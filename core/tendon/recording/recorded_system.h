@@ -57,7 +57,7 @@ class GcmSystem final : public RecordedSystem {
   /// name the process. Therefore, this object waits longer: until the client has opened a link and
   /// has waited for the reply.
   GcmSystem(GcmClient& client, std::chrono::milliseconds timeout)
-      : client_(client), patience_(2 * timeout + std::chrono::seconds(1)) {}
+      : client_(client), reply_timeout_(2 * timeout + std::chrono::seconds(1)) {}
 
   std::uint64_t revision() override {
     std::uint64_t revision = 0;
@@ -79,14 +79,14 @@ class GcmSystem final : public RecordedSystem {
   Result<message::ReadLogReply> ReadLog(const std::string& process,
                                         const message::ReadLog& wanted) override {
     return Wait<message::ReadLogReply>(
-        patience_, [&](auto handler) { client_.ReadLog(process, wanted, handler); });
+        reply_timeout_, [&](auto handler) { client_.ReadLog(process, wanted, handler); });
   }
   Result<message::ProcessHistoryState> GetProcessHistory(const std::string& process) override {
     return Wait<message::ProcessHistoryState>(
-        patience_, [&](auto handler) { client_.GetProcessHistory(process, handler); });
+        reply_timeout_, [&](auto handler) { client_.GetProcessHistory(process, handler); });
   }
   Result<Schema> FindSchema(const std::string& process, Fingerprint type) override {
-    return Wait<Schema>(patience_,
+    return Wait<Schema>(reply_timeout_,
                         [&](auto handler) { client_.GetSchema(process, type, handler); });
   }
   void Resync() override { client_.Resync(); }
@@ -94,7 +94,7 @@ class GcmSystem final : public RecordedSystem {
 
  private:
   GcmClient& client_;
-  const std::chrono::milliseconds patience_;
+  const std::chrono::milliseconds reply_timeout_;
 };
 
 }  // namespace tendon::recording

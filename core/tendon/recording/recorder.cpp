@@ -347,9 +347,9 @@ void Recorder::WriteUntilStopped() {
 }
 
 Result<void> Recorder::WriteSome() {
-  constexpr auto kPatience = 100ms;
+  constexpr auto kMaxWait = 100ms;
   Result<void> result;
-  for (RecordingEntry& entry : queue_->Take(kPatience)) {
+  for (RecordingEntry& entry : queue_->Take(kMaxWait)) {
     if (is_waiting_) {
       past_.Add(std::move(entry), SteadyClock().Now());
     } else if (auto written = Write(std::move(entry)); !written) {

@@ -153,10 +153,10 @@ std::shared_ptr<EventSink> RecordingQueue::SinkOf(const EventSubscription& event
   return std::make_shared<InterfaceSink>(shared_from_this(), events, std::move(types));
 }
 
-std::deque<RecordingEntry> RecordingQueue::Take(std::chrono::nanoseconds patience) {
+std::deque<RecordingEntry> RecordingQueue::Take(std::chrono::nanoseconds timeout) {
   constexpr std::size_t kAtOnce = std::size_t{1} << 20U;  // bytes
   std::unique_lock lock(mutex_);
-  arrival_.wait_for(lock, patience, [this] { return is_woken_ || !entries_.empty(); });
+  arrival_.wait_for(lock, timeout, [this] { return is_woken_ || !entries_.empty(); });
   is_woken_ = false;
   std::deque<RecordingEntry> taken;
   std::size_t size = 0;

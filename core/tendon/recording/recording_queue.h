@@ -42,9 +42,9 @@ class RecordingQueue final : public GcmListener,
   std::shared_ptr<EventSink> SinkOf(const EventSubscription& events,
                                     std::map<Fingerprint, Schema> types);
 
-  /// Waits until an entry has arrived or Wake() is called, at most `patience`. Removes and returns
+  /// Waits until an entry has arrived or Wake() is called, at most `timeout`. Removes and returns
   /// the oldest entries, about 1 MiB. Called by the writing thread.
-  std::deque<RecordingEntry> Take(std::chrono::nanoseconds patience);
+  std::deque<RecordingEntry> Take(std::chrono::nanoseconds timeout);
   /// Lets Take() return.
   void Wake();
   /// Drops all entries, and all later entries, without counting them as lost.

@@ -213,8 +213,8 @@ class PastWriter {
 
   /// Returns the number of entries that have arrived. Continues after a failure. Log records are
   /// not written yet, because SaveLog() needs all of them.
-  Result<std::size_t> WriteSome(std::chrono::nanoseconds patience) {
-    const std::deque<RecordingEntry> entries = queue_->Take(patience);
+  Result<std::size_t> WriteSome(std::chrono::nanoseconds timeout) {
+    const std::deque<RecordingEntry> entries = queue_->Take(timeout);
     Result<void> result;
     for (const RecordingEntry& entry : entries) {
       if (const auto* record = std::get_if<LogEntry>(&entry)) {

@@ -113,7 +113,8 @@ void Component::Seal() {
                            "action of the command. Derive the component from a task");
 }
 
-Result<void> Component::Start(Patience patience, const std::function<bool()>& proceed) {
+Result<void> Component::Start(std::chrono::nanoseconds timeout,
+                              const std::function<bool()>& proceed) {
   const auto transition = Lookup(*this, mutex_, LifecycleRequest::kStart);
   if (!transition) return transition.error();
   const Error stopped{ErrorCode::kFailed, "component " + Quoted(name_) +
@@ -121,8 +122,7 @@ Result<void> Component::Start(Patience patience, const std::function<bool()>& pr
   if (proceed && !proceed()) return stopped;
   if ((*transition)->from == ComponentState::kSuspended) {
     const auto resumed = Resume();
-    return resumed && patience > kNoWait ? WaitForEffect(ComponentState::kActive, patience)
-                                         : resumed;
+    return resumed && timeout > kNoWait ? WaitForEffect(ComponentState::kActive, timeout) : resumed;
   }
   if ((*transition)->configures_first) {
     if (!RunGuarded("Configure", [this] { Configure(); })) {
@@ -141,17 +141,17 @@ Result<void> Component::Start(Patience patience, const std::function<bool()>& pr
     is_starting_.Set(false);
     return launched;
   }
-  return patience > kNoWait ? WaitForEffect(ComponentState::kActive, patience) : Result<void>();
+  return timeout > kNoWait ? WaitForEffect(ComponentState::kActive, timeout) : Result<void>();
 }
 
-Result<void> Component::Suspend(Patience patience) {
+Result<void> Component::Suspend(std::chrono::nanoseconds timeout) {
   const auto transition = Lookup(*this, mutex_, LifecycleRequest::kSuspend);
   if (!transition) return transition.error();
   Pause();
-  return patience > kNoWait ? WaitForEffect(ComponentState::kSuspended, patience) : Result<void>();
+  return timeout > kNoWait ? WaitForEffect(ComponentState::kSuspended, timeout) : Result<void>();
 }
 
-Result<void> Component::Stop(Patience patience) {
+Result<void> Component::Stop(std::chrono::nanoseconds timeout) {
   const auto transition = Lookup(*this, mutex_, LifecycleRequest::kStop);
   if (!transition) return transition.error();
   {
@@ -159,21 +159,21 @@ Result<void> Component::Stop(Patience patience) {
     is_stopping_.Set(is_starting() || IsRunning(state()));
   }
   Halt();
-  return patience > kNoWait ? WaitForEffect(ComponentState::kFinished, patience) : Result<void>();
+  return timeout > kNoWait ? WaitForEffect(ComponentState::kFinished, timeout) : Result<void>();
 }
 
-Result<void> Component::WaitFor(ComponentState wanted, Patience patience) {
-  return WaitForState(wanted, patience, false);
+Result<void> Component::WaitFor(ComponentState wanted, std::chrono::nanoseconds timeout) {
+  return WaitForState(wanted, timeout, false);
 }
 
-Result<void> Component::WaitForEffect(ComponentState wanted, Patience patience) {
-  return WaitForState(wanted, patience, true);
+Result<void> Component::WaitForEffect(ComponentState wanted, std::chrono::nanoseconds timeout) {
+  return WaitForState(wanted, timeout, true);
 }
 
-Result<void> Component::WaitForState(ComponentState wanted, Patience patience,
+Result<void> Component::WaitForState(ComponentState wanted, std::chrono::nanoseconds timeout,
                                      bool ends_with_a_stop) {
   constexpr std::chrono::milliseconds kBetweenLooks(10);
-  const SteadyTime deadline = DeadlineAfter(patience);
+  const SteadyTime deadline = DeadlineAfter(timeout);
   std::unique_lock lock(mutex_);
   while (state() != wanted) {
     const std::string who = "component " + Quoted(name_) + " is ";
@@ -186,7 +186,7 @@ Result<void> Component::WaitForState(ComponentState wanted, Patience patience,
     }
     const SteadyTime now = SteadyClock().Now();
     if (now >= deadline) {
-      const auto waited = std::chrono::ceil<std::chrono::milliseconds>(patience).count();
+      const auto waited = std::chrono::ceil<std::chrono::milliseconds>(timeout).count();
       return Error{ErrorCode::kTimeout, who + "still " + std::string(ToString(state())) +
                                             " after " + std::to_string(waited) + " ms, not " +
                                             std::string(ToString(wanted)) +

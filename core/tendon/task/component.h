@@ -26,12 +26,11 @@
 
 namespace tendon {
 
-/// The time for which a request waits until the component is in the requested state.
-using Patience = std::chrono::nanoseconds;
-inline constexpr Patience kPatience = std::chrono::seconds(10);
+/// The time for which a request waits by default until the component is in the requested state.
+inline constexpr std::chrono::nanoseconds kDefaultTimeout = std::chrono::seconds(10);
 /// The request does not wait: the state changes later, when the component's thread handles the
 /// request.
-inline constexpr Patience kNoWait{0};
+inline constexpr std::chrono::nanoseconds kNoWait{0};
 
 /// A named object with interfaces and a lifecycle. It has no thread of its own. While it is active,
 /// its commands and event handlers run in the threads that call them. A Task is a component with a
@@ -73,9 +72,9 @@ class Component {
   [[nodiscard]] std::vector<RequiredDescription> required() const;
 
   /// Waits until the component is in this state. Fails with kTimeout if this takes longer than
-  /// `patience`, and with kFailed if the component is faulted. Any thread except the component's
+  /// `timeout`, and with kFailed if the component is faulted. Any thread except the component's
   /// own.
-  Result<void> WaitFor(ComponentState state, Patience patience);
+  Result<void> WaitFor(ComponentState state, std::chrono::nanoseconds timeout);
 
  protected:
   /// For components whose calls are queued in an inbox until a thread executes them.
@@ -135,12 +134,13 @@ class Component {
   /// and after Configure(); if `proceed` returns false, Start() fails with kFailed and does not
   /// start the component. Stop() is also allowed during a start. Then the component ends before it
   /// runs, or as soon as its Startup() has returned.
-  Result<void> Start(Patience patience = kPatience, const std::function<bool()>& proceed = {});
-  Result<void> Suspend(Patience patience = kPatience);
-  Result<void> Stop(Patience patience = kPatience);
+  Result<void> Start(std::chrono::nanoseconds timeout = kDefaultTimeout,
+                     const std::function<bool()>& proceed = {});
+  Result<void> Suspend(std::chrono::nanoseconds timeout = kDefaultTimeout);
+  Result<void> Stop(std::chrono::nanoseconds timeout = kDefaultTimeout);
   /// Like WaitFor(), but also fails with kFailed if the component is stopped before it reaches this
   /// state.
-  Result<void> WaitForEffect(ComponentState state, Patience patience);
+  Result<void> WaitForEffect(ComponentState state, std::chrono::nanoseconds timeout);
   /// Returns true during a start: from the request until the component is active, faulted or
   /// stopped.
   [[nodiscard]] bool is_starting() const noexcept { return is_starting_.Get(); }
@@ -224,7 +224,8 @@ class Component {
   // These members are private, because protected names could collide with names in the author's
   // class.
 
-  Result<void> WaitForState(ComponentState wanted, Patience patience, bool ends_with_a_stop);
+  Result<void> WaitForState(ComponentState wanted, std::chrono::nanoseconds timeout,
+                            bool ends_with_a_stop);
   bool ReportPeers(RequiredInterface& interface);
   bool ReportGoneClient(const DisconnectedClient& client);
 

@@ -26,14 +26,14 @@ class Cook final : public tendon::PeriodicTask {
   void Run() override {
     ProcessQueuedCommands();
     if (--cycles_to_order_ > 0) return;
-    if (bake_({.temperature = 180.0, .duration = 0.5})) cycles_to_order_ = kPatience;
+    if (bake_({.temperature = 180.0, .duration = 0.5})) cycles_to_order_ = kTimeout;
   }
   void OnDone(const Batch& batch) {
     batches_ = batch.number;
     cycles_to_order_ = 0;
   }
 
-  static constexpr int kPatience = 600;  // cycles; an event is lost with the process that raises it
+  static constexpr int kTimeout = 600;  // cycles; an event is lost with the process that raises it
   tendon::WriteFunction<Recipe> bake_;
   int cycles_to_order_ = 0;
   std::uint64_t batches_ = 0;

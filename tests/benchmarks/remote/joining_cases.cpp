@@ -19,7 +19,7 @@ double Join(RemoteSystem& system) {
   const std::string name = system.NewName();
   const auto start = std::chrono::steady_clock::now();
   const Process process(name, system.Options());
-  Require(process.WaitUntilJoined(kPatience).ok(), "a process does not join");
+  Require(process.WaitUntilJoined(kTestTimeout).ok(), "a process does not join");
   return Since(start);
 }
 
@@ -28,7 +28,7 @@ double Connect(RemoteSystem& system) {
   const std::string name = system.NewName();
   Process process(name, system.Options());
   process.Add<Desk>("desk");
-  Require(process.WaitUntilJoined(kPatience).ok(), "a process does not join");
+  Require(process.WaitUntilJoined(kTestTimeout).ok(), "a process does not join");
   const auto start = std::chrono::steady_clock::now();
   const auto made = process.Connect({name, "desk", "Robot"}, {"robot", "robot", "Control"});
   const double took = Since(start);
@@ -70,7 +70,7 @@ double CountThreadsOfAConnection(RemoteSystem& system) {
     processes.push_back(std::make_unique<Process>(name, system.Options()));
     processes.back()->Add<Desk>("desk");
     Require(
-        processes.back()->WaitUntilJoined(kPatience).ok() &&
+        processes.back()->WaitUntilJoined(kTestTimeout).ok() &&
             processes.back()->Connect({name, "desk", "Robot"}, {"robot", "robot", "Control"}).ok(),
         "a process does not connect");
   }

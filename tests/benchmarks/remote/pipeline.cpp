@@ -60,7 +60,7 @@ void RunPipeline(std::uint64_t calls, std::uint64_t window, const BeginCall& beg
 WaitingCalls::WaitingCalls(RemoteSystem& system, std::uint64_t window)
     : window_(window), middleware_(MakeIceMiddleware(Exposure::kLoopbackOnly)) {
   auto channel = Channel::Open(*middleware_, system.addresses().robot, NewHello("pipeline"),
-                               std::make_shared<ChannelHandler>(), kPatience);
+                               std::make_shared<ChannelHandler>(), kTestTimeout);
   Require(channel.ok(), "the robot is not reached");
   channel_ = *std::move(channel);
   const auto opened = channel_->Call<message::OpenInterfaceReply>(
@@ -73,18 +73,18 @@ WaitingCalls::WaitingCalls(RemoteSystem& system, std::uint64_t window)
                                              .event_handlers = {}},
                              .handle = 1,
                              .capacity = static_cast<std::uint32_t>(2 * window)},
-      kPatience);
+      kTestTimeout);
   Require(opened.ok(), "the robot is not connected");
   handle_ = opened->handle + 1;
   Encode(Argument{}, question_);
-  AppendTimeout(kPatience, question_);
+  AppendTimeout(kTestTimeout, question_);
 }
 
 WaitingCalls::~WaitingCalls() { channel_->Close(); }
 
 void WaitingCalls::Run(std::uint64_t calls) {
   RunPipeline(calls, window_, [this](std::function<void(bool ok)> done) {
-    channel_->Request(message::kWait, handle_, question_, kPatience,
+    channel_->Request(message::kWait, handle_, question_, kTestTimeout,
                       [done = std::move(done)](const Result<Bytes>& reply) {
                         done(reply.ok() && reply->size() > 0 &&
                              reply->back() == static_cast<std::byte>(Status::kDone));

@@ -40,9 +40,9 @@ class Watchers {
       : middleware_(MakeIceMiddleware(Exposure::kLoopbackOnly)) {
     for (int i = 0; i < count; ++i) {
       auto channel = Channel::Open(*middleware_, gcm, NewHello("watcher" + std::to_string(i)),
-                                   std::make_shared<Watcher>(*notices_), kPatience);
+                                   std::make_shared<Watcher>(*notices_), kTestTimeout);
       Require(channel.ok(), "a watcher finds no GCM");
-      Require((*channel)->Call(message::kWatch, 0, EncodeBody(None{}), kPatience).ok(),
+      Require((*channel)->Call(message::kWatch, 0, EncodeBody(None{}), kTestTimeout).ok(),
               "a watcher is not told what there is");
       channels_.push_back(*std::move(channel));
     }
@@ -68,7 +68,7 @@ class Restless {
  public:
   Restless(const RemoteSystem& system, const std::string& gcm)
       : process_("restless", {.middleware = system.Options().middleware, .gcm = gcm}) {
-    Require(process_.WaitUntilJoined(kPatience).ok(), "a process does not join");
+    Require(process_.WaitUntilJoined(kTestTimeout).ok(), "a process does not join");
     thread_ = std::jthread([this](const std::stop_token& stop) {
       while (!stop.stop_requested()) {
         process_.Add<Desk>("desk");
@@ -102,7 +102,7 @@ double AskOften(const RemoteSystem& system, const Audience& audience) {
   for (int i = 0; i < audience.questions; ++i) {
     const auto start = std::chrono::steady_clock::now();
     const auto health =
-        Wait<message::SystemHealth>(kPatience, [&](auto handler) { client.GetHealth(handler); });
+        Wait<message::SystemHealth>(kTestTimeout, [&](auto handler) { client.GetHealth(handler); });
     const std::chrono::duration<double, std::nano> took = std::chrono::steady_clock::now() - start;
     Require(health.ok(), "the GCM does not answer");
     times.push_back(took.count());

@@ -48,7 +48,8 @@ double MoveAndWait(RemoteSystem& system, std::uint64_t moves) {
   Argument goal{};
   return NanosecondsEach(moves, [&](std::uint64_t i) {
     goal[0] = static_cast<double>(i);
-    Require(static_cast<bool>(system.desk().move.Wait(goal, kPatience)), "the robot does not move");
+    Require(static_cast<bool>(system.desk().move.Wait(goal, kTestTimeout)),
+            "the robot does not move");
   });
 }
 
@@ -62,7 +63,8 @@ double Move(RemoteSystem& system, std::uint64_t moves, std::uint64_t per_tick) {
       while (!system.desk().move(goal)) std::this_thread::yield();
       if (i % per_tick == 0) std::this_thread::yield();
     }
-    Require(static_cast<bool>(system.desk().move.Wait(goal, kPatience)), "the robot does not move");
+    Require(static_cast<bool>(system.desk().move.Wait(goal, kTestTimeout)),
+            "the robot does not move");
   });
 }
 

@@ -23,7 +23,7 @@ RemoteSystem::RemoteSystem() {
   process_ = std::make_unique<Process>("desk", Options());
   desk_ = &process_->Add<Desk>("desk");
   Require(process_->StartAll().ok(), "the desk does not start");
-  Require(process_->WaitUntilJoined(kPatience).ok(), "the desk does not join");
+  Require(process_->WaitUntilJoined(kTestTimeout).ok(), "the desk does not join");
   Require(process_->Connect({"desk", "desk", "Robot"}, {"robot", "robot", "Control"}).ok() &&
               EventuallyTrue([this] { return IsConnected(); }),
           "the desk is not connected");
@@ -33,7 +33,7 @@ RemoteSystem::RemoteSystem() {
 
 bool RemoteSystem::IsConnected() {
   Message joints{};
-  return desk_->move.Wait({}, kPatience) && desk_->get_joints(joints);
+  return desk_->move.Wait({}, kTestTimeout) && desk_->get_joints(joints);
 }
 
 std::map<std::string, std::string> RemoteSystem::environment() const {

@@ -19,7 +19,7 @@
 namespace tendon::benchmark {
 
 /// The time limit for answers on a machine that stalls.
-inline constexpr std::chrono::seconds kPatience(30);
+inline constexpr std::chrono::seconds kTestTimeout(30);
 
 /// A robot in another process, a desk in this process that is connected to the robot, and raw Ice
 /// between these two processes. All threads run on the processor of the thread that created this

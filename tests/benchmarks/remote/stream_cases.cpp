@@ -42,7 +42,7 @@ class Counter final : public RowSink {
 
   bool AwaitSubscription() {
     std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, kPatience, [this] { return stands_; });
+    return changed_.wait_for(lock, kTestTimeout, [this] { return stands_; });
   }
   void Forget() {
     const std::scoped_lock lock(mutex_);
@@ -51,7 +51,7 @@ class Counter final : public RowSink {
   /// Returns the time per row. The measurement begins when the first batch arrives.
   double Await(std::uint64_t rows) {
     std::unique_lock lock(mutex_);
-    Require(changed_.wait_for(lock, kPatience, [&] { return rows_ + lost_ >= rows; }) &&
+    Require(changed_.wait_for(lock, kTestTimeout, [&] { return rows_ + lost_ >= rows; }) &&
                 rows_ > in_first_,
             "the rows do not come");
     const std::chrono::duration<double, std::nano> took = last_ - first_;
@@ -87,7 +87,8 @@ class Stream {
 
   double Run(RemoteSystem& system, std::uint64_t rows) {
     counter_->Forget();
-    Require(static_cast<bool>(system.desk().record.Wait(rows, kPatience)), "nothing is recorded");
+    Require(static_cast<bool>(system.desk().record.Wait(rows, kTestTimeout)),
+            "nothing is recorded");
     return counter_->Await(rows);
   }
 

@@ -11,7 +11,7 @@
 namespace tendon::conformance {
 namespace {
 
-constexpr auto kMuchLonger = 4 * kPatience;  // longer than the test waits
+constexpr auto kMuchLonger = 4 * kTestTimeout;  // longer than the test waits
 
 /// Receives requests, and never answers.
 class Mute final : public LinkHandler {
@@ -33,11 +33,11 @@ TEST_P(ChannelContract, ProgramExitCancelsAPendingHandshake) {
                          std::make_shared<Oracle>(), kMuchLonger);
   };
   auto opening = std::async(std::launch::async, open);
-  ASSERT_EQ(heard.wait_for(kPatience), std::future_status::ready);
+  ASSERT_EQ(heard.wait_for(kTestTimeout), std::future_status::ready);
 
   const ConnectCancellation end;
 
-  ASSERT_EQ(opening.wait_for(kPatience), std::future_status::ready);
+  ASSERT_EQ(opening.wait_for(kTestTimeout), std::future_status::ready);
   const auto opened = opening.get();
   ASSERT_FALSE(opened);
   EXPECT_EQ(opened.error().code, ErrorCode::kUnreachable);
@@ -57,11 +57,11 @@ TEST_P(PortContract, ProgramExitCancelsOpeningALinkToAHungPeer) {
     return Channel::Open(*pair_.client, address, hello, std::make_shared<Oracle>(), kMuchLonger);
   });
   pollfd come{hanging->descriptor(), POLLIN, 0};
-  ASSERT_EQ(poll(&come, 1, static_cast<int>(std::chrono::milliseconds(kPatience).count())), 1);
+  ASSERT_EQ(poll(&come, 1, static_cast<int>(std::chrono::milliseconds(kTestTimeout).count())), 1);
 
   std::optional<ConnectCancellation> end(std::in_place);
 
-  ASSERT_EQ(opening.wait_for(kPatience), std::future_status::ready);
+  ASSERT_EQ(opening.wait_for(kTestTimeout), std::future_status::ready);
   const auto opened = opening.get();
   ASSERT_FALSE(opened);
   EXPECT_EQ(opened.error().message, ConnectCancelledError().message);

@@ -70,12 +70,13 @@ class Taker final : public ChannelHandler {
 
   std::vector<Notice> WaitForNotices(std::size_t count) {
     std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, 3 * kPatience, [&] { return notices_.size() >= count || is_closed_; });
+    changed_.wait_for(lock, 3 * kTestTimeout,
+                      [&] { return notices_.size() >= count || is_closed_; });
     return notices_;
   }
   bool WaitForClosed() {
     std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, kPatience, [&] { return is_closed_; });
+    return changed_.wait_for(lock, kTestTimeout, [&] { return is_closed_; });
   }
 
  private:

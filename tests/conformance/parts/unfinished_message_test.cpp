@@ -70,7 +70,7 @@ TEST_P(LargeMessageContract, AStalledMessageClosesTheChannel) {
   Start(Channel::Acceptor(HelloOf("robot"), [server] { return server; }));
   HaltingMiddleware halting(pair_.client, 3);
   const auto channel = Channel::Open(halting, listener_->address(), HelloOf("desk"),
-                                     std::make_shared<ChannelHandler>(), kPatience);
+                                     std::make_shared<ChannelHandler>(), kTestTimeout);
   ASSERT_TRUE(channel) << channel.error().message;
   ASSERT_EQ((*channel)->Notify(kTell, 0, Bytes(kThreeMebibytes), kOwnLane), Status::kQueued);
   ASSERT_TRUE(Answers(**channel)) << "three parts were before this";

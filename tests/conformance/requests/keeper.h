@@ -35,13 +35,13 @@ class Keeper final : public LinkHandler {
   [[nodiscard]] const std::shared_ptr<Link>& link() const { return link_; }
   bool WaitForClosed() {
     std::unique_lock lock(mutex_);
-    return changed_.wait_for(lock, kPatience, [this] { return is_closed_; });
+    return changed_.wait_for(lock, kTestTimeout, [this] { return is_closed_; });
   }
   /// The slot for the reply to the next request; null if the request did not come on a shorter
   /// path.
   std::unique_ptr<ReplySlot> Take() {
     std::unique_lock lock(mutex_);
-    EXPECT_TRUE(changed_.wait_for(lock, kPatience, [this] { return !answers_.empty(); }));
+    EXPECT_TRUE(changed_.wait_for(lock, kTestTimeout, [this] { return !answers_.empty(); }));
     if (answers_.empty()) return nullptr;
     auto answer = std::move(answers_.front());
     answers_.pop_front();

@@ -17,7 +17,7 @@
 namespace tendon {
 namespace {
 
-constexpr std::chrono::seconds kPatience(120);
+constexpr std::chrono::seconds kTestTimeout(120);
 
 MemberDescription Seen() {
   return DescribeMember<std::vector<double>, None>("Seen", CommandKind::kWrite);
@@ -70,7 +70,7 @@ class HostileListener : public NetworkTest {
     auto opened = Channel::Open(
         *middleware, robot->address(),
         {.instance = os::RandomNumber(), .name = "viewer", .cookie = *LoopbackCookie()},
-        std::move(handler), kPatience);
+        std::move(handler), kTestTimeout);
     EXPECT_TRUE(opened.ok()) << opened.error().message;
     return opened ? *opened : nullptr;
   }
@@ -82,7 +82,7 @@ class HostileListener : public NetworkTest {
                                       .description = {.name = "Camera", .event_handlers = {member}},
                                       .handle = handle,
                                       .capacity = capacity};
-    return channel.Call<message::OpenInterfaceReply>(message::kListen, 0, open, kPatience);
+    return channel.Call<message::OpenInterfaceReply>(message::kListen, 0, open, kTestTimeout);
   }
 
   std::shared_ptr<Middleware> middleware = NewMiddleware();

@@ -20,7 +20,7 @@ using plant::Operator;
 using plant::Plant;
 using testing::HasSubstr;
 
-constexpr std::chrono::seconds kPatience(120);
+constexpr std::chrono::seconds kTestTimeout(120);
 
 /// A GCM and processes under TLS. Each program has its own certificate.
 class CertifiedSystem : public AuthorityTest {
@@ -42,14 +42,14 @@ class CertifiedSystem : public AuthorityTest {
   }
   [[nodiscard]] std::unique_ptr<Process> StartJoined(const std::string& name) const {
     auto process = Start(name, As(name, Role::kOperator, Holder::kProcess));
-    const auto joined = process->WaitUntilJoined(kPatience);
+    const auto joined = process->WaitUntilJoined(kTestTimeout);
     EXPECT_TRUE(joined.ok()) << joined.error().message;
     return process;
   }
   [[nodiscard]] std::unique_ptr<GcmClient> Client(const std::string& name, Role role) const {
     auto client = std::make_unique<GcmClient>(
         As(name, role, Holder::kPerson),
-        GcmClient::Options{.name = "gcm", .address = address_, .timeout = kPatience});
+        GcmClient::Options{.name = "gcm", .address = address_, .timeout = kTestTimeout});
     EXPECT_TRUE(client->WaitUntilWatching().ok());
     return client;
   }
@@ -72,13 +72,13 @@ class CertifiedSystem : public AuthorityTest {
     constexpr std::uint64_t kInstance = 7;
     const auto channel = Channel::Open(*middleware, address_,
                                        {.instance = kInstance, .name = name, .session = token},
-                                       std::make_shared<ChannelHandler>(), kPatience);
+                                       std::make_shared<ChannelHandler>(), kTestTimeout);
     if (!channel) return {nullptr, channel.error()};
     const message::Join join{.process = {.name = name, .instance = kInstance}};
-    return {*channel, (*channel)->Call<message::JoinReply>(message::kJoin, 0, join, kPatience)};
+    return {*channel, (*channel)->Call<message::JoinReply>(message::kJoin, 0, join, kTestTimeout)};
   }
   static Result<std::string> Stop(GcmClient& client) {
-    return Wait<std::string>(2 * kPatience, [&](auto done) {
+    return Wait<std::string>(2 * kTestTimeout, [&](auto done) {
       client.Call("robot/plant/Control.Stop", "", std::move(done));
     });
   }
@@ -120,7 +120,7 @@ TEST_F(CertifiedSystem, TheCertificateDeterminesAPersonsRights) {
 
   const auto refused = Stop(*vera);
   const auto forgotten =
-      Wait<void>(kPatience, [&](auto done) { vera->Forget("robot", std::move(done)); });
+      Wait<void>(kTestTimeout, [&](auto done) { vera->Forget("robot", std::move(done)); });
   const auto allowed = Stop(*anna);
 
   ASSERT_FALSE(refused.ok());
@@ -137,9 +137,9 @@ TEST_F(CertifiedSystem, RefusesAJoinUnderAnothersName) {
   ASSERT_NO_FATAL_FAILURE(StartGcm());
 
   const auto by_process =
-      Start("robot", As("arm", Role::kOperator, Holder::kProcess))->WaitUntilJoined(kPatience);
+      Start("robot", As("arm", Role::kOperator, Holder::kProcess))->WaitUntilJoined(kTestTimeout);
   const auto by_person =
-      Start("robot", As("robot", Role::kOperator, Holder::kPerson))->WaitUntilJoined(kPatience);
+      Start("robot", As("robot", Role::kOperator, Holder::kPerson))->WaitUntilJoined(kTestTimeout);
 
   for (const auto& joined : {by_process, by_person}) {
     ASSERT_FALSE(joined.ok());
@@ -166,7 +166,7 @@ TEST_F(CertifiedSystem, ASessionTokenIsBoundToItsCertificate) {
               HasSubstr("'arm (robot)' cannot join as process 'robot'"));
   ASSERT_TRUE(beside.joined.ok()) << "it is what its certificate says";
   EXPECT_NE(beside.joined->session, token);
-  EXPECT_TRUE(member.channel->Call<None>(message::kRenew, 0, None{}, kPatience).ok())
+  EXPECT_TRUE(member.channel->Call<None>(message::kRenew, 0, None{}, kTestTimeout).ok())
       << "and the member is still one";
 
   const auto again = JoinByHand(robot, "robot", token);
@@ -182,7 +182,7 @@ TEST_F(CertifiedSystem, RefusesToJoinAnImpostorGcm) {
   ASSERT_TRUE(listener.ok());
 
   const auto joined =
-      Start("robot", As("robot", Role::kOperator, Holder::kProcess))->WaitUntilJoined(kPatience);
+      Start("robot", As("robot", Role::kOperator, Holder::kProcess))->WaitUntilJoined(kTestTimeout);
 
   ASSERT_FALSE(joined.ok());
   EXPECT_EQ(joined.error().code, ErrorCode::kDenied);

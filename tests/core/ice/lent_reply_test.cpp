@@ -13,7 +13,7 @@ namespace tendon::ice {
 namespace {
 
 using conformance::FrameOf;
-using conformance::kPatience;
+using conformance::kTestTimeout;
 
 /// Answers a request with a body. The handle of the request is both the number of bytes and the
 /// value of each byte.
@@ -77,7 +77,7 @@ class LentReply : public testing::Test {
         "127.0.0.1:0", [](const auto& link) { return std::make_shared<Filler>(link); });
     EXPECT_TRUE(listener);
     listener_ = *std::move(listener);
-    auto link = client_->Open(listener_->address(), borrower_, kPatience);
+    auto link = client_->Open(listener_->address(), borrower_, kTestTimeout);
     EXPECT_TRUE(link);
     link_ = *std::move(link);
     link_->Admit();
@@ -86,7 +86,7 @@ class LentReply : public testing::Test {
   Borrower::Heard Ask(std::uint32_t size) {
     auto heard = borrower_->Next();
     EXPECT_EQ(link_->Send(FrameOf(size), Delivery::kDirect), Status(Status::kQueued));
-    EXPECT_EQ(heard.wait_for(kPatience), std::future_status::ready);
+    EXPECT_EQ(heard.wait_for(kTestTimeout), std::future_status::ready);
     return heard.get();
   }
 

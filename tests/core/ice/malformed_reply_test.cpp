@@ -12,7 +12,7 @@ namespace tendon::ice {
 namespace {
 
 using conformance::Host;
-using conformance::kPatience;
+using conformance::kTestTimeout;
 using conformance::Recorder;
 
 constexpr std::int64_t kHuge = 0x7fffffff;
@@ -108,7 +108,7 @@ TEST(MalformedReply, TheClientSurvivesWithAnErrorOrALink) {
   Host host;
   const auto listener = server->Listen("127.0.0.1:0", host.accept());
   ASSERT_TRUE(listener);
-  EXPECT_TRUE(client->Open((*listener)->address(), std::make_shared<Recorder>(), kPatience));
+  EXPECT_TRUE(client->Open((*listener)->address(), std::make_shared<Recorder>(), kTestTimeout));
 }
 
 TEST(MalformedReply, AFailureOfThePeerIsARefusalAtOnce) {
@@ -120,7 +120,7 @@ TEST(MalformedReply, AFailureOfThePeerIsARefusalAtOnce) {
     std::promise<FrameHeader> heard;
     const auto recorder = std::make_shared<Recorder>(
         [&](std::span<const std::byte> frame) { heard.set_value(*ReadWholeFrame(frame)); });
-    const auto link = client->Open(liar.address(), recorder, kPatience);
+    const auto link = client->Open(liar.address(), recorder, kTestTimeout);
     ASSERT_TRUE(link) << link.error().message;
     FrameHeader question;
     question.request = 4711;
@@ -130,7 +130,7 @@ TEST(MalformedReply, AFailureOfThePeerIsARefusalAtOnce) {
     ASSERT_EQ((*link)->Send(frame, Delivery::kDirect), Status(Status::kQueued));
 
     auto refusal = heard.get_future();
-    ASSERT_EQ(refusal.wait_for(kPatience), std::future_status::ready);
+    ASSERT_EQ(refusal.wait_for(kTestTimeout), std::future_status::ready);
     const FrameHeader header = refusal.get();
     EXPECT_EQ(header.type, MessageType::kRefusal);
     EXPECT_EQ(header.request, 4711U);

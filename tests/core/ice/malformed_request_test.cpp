@@ -13,7 +13,7 @@ namespace {
 
 using conformance::FrameOf;
 using conformance::Host;
-using conformance::kPatience;
+using conformance::kTestTimeout;
 using conformance::Recorder;
 
 constexpr std::size_t kValidateSize = 14;
@@ -43,7 +43,7 @@ class MalformedRequest : public testing::Test {
   };
   void Open(Standing& standing) {
     standing.recorder = std::make_shared<Recorder>();
-    auto link = client_->Open(listener_->address(), standing.recorder, kPatience);
+    auto link = client_->Open(listener_->address(), standing.recorder, kTestTimeout);
     ASSERT_TRUE(link) << link.error().message;
     standing.link = *std::move(link);
     ASSERT_EQ(standing.link->Send(FrameOf(1)), Status::kQueued);
@@ -59,7 +59,7 @@ class MalformedRequest : public testing::Test {
   /// Opens a connection. The server has confirmed the connection by its first message.
   os::Socket Connect() {
     const auto place = ParseAddress(listener_->address(), 1);
-    auto socket = os::ConnectTo(place->host, place->port, kPatience);
+    auto socket = os::ConnectTo(place->host, place->port, kTestTimeout);
     EXPECT_TRUE(socket);
     EXPECT_EQ(ReceiveAll(*socket, kValidateSize).size(), kValidateSize);
     return *std::move(socket);
@@ -85,7 +85,8 @@ class MalformedRequest : public testing::Test {
   }
 
   void ExpectThatTheNextIsServed() {
-    const auto link = client_->Open(listener_->address(), std::make_shared<Recorder>(), kPatience);
+    const auto link =
+        client_->Open(listener_->address(), std::make_shared<Recorder>(), kTestTimeout);
     ASSERT_TRUE(link) << link.error().message;
     const auto guest = host_.guest(host_.count() - 1);
     ASSERT_EQ((*link)->Send(FrameOf(1)), Status::kQueued);

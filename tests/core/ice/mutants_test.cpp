@@ -9,7 +9,7 @@
 namespace tendon::ice {
 namespace {
 
-using conformance::kPatience;
+using conformance::kTestTimeout;
 
 constexpr std::size_t kMostGrowth = std::size_t{1} << 20U;
 
@@ -17,7 +17,7 @@ constexpr std::size_t kMostGrowth = std::size_t{1} << 20U;
 class PlainConnection {
  public:
   explicit PlainConnection(const HostPort& place) {
-    auto socket = os::ConnectTo(place.host, place.port, kPatience);
+    auto socket = os::ConnectTo(place.host, place.port, kTestTimeout);
     EXPECT_TRUE(socket.ok()) << (socket.ok() ? "" : socket.error().message);
     if (socket.ok()) socket_ = *std::move(socket);
   }
@@ -27,8 +27,8 @@ class PlainConnection {
     Bytes buffer(4096);
     while (true) {
       pollfd one{.fd = socket_.descriptor(), .events = POLLIN, .revents = 0};
-      const auto patience = std::chrono::duration_cast<std::chrono::milliseconds>(kPatience);
-      EXPECT_EQ(poll(&one, 1, static_cast<int>(patience.count())), 1) << "no reply, no end";
+      const auto timeout = std::chrono::duration_cast<std::chrono::milliseconds>(kTestTimeout);
+      EXPECT_EQ(poll(&one, 1, static_cast<int>(timeout.count())), 1) << "no reply, no end";
       const auto some = os::ReceiveSome(socket_, buffer);
       if (!some || !one.revents) return {};
       if (!some->empty()) return {some->begin(), some->end()};
@@ -57,7 +57,7 @@ class MutantsTest : public TlsTest {
   template <typename Connect>
   void ExpectSurvives(Middleware& good, int count, Connect connect) {
     const auto recorder = std::make_shared<conformance::Recorder>();
-    const auto standing = good.Open(listener_->address(), recorder, kPatience);
+    const auto standing = good.Open(listener_->address(), recorder, kTestTimeout);
     ASSERT_TRUE(standing.ok()) << standing.error().message;
     for (const auto& [name, attack] : Attacks()) {
       SCOPED_TRACE(name);
@@ -76,7 +76,7 @@ class MutantsTest : public TlsTest {
     EXPECT_EQ(recorder->closed(), 0);
     ASSERT_EQ((*standing)->Send(conformance::FrameOf(1)), Status::kQueued);
     EXPECT_TRUE(first_->WaitForFrames(1));
-    EXPECT_TRUE(good.Open(listener_->address(), recorder, kPatience).ok());
+    EXPECT_TRUE(good.Open(listener_->address(), recorder, kTestTimeout).ok());
   }
 
   /// Returns the number of links from which a message was read.

@@ -13,7 +13,7 @@ namespace {
 
 using conformance::FrameOf;
 using conformance::Host;
-using conformance::kPatience;
+using conformance::kTestTimeout;
 using conformance::Recorder;
 
 Bytes Plain(const std::vector<Ice::Byte>& bytes) {
@@ -158,7 +158,7 @@ TEST_F(Slice, OurClientWorksWithAGeneratedServer) {
   const auto adapter = Serve(endpoint, "tcp -h 127.0.0.1");
   const auto client = MakeIceMiddleware(Exposure::kLoopbackOnly);
   const auto recorder = std::make_shared<Recorder>();
-  const auto link = client->Open(AddressOf(*adapter), recorder, kPatience);
+  const auto link = client->Open(AddressOf(*adapter), recorder, kTestTimeout);
   ASSERT_TRUE(link) << link.error().message;
 
   ASSERT_EQ((*link)->Send(FrameOf(5)), Status::kQueued);
@@ -191,7 +191,7 @@ TEST_F(Slice, OurClientSendsRequestsToAGeneratedServer) {
   const auto adapter = Serve(endpoint, "tcp -h 127.0.0.1");
   const auto client = MakeIceMiddleware(Exposure::kLoopbackOnly);
   const auto recorder = std::make_shared<Recorder>();
-  const auto link = client->Open(AddressOf(*adapter), recorder, kPatience);
+  const auto link = client->Open(AddressOf(*adapter), recorder, kTestTimeout);
   ASSERT_TRUE(link) << link.error().message;
 
   // The server does not answer yet.
@@ -210,7 +210,7 @@ TEST_F(Slice, AReplyThatIsNotAFrameClosesTheLink) {
   const auto adapter = Serve(endpoint, "tcp -h 127.0.0.1");
   const auto client = MakeIceMiddleware(Exposure::kLoopbackOnly);
   const auto recorder = std::make_shared<Recorder>();
-  const auto link = client->Open(AddressOf(*adapter), recorder, kPatience);
+  const auto link = client->Open(AddressOf(*adapter), recorder, kTestTimeout);
   ASSERT_TRUE(link) << link.error().message;
   endpoint->SetAnswer(Bytes(30));
 

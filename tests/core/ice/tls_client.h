@@ -28,11 +28,11 @@ class TlsClient {
   class Connection {
    public:
     Connection(SSL_CTX& context, const HostPort& place) : link_(SSL_new(&context)) {
-      auto socket = os::ConnectTo(place.host, place.port, conformance::kPatience);
+      auto socket = os::ConnectTo(place.host, place.port, conformance::kTestTimeout);
       EXPECT_TRUE(socket.ok()) << (socket.ok() ? "" : socket.error().message);
       if (socket.ok()) socket_ = *std::move(socket);
-      const timeval patience{.tv_sec = conformance::kPatience.count(), .tv_usec = 0};
-      setsockopt(socket_.descriptor(), SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof(patience));
+      const timeval timeout{.tv_sec = conformance::kTestTimeout.count(), .tv_usec = 0};
+      setsockopt(socket_.descriptor(), SOL_SOCKET, SO_RCVTIMEO, &timeout, sizeof(timeout));
       fcntl(socket_.descriptor(), F_SETFL, fcntl(socket_.descriptor(), F_GETFL) & ~O_NONBLOCK);
       SSL_set_fd(link_.get(), socket_.descriptor());
       is_up_ = SSL_connect(link_.get()) == 1;

@@ -94,7 +94,7 @@ class TlsTest : public AuthorityTest {
     Hello hello = HelloOf(name);
     hello.wanted = wanted;
     return Channel::Open(*middleware, address, hello, std::make_shared<ChannelHandler>(),
-                         conformance::kPatience);
+                         conformance::kTestTimeout);
   }
   /// Opens a channel, which must fail, and returns the error.
   static Error Refusal(const Shared& middleware, const std::string& address,

@@ -188,7 +188,7 @@ TEST_F(TlsTest, NewHandshakesReplaceTheSlowestPendingOnes) {
   const HostPort place = *ParseAddress(address, 1);
   std::vector<os::Socket> slow;
   for (std::size_t i = 0; i < PendingTlsHandshakes::kMany; ++i) {
-    auto one = os::ConnectTo(place.host, place.port, conformance::kPatience);
+    auto one = os::ConnectTo(place.host, place.port, conformance::kTestTimeout);
     ASSERT_TRUE(one.ok());
     slow.push_back(*std::move(one));
   }

@@ -9,8 +9,8 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr Patience kShort = std::chrono::milliseconds(20);
-constexpr Patience kLater = std::chrono::seconds(1);
+constexpr std::chrono::nanoseconds kShort = std::chrono::milliseconds(20);
+constexpr std::chrono::nanoseconds kLater = std::chrono::seconds(1);
 
 /// A component that continues to run after a request to suspend.
 class Restless final : public Component {

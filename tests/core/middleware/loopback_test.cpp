@@ -9,7 +9,7 @@ namespace {
 
 using conformance::FrameOf;
 using conformance::Host;
-using conformance::kPatience;
+using conformance::kTestTimeout;
 using conformance::Recorder;
 
 /// A server, a client, and a network with faults between them.
@@ -20,7 +20,7 @@ class FaultyLoopback : public testing::Test {
     EXPECT_TRUE(listening);
     listener_ = *std::move(listening);
     address_ = listener_->address();
-    const auto link = client_.Open(address_, recorder_, kPatience);
+    const auto link = client_.Open(address_, recorder_, kTestTimeout);
     EXPECT_TRUE(link);
     link_ = *link;
   }
@@ -127,8 +127,8 @@ TEST_F(FaultyLoopback, ACrashedProcessIsLostToItsPeers) {
   ASSERT_TRUE(recorder_->WaitForClosed());
   EXPECT_EQ(guest.link->Send(FrameOf(1)), Status::kNotConnected);
   EXPECT_EQ(guest.recorder->closed(), 0) << "the dead hear nothing";
-  EXPECT_FALSE(client_.Open(address_, std::make_shared<Recorder>(), kPatience));
-  EXPECT_FALSE(server_.Open(address_, std::make_shared<Recorder>(), kPatience));
+  EXPECT_FALSE(client_.Open(address_, std::make_shared<Recorder>(), kTestTimeout));
+  EXPECT_FALSE(server_.Open(address_, std::make_shared<Recorder>(), kTestTimeout));
 }
 
 TEST_F(FaultyLoopback, ASuccessorMayReuseTheAddress) {
@@ -139,7 +139,7 @@ TEST_F(FaultyLoopback, ASuccessorMayReuseTheAddress) {
   ASSERT_TRUE(listener);
   listener_.reset();  // the listener of the dead server
 
-  const auto link = client_.Open(address_, std::make_shared<Recorder>(), kPatience);
+  const auto link = client_.Open(address_, std::make_shared<Recorder>(), kTestTimeout);
 
   ASSERT_TRUE(link);
   ASSERT_EQ((*link)->Send(FrameOf(1)), Status::kQueued);
@@ -153,7 +153,7 @@ TEST(Loopback, NetworksAreSeparate) {
   const auto listener = server.Listen("robot:10705", host.accept());
   ASSERT_TRUE(listener);
 
-  const auto link = client.Open("robot:10705", std::make_shared<Recorder>(), kPatience);
+  const auto link = client.Open("robot:10705", std::make_shared<Recorder>(), kTestTimeout);
 
   ASSERT_FALSE(link);
   EXPECT_EQ(link.error(), (Error{ErrorCode::kUnreachable, "nobody listens at robot:10705"}));
@@ -164,7 +164,7 @@ TEST(Loopback, AProcessMayConnectToItself) {
   Host host;
   const auto listener = both.Listen("robot:0", host.accept());
   ASSERT_TRUE(listener);
-  const auto link = both.Open((*listener)->address(), std::make_shared<Recorder>(), kPatience);
+  const auto link = both.Open((*listener)->address(), std::make_shared<Recorder>(), kTestTimeout);
   ASSERT_TRUE(link);
 
   ASSERT_EQ((*link)->Send(FrameOf(1)), Status::kQueued);

@@ -197,12 +197,13 @@ TEST(PartAssembly, TimesOutAFrameWithoutFurtherParts) {
 
   ASSERT_EQ(assembly.Add(1, PartOf(frame, 0), whole), Progress::kMoreToCome);
   const SteadyTime first = clock.Now();
-  EXPECT_EQ(assembly.given_up(), first + PartAssembly::kPatience + PartSender::kPartTime);
+  EXPECT_EQ(assembly.given_up(), first + PartAssembly::kPartTimeout + PartSender::kPartTime);
   clock.Advance(std::chrono::seconds(1));
   ASSERT_EQ(assembly.Add(2, PartOf(frame, 0), whole), Progress::kMoreToCome);
-  EXPECT_EQ(assembly.given_up(), first + PartAssembly::kPatience + 2 * PartSender::kPartTime);
+  EXPECT_EQ(assembly.given_up(), first + PartAssembly::kPartTimeout + 2 * PartSender::kPartTime);
   ASSERT_EQ(assembly.Add(1, PartOf(frame, 1), whole), Progress::kMoreToCome);
-  EXPECT_EQ(assembly.given_up(), clock.Now() + PartAssembly::kPatience + 2 * PartSender::kPartTime);
+  EXPECT_EQ(assembly.given_up(),
+            clock.Now() + PartAssembly::kPartTimeout + 2 * PartSender::kPartTime);
   ASSERT_EQ(assembly.Add(1, PartOf(frame, 2), whole), Progress::kWhole);
   ASSERT_EQ(assembly.Add(2, PartOf(frame, 1), whole), Progress::kMoreToCome);
   ASSERT_EQ(assembly.Add(2, PartOf(frame, 2), whole), Progress::kWhole);

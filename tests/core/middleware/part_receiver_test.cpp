@@ -56,7 +56,7 @@ TEST_F(PartReceiverTest, AFailedReportStaysDue) {
 }
 
 TEST_F(PartReceiverTest, AnUnfinishedMessageTimesOutUntilItIsCleared) {
-  const SteadyTime later = SteadyClock().Now() + PartAssembly::kPatience + 60s;
+  const SteadyTime later = SteadyClock().Now() + PartAssembly::kPartTimeout + 60s;
   EXPECT_FALSE(receiver_.IsUnfinishedTooLong(later));
 
   AddFirstPart();

@@ -17,7 +17,7 @@ namespace {
 
 using conformance::FrameOf;
 using conformance::Host;
-using conformance::kPatience;
+using conformance::kTestTimeout;
 using conformance::Recorder;
 using testing::HasSubstr;
 
@@ -30,7 +30,7 @@ class LowMemory : public testing::Test {
     auto listener = middleware_->Listen("127.0.0.1:0", host_.accept());
     ASSERT_TRUE(listener);
     listener_ = *std::move(listener);
-    const auto link = middleware_->Open(listener_->address(), old_recorder_, kPatience);
+    const auto link = middleware_->Open(listener_->address(), old_recorder_, kTestTimeout);
     ASSERT_TRUE(link);
     old_ = *link;
     ASSERT_NE(host_.guest(0).link, nullptr);
@@ -41,7 +41,7 @@ class LowMemory : public testing::Test {
 
   os::Socket Connect() {
     const auto place = ParseAddress(listener_->address(), 1);
-    auto connected = os::ConnectTo(place->host, place->port, kPatience);
+    auto connected = os::ConnectTo(place->host, place->port, kTestTimeout);
     EXPECT_TRUE(connected);
     return *std::move(connected);
   }
@@ -102,7 +102,7 @@ TEST_F(LowMemory, SendsNothingAfterAPartialFrame) {
   const auto listener = server->Listen("127.0.0.1:0", deaf.accept());
   ASSERT_TRUE(listener);
   const auto recorder = std::make_shared<Recorder>();
-  const auto link = middleware_->Open((*listener)->address(), recorder, kPatience);
+  const auto link = middleware_->Open((*listener)->address(), recorder, kTestTimeout);
   ASSERT_TRUE(link);
   const Bytes frame = FrameOf(1, kLarge);
   std::size_t sent = 1;
@@ -143,7 +143,7 @@ TEST(TcpLowMemory, StoppingClosesAllLinksDespiteThrowingHandlers) {
   std::vector<std::shared_ptr<Link>> links;
   for (auto& recorder : recorders) {
     recorder = std::make_shared<Recorder>();
-    const auto link = middleware->Open((*listener)->address(), recorder, kPatience);
+    const auto link = middleware->Open((*listener)->address(), recorder, kTestTimeout);
     ASSERT_TRUE(link);
     links.push_back(*link);
   }
@@ -173,18 +173,18 @@ TEST(ChannelLowMemory, LosesOnlyTheReplyThatDoesNotFit) {
       "127.0.0.1:0", Channel::Acceptor(hello, [] { return std::make_shared<Answerer>(); }));
   ASSERT_TRUE(listener);
   const auto channel = Channel::Open(*middleware, (*listener)->address(), hello,
-                                     std::make_shared<ChannelHandler>(), kPatience);
+                                     std::make_shared<ChannelHandler>(), kTestTimeout);
   ASSERT_TRUE(channel);
-  ASSERT_TRUE((*channel)->Call(kAsk, 0, Bytes{}, kPatience)) << "it needs no memory to send now";
+  ASSERT_TRUE((*channel)->Call(kAsk, 0, Bytes{}, kTestTimeout)) << "it needs no memory to send now";
   {
     const ScarceMemory scarce(8000);
 
-    const auto answer = (*channel)->Call(kAsk, 0, Bytes{}, kPatience);
+    const auto answer = (*channel)->Call(kAsk, 0, Bytes{}, kTestTimeout);
 
     ASSERT_FALSE(answer);
     EXPECT_THAT(answer.error().message, HasSubstr("there is not enough memory for the reply"));
   }
-  EXPECT_TRUE((*channel)->Call(kAsk, 0, Bytes{}, kPatience));
+  EXPECT_TRUE((*channel)->Call(kAsk, 0, Bytes{}, kTestTimeout));
 }
 
 }  // namespace

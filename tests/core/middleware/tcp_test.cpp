@@ -15,7 +15,7 @@ namespace {
 
 using conformance::FrameOf;
 using conformance::Host;
-using conformance::kPatience;
+using conformance::kTestTimeout;
 using conformance::Recorder;
 using testing::HasSubstr;
 
@@ -41,7 +41,7 @@ struct Wire {
   }
   os::Socket Connect() {
     const auto place = ParseAddress(listener->address(), 1);
-    auto connected = os::ConnectTo(place->host, place->port, kPatience);
+    auto connected = os::ConnectTo(place->host, place->port, kTestTimeout);
     EXPECT_TRUE(connected);
     return *std::move(connected);
   }

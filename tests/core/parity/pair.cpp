@@ -129,7 +129,7 @@ bool Pair::Disconnect() {
   for (const char* const port : kPortNames) {
     EXPECT_TRUE(ground_->client().Disconnect({"client", port}).ok());
   }
-  return std::chrono::steady_clock::now() - begin < tendon::LocalManager::kDrainPatience;
+  return std::chrono::steady_clock::now() - begin < tendon::LocalManager::kDrainTimeout;
 }
 
 void Pair::Remove(Part& part) {

@@ -29,7 +29,7 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr std::chrono::seconds kPatience(120);
+constexpr std::chrono::seconds kTestTimeout(120);
 
 /// Records the entries about "looker" in the audit log.
 class AuditLog {
@@ -59,7 +59,7 @@ class GuardedTest : public NetworkTest {
     auto client = std::make_unique<GcmClient>(
         NewMiddleware(),
         GcmClient::Options{
-            .name = "looker", .address = gcm().address(), .timeout = kPatience, .role = role});
+            .name = "looker", .address = gcm().address(), .timeout = kTestTimeout, .role = role});
     EXPECT_TRUE(client->WaitUntilWatching().ok());
     EXPECT_TRUE(EventuallyTrue([&] {
       const auto catalogue = client->catalogue();
@@ -79,7 +79,7 @@ class GuardedTest : public NetworkTest {
                                        {.instance = tendon::os::RandomNumber(),
                                         .name = "looker",
                                         .cookie = *tendon::LoopbackCookie()},
-                                       std::make_shared<tendon::ChannelHandler>(), kPatience);
+                                       std::make_shared<tendon::ChannelHandler>(), kTestTimeout);
     EXPECT_TRUE(channel.ok()) << channel.error().message;
     for (const tendon::Bytes& body : said) {
       EXPECT_TRUE((*channel)->Notify(tendon::message::kLowerRole, 0, std::span(body)));
@@ -88,12 +88,12 @@ class GuardedTest : public NetworkTest {
   }
   static Result<CallMemberReply> Stop(Channel& channel) {
     return channel.Call<CallMemberReply>(tendon::message::kCallMember, 0,
-                                         CallMember{"plant", "Control", "Stop", {}}, kPatience);
+                                         CallMember{"plant", "Control", "Stop", {}}, kTestTimeout);
   }
 
   template <typename T, typename Start>
   static Result<T> Ask(Start start) {
-    return tendon::Wait<T>(2 * kPatience, start);
+    return tendon::Wait<T>(2 * kTestTimeout, start);
   }
 
   const AuditLog audit;
@@ -170,7 +170,7 @@ TEST_P(GuardedTest, AnEventListenerMayNotCallFunctions) {
                                       .capacity = 16};
   const auto listen = [&] {
     return channel->Call<tendon::message::OpenInterfaceReply>(tendon::message::kListen, 0, open,
-                                                              kPatience);
+                                                              kTestTimeout);
   };
 
   const auto listened = listen();
@@ -224,7 +224,7 @@ TEST_P(GuardedTest, AnInvalidRoleCountsAsTheLowest) {
 TEST_P(GuardedTest, DeniesUnlistedMessagesToAll) {
   const auto channel = Lowered({});
 
-  const auto reply = channel->Call(static_cast<MessageType>(0x3ff), 0, {}, kPatience);
+  const auto reply = channel->Call(static_cast<MessageType>(0x3ff), 0, {}, kTestTimeout);
 
   ASSERT_FALSE(reply.ok());
   EXPECT_EQ(reply.error().code, ErrorCode::kDenied);
@@ -240,7 +240,7 @@ TEST_P(GuardedTest, DeniesALargeMessageAtItsFirstPart) {
   const auto channel = Lowered({viewer}, way);
 
   const auto reply =
-      channel->Call(tendon::message::kCallMember, 0, large, kPatience, tendon::kOwnLane);
+      channel->Call(tendon::message::kCallMember, 0, large, kTestTimeout, tendon::kOwnLane);
 
   ExpectDenied(reply, "call a command");
   EXPECT_THAT(audit.lines(), Contains(HasSubstr("call a command: refused")));
@@ -255,7 +255,7 @@ TEST_P(GuardedTest, LimitsTheSizeOfViewerMessages) {
   const auto channel = Lowered({}, way);
 
   const auto reply =
-      channel->Call(tendon::message::kGetSchemas, 0, large, kPatience, tendon::kOwnLane);
+      channel->Call(tendon::message::kGetSchemas, 0, large, kTestTimeout, tendon::kOwnLane);
 
   ASSERT_FALSE(reply.ok());
   EXPECT_EQ(reply.error(),
@@ -308,7 +308,7 @@ TEST_P(GuardedTest, AnAuditEntryIsAlwaysOneLine) {
 
   (void)channel->Call<CallMemberReply>(tendon::message::kCallMember, 0,
                                        CallMember{"plant\nrobot: allowed", "C\x1b[2J", "Stop", {}},
-                                       kPatience);
+                                       kTestTimeout);
   channel->Close();
 
   EXPECT_THAT(audit.lines(), Contains(HasSubstr("plant\\x0arobot: allowed/C\\x1b[2J.Stop")));

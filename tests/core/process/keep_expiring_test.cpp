@@ -14,7 +14,7 @@ using tendon::Channel;
 using tendon::ChannelHandler;
 using tendon::Hello;
 
-constexpr std::chrono::seconds kPatience(120);
+constexpr std::chrono::seconds kTestTimeout(120);
 
 /// Stores each request.
 class Silent final : public ChannelHandler {
@@ -46,8 +46,8 @@ TEST(KeepExpiring, ExpiresRequestsOnAnIdleChannel) {
   const auto listener =
       server.Listen("127.0.0.1:0", Channel::Acceptor(hello, [&] { return accepting; }));
   ASSERT_TRUE(listener.ok());
-  const auto opened =
-      Channel::Open(client, (*listener)->address(), hello, std::make_shared<Silent>(), kPatience);
+  const auto opened = Channel::Open(client, (*listener)->address(), hello,
+                                    std::make_shared<Silent>(), kTestTimeout);
   ASSERT_TRUE(opened.ok());
   const auto channel = accepting->opened.get_future().get();
   tendon::Worker worker("keeper");
@@ -59,7 +59,7 @@ TEST(KeepExpiring, ExpiresRequestsOnAnIdleChannel) {
   KeepExpiring(worker, channel);
 
   auto ended = outcome.get_future();
-  ASSERT_EQ(ended.wait_for(kPatience), std::future_status::ready);
+  ASSERT_EQ(ended.wait_for(kTestTimeout), std::future_status::ready);
   EXPECT_EQ(ended.get().error().code, tendon::ErrorCode::kTimeout);
   worker.Stop();
 }

@@ -15,7 +15,7 @@ class OddTerminalTest : public DemoFixture {
   /// Returns a command line that runs gcm with these `variables`. `-u NAME` removes a variable.
   std::string Command(const std::string& variables, const std::string& words) const {
     return "env " + variables + " " + Binary("gcm") + " --gcm " + address + " --timeout " +
-           kPatience + " " + words;
+           kTestTimeout + " " + words;
   }
   std::map<std::string, std::string> Environment() const {
     return {{"XDG_STATE_HOME", home.path().string()}, {"HOME", home.path().string()}};

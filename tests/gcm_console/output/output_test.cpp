@@ -58,7 +58,7 @@ class OutputTest : public DemoFixture {
   }
   /// Runs a verb that waits until the arm has reached its goal.
   [[nodiscard]] Outcome Hear(Program::Words words) const {
-    words.insert(words.begin(), {Binary("gcm"), "--gcm", address, "--timeout", kPatience});
+    words.insert(words.begin(), {Binary("gcm"), "--gcm", address, "--timeout", kTestTimeout});
     Program events(words);
     EXPECT_TRUE(EventuallyTrue([&] {
       return events.err().find("gcm: listening to ") != std::string::npos;

@@ -49,7 +49,7 @@ TEST_F(ScreenTest, TopPrintsOneTableIntoAPipe) {
 
 TEST_F(ScreenTest, TopOnATerminalIsSortedAndFilteredByKeys) {
   Terminal terminal(
-      Binary("gcm") + " --gcm " + address + " --timeout " + kPatience + " top --sort name", {},
+      Binary("gcm") + " --gcm " + address + " --timeout " + kTestTimeout + " top --sort name", {},
       100);
   ASSERT_TRUE(terminal.Shows("RATE/Hz")) << terminal.seen();
   ASSERT_TRUE(terminal.Shows("desk/supervisor")) << terminal.seen();
@@ -65,7 +65,7 @@ TEST_F(ScreenTest, TopOnATerminalIsSortedAndFilteredByKeys) {
 }
 
 TEST_F(ScreenTest, TopShowsConnectionsByAKey) {
-  Terminal terminal(Binary("gcm") + " --gcm " + address + " --timeout " + kPatience + " top", {},
+  Terminal terminal(Binary("gcm") + " --gcm " + address + " --timeout " + kTestTimeout + " top", {},
                     160);
   ASSERT_TRUE(terminal.Shows("by load")) << terminal.seen();
 
@@ -105,7 +105,7 @@ TEST_F(ScreenTest, TopPrintsTheCountersOfConnections) {
 }
 
 TEST_F(ScreenTest, TopShowsItsKeysAfterAResize) {
-  Terminal terminal(Binary("gcm") + " --gcm " + address + " --timeout " + kPatience + " top", {},
+  Terminal terminal(Binary("gcm") + " --gcm " + address + " --timeout " + kTestTimeout + " top", {},
                     100);
   ASSERT_TRUE(terminal.Shows("RATE/Hz")) << terminal.seen();
   ASSERT_TRUE(terminal.Shows("q end")) << terminal.seen();
@@ -125,7 +125,7 @@ TEST_F(ScreenTest, TopShowsItsKeysAfterAResize) {
 
 /// Runs gcm in an interactive shell, because Ctrl-Z returns to the shell.
 TEST_F(ScreenTest, CtrlZRestoresTheScreenUntilResumed) {
-  const std::string gcm_line = Binary("gcm") + " --gcm " + address + " --timeout " + kPatience;
+  const std::string gcm_line = Binary("gcm") + " --gcm " + address + " --timeout " + kTestTimeout;
   Terminal terminal("/bin/bash --norc --noprofile -i", {{"PS1", "at rest> "}}, 100);
   ASSERT_TRUE(terminal.Shows("at rest> "));
   for (const std::string& verb :
@@ -176,7 +176,7 @@ TEST_F(ScreenTest, PlotDrawsTheNumbersOfSeveralTables) {
 
 TEST_F(ScreenTest, PlotOnATerminalEndsWithAKeyOrAnInterrupt) {
   for (const char* key : {"q", "\x03"}) {
-    Terminal terminal(Binary("gcm") + " --gcm " + address + " --timeout " + kPatience +
+    Terminal terminal(Binary("gcm") + " --gcm " + address + " --timeout " + kTestTimeout +
                       " plot robot/arm/state.Joints.position[0]");
     ASSERT_TRUE(terminal.Shows(" rad")) << terminal.seen();
 

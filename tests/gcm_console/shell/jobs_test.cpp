@@ -42,7 +42,7 @@ class JobsTest : public DemoFixture {
     ASSERT_TRUE(shell->Shows("gcm> "));
   }
   std::string Command() const {
-    return Binary("gcm") + " --gcm " + address + " --timeout " + kPatience + " shell";
+    return Binary("gcm") + " --gcm " + address + " --timeout " + kTestTimeout + " shell";
   }
 
   static constexpr unsigned short kWide = 200;

@@ -29,7 +29,8 @@ using testing::HasSubstr;
 class ShellTest : public DemoFixture {
  protected:
   std::string Command() const {
-    return Binary("gcm") + " --gcm " + address + " --timeout " + kPatience + " --color never shell";
+    return Binary("gcm") + " --gcm " + address + " --timeout " + kTestTimeout +
+           " --color never shell";
   }
   std::map<std::string, std::string> Environment() const {
     return {{"XDG_STATE_HOME", home.path().string()}, {"HOME", home.path().string()}};

@@ -69,7 +69,7 @@ TEST_F(GlobTest, DisconnectEndsAllMatches) {
             "desk/supervisor/Robot -> robot/arm/Control\twould be disconnected\n"
             "desk/teleoperation/Robot -> robot/arm/Control\twould be disconnected\n");
   const auto type = [this](const std::string& words) {
-    const std::string line = Binary("gcm") + " --gcm " + address + " --timeout " + kPatience;
+    const std::string line = Binary("gcm") + " --gcm " + address + " --timeout " + kTestTimeout;
     return RunProgram(
         {"/bin/sh", "-c", "echo n | script -qec \"" + line + " " + words + "\" /dev/null"});
   };

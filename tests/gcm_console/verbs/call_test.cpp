@@ -43,7 +43,7 @@ TEST_F(CallTest, ReadsJsonFromStandardInput) {
   const Outcome outcome =
       RunProgram({"/bin/sh", "-c",
                   R"(echo '{"text": "hi", "tone": "low", "loud": false}' | )" + Binary("gcm") +
-                      " --gcm " + address + " --timeout " + kPatience + " " + words});
+                      " --gcm " + address + " --timeout " + kTestTimeout + " " + words});
 
   EXPECT_EQ(outcome.exit_code, program::kOk) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("\"schema\": 1"));
@@ -70,10 +70,10 @@ TEST_F(CallTest, PassesTextFieldsUnchanged) {
 }
 
 TEST_F(CallTest, TheShellAcceptsArgumentWords) {
-  const Outcome outcome =
-      RunProgram({"/bin/sh", "-c",
-                  std::string(R"(printf 'call )") + kRepeat + R"( text="hi" low loud=true' | )" +
-                      Binary("gcm") + " --gcm " + address + " --timeout " + kPatience + " shell"});
+  const Outcome outcome = RunProgram(
+      {"/bin/sh", "-c",
+       std::string(R"(printf 'call )") + kRepeat + R"( text="hi" low loud=true' | )" +
+           Binary("gcm") + " --gcm " + address + " --timeout " + kTestTimeout + " shell"});
 
   EXPECT_EQ(outcome.out, "{\"text\":\"hi\",\"tone\":\"low\",\"loud\":true}\n") << outcome.err;
 }

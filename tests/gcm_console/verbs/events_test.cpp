@@ -35,7 +35,7 @@ class EventsTest : public SystemFixture {
 
   [[nodiscard]] std::unique_ptr<Program> Listen(Program::Words words) const {
     words.insert(words.begin(),
-                 {Binary("gcm"), "--gcm", address, "--timeout", kPatience, "events"});
+                 {Binary("gcm"), "--gcm", address, "--timeout", kTestTimeout, "events"});
     return std::make_unique<Program>(words);
   }
   static bool Says(const std::string& all, const std::string& text) {
@@ -54,7 +54,7 @@ class EventsTest : public SystemFixture {
   /// that is stopped for some seconds is dropped; events raised afterwards are not counted for it.
   [[nodiscard]] std::unique_ptr<Terminal> OpenShell() const {
     auto shell = std::make_unique<Terminal>(
-        Binary("gcm") + " --gcm " + address + " --timeout " + kPatience + " shell",
+        Binary("gcm") + " --gcm " + address + " --timeout " + kTestTimeout + " shell",
         std::map<std::string, std::string>{{"HOME", home.path().string()}});
     EXPECT_TRUE(shell->Shows("gcm> ")) << shell->seen();
     return shell;

@@ -54,7 +54,7 @@ class FloodTest : public SystemFixture {
   [[nodiscard]] std::unique_ptr<Program> Begin(const std::string& words) const {
     return std::make_unique<Program>(Program::Words{"/bin/sh", "-c",
                                                     "exec " + Binary("gcm") + " --gcm " + address +
-                                                        " --timeout " + kPatience + " " + words +
+                                                        " --timeout " + kTestTimeout + " " + words +
                                                         " > " + fifo});
   }
   /// Returns the data that is in the pipe now.

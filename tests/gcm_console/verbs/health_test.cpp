@@ -29,8 +29,8 @@ class HealthTest : public SystemFixture {
     idle = StartIdle();
   }
   [[nodiscard]] std::unique_ptr<Program> StartIdle() const {
-    return std::make_unique<Program>(
-        Program::Words{Binary("lcm"), "--name", "idle", "--gcm", address, "--timeout", kPatience});
+    return std::make_unique<Program>(Program::Words{Binary("lcm"), "--name", "idle", "--gcm",
+                                                    address, "--timeout", kTestTimeout});
   }
 
   /// Returns the health of a process; empty if there is none.
@@ -105,7 +105,7 @@ TEST_F(HealthTest, EachVerbThatShowsProcessesShowsHealth) {
     return top.is_object() && HealthIn(top["processes"], "idle").contains("cpu_cores");
   }));
 
-  Terminal terminal(Binary("gcm") + " --gcm " + address + " --timeout " + kPatience + " top", {},
+  Terminal terminal(Binary("gcm") + " --gcm " + address + " --timeout " + kTestTimeout + " top", {},
                     100);
   EXPECT_TRUE(terminal.Shows(" MiB")) << terminal.seen();
   terminal.Type("q");

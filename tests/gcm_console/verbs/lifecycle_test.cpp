@@ -23,7 +23,7 @@ class LifecycleVerbsTest : public SystemFixture {
   }
   std::unique_ptr<Program> StartEmpty(const std::string& name) const {
     return std::make_unique<Program>(
-        Program::Words{Binary("lcm"), "--name", name, "--gcm", address, "--timeout", kPatience});
+        Program::Words{Binary("lcm"), "--name", name, "--gcm", address, "--timeout", kTestTimeout});
   }
   void Create(const Program::Words& names) const {
     for (const std::string& name : names) {
@@ -103,7 +103,7 @@ TEST_F(LifecycleVerbsTest, AsksForConfirmationAtATerminalBeforeAGlob) {
   Create({"one", "two"});
   const auto type = [this](const std::string& words, const std::string& answer) {
     const std::string gcm_words =
-        Binary("gcm") + " --gcm " + address + " --timeout " + kPatience + " " + words;
+        Binary("gcm") + " --gcm " + address + " --timeout " + kTestTimeout + " " + words;
     return RunProgram({"/bin/sh", "-c",
                        "printf '" + answer + "\\n' | script -qec \"" + gcm_words + "\" /dev/null"});
   };

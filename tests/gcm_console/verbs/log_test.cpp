@@ -21,7 +21,7 @@ class LogTest : public SystemFixture {
 
   [[nodiscard]] std::unique_ptr<Program> Follow(Program::Words words = {}) const {
     words.insert(words.begin(),
-                 {Binary("gcm"), "--gcm", address, "--timeout", kPatience, "log", "--follow"});
+                 {Binary("gcm"), "--gcm", address, "--timeout", kTestTimeout, "log", "--follow"});
     return std::make_unique<Program>(words);
   }
 };

@@ -189,8 +189,9 @@ TEST_F(LookTest, HzMeasuresTheRateByTheTablesClock) {
 TEST_F(LookTest, ATerminalGetsTitlesAndColoursUnlessDisabled) {
   const auto shown = [&](const std::string& words, const std::string& end,
                          const std::map<std::string, std::string>& environment = {}) {
-    Terminal terminal(Binary("gcm") + " --gcm " + address + " --timeout " + kPatience + " " + words,
-                      environment);
+    Terminal terminal(
+        Binary("gcm") + " --gcm " + address + " --timeout " + kTestTimeout + " " + words,
+        environment);
     EXPECT_TRUE(terminal.Shows(end)) << terminal.seen();
     EXPECT_EQ(terminal.program().Wait(), program::kOk);
     return terminal.seen();

@@ -38,8 +38,8 @@ class PluginAgeTest : public SystemFixture {
     StartGcm();
   }
   void StartRobot(const Program::Words& more = {}) {
-    Program::Words words = {Binary("lcm"), "--name",    "robot",  "--gcm",
-                            address,       "--timeout", kPatience};
+    Program::Words words = {Binary("lcm"), "--name",    "robot",     "--gcm",
+                            address,       "--timeout", kTestTimeout};
     words.insert(words.end(), more.begin(), more.end());
     robot = std::make_unique<Program>(
         words, std::map<std::string, std::string>{{"TENDON_COMPONENTS", folder.string()}});
@@ -258,8 +258,8 @@ class PluginCopyTest : public PluginAgeTest {
   }
   void StartRobot() {
     robot = std::make_unique<Program>(
-        Program::Words{Binary("lcm"), "--name", "robot", "--gcm", address, "--timeout", kPatience,
-                       "--system", (home.path() / "one.json").string()},
+        Program::Words{Binary("lcm"), "--name", "robot", "--gcm", address, "--timeout",
+                       kTestTimeout, "--system", (home.path() / "one.json").string()},
         environment);
     ASSERT_TRUE(EventuallyTrue([this] {
       return robot->err().find("runs 1 component") != std::string::npos;
@@ -314,9 +314,9 @@ TEST_F(PluginCopyTest, TheCopyIsInMemoryIfItsFolderCannotBeMade) {
   OverwriteInPlace();
 
   EXPECT_TRUE(EventuallyTrue([this] {
-    const Outcome shown =
-        RunProgram({Binary("gcm"), "--gcm", address, "--timeout", kPatience, "show", "robot/old"},
-                   environment);
+    const Outcome shown = RunProgram(
+        {Binary("gcm"), "--gcm", address, "--timeout", kTestTimeout, "show", "robot/old"},
+        environment);
     return shown.out.find("state\tactive") != std::string::npos &&
            shown.out.find("plug-in file\twritten again") != std::string::npos;
   }));

@@ -64,8 +64,8 @@ class RecordTest : public SystemFixture {
     return (home.path() / name).string();
   }
   [[nodiscard]] std::unique_ptr<Program> Record(Program::Words words) const {
-    words.insert(words.begin(), {Binary("gcm"), "--gcm", address, "--timeout", kPatience, "--jsonl",
-                                 "record", "-o", file});
+    words.insert(words.begin(), {Binary("gcm"), "--gcm", address, "--timeout", kTestTimeout,
+                                 "--jsonl", "record", "-o", file});
     return std::make_unique<Program>(words);
   }
   /// Returns the last line that the program has printed; null if there is none yet.
@@ -285,7 +285,7 @@ TEST_F(RecordTest, AFullDiskEndsTheRecordingWithWhatIsSafe) {
   // Beyond this size, writing fails with "File too large".
   Program record({"/bin/sh", "-c",
                   "trap '' XFSZ; ulimit -f 512; exec " + Binary("gcm") + " --gcm " + address +
-                      " --timeout " + kPatience + " record '**' --compression none -o " + file});
+                      " --timeout " + kTestTimeout + " record '**' --compression none -o " + file});
 
   ASSERT_EQ(record.Wait(), program::kRefused) << record.err();
 

@@ -44,7 +44,7 @@ class ReplayVerbTest : public SystemFixture {
   }
   [[nodiscard]] std::unique_ptr<Program> Replay(Program::Words words) const {
     words.insert(words.begin(),
-                 {Binary("gcm"), "--gcm", address, "--timeout", kPatience, "replay", file});
+                 {Binary("gcm"), "--gcm", address, "--timeout", kTestTimeout, "replay", file});
     return std::make_unique<Program>(words);
   }
   [[nodiscard]] std::string Path(const std::string& name) const {
@@ -53,9 +53,9 @@ class ReplayVerbTest : public SystemFixture {
 
   [[nodiscard]] std::unique_ptr<Program> StartRecording(const std::string& path,
                                                         const std::string& name) const {
-    auto record =
-        std::make_unique<Program>(Program::Words{Binary("gcm"), "--gcm", address, "--timeout",
-                                                 kPatience, "--jsonl", "record", path, "-o", name});
+    auto record = std::make_unique<Program>(Program::Words{Binary("gcm"), "--gcm", address,
+                                                           "--timeout", kTestTimeout, "--jsonl",
+                                                           "record", path, "-o", name});
     EXPECT_TRUE(EventuallyTrue([&] {
       return record->err().find("gcm: recording ") != std::string::npos;
     })) << record->err();
@@ -161,7 +161,7 @@ TEST_F(ReplayVerbTest, ARecordingOfAReplayHasEachRowEventAndCallThatItDoesNotCou
   ASSERT_NO_FATAL_FAILURE(RecordLab(first));
   const auto record = StartRecording("rehearsal", second);
   // The delay is the time in which the recorder finds the tables and subscribes to them.
-  Program replay({Binary("gcm"), "--gcm", address, "--timeout", kPatience, "--json", "replay",
+  Program replay({Binary("gcm"), "--gcm", address, "--timeout", kTestTimeout, "--json", "replay",
                   first, "--as", "rehearsal", "--delay",
                   tendon::test::IsSanitized() ? "20s" : "8s"});
   ASSERT_EQ(replay.Wait(), program::kOk) << replay.err();
@@ -246,7 +246,7 @@ TEST_F(ReplayVerbTest, ATeleoperationConnectsToAReplayedArm) {
   lab->Signal(SIGTERM);
   ASSERT_TRUE(lab->Wait());
   Program replay(
-      {Binary("gcm"), "--gcm", address, "--timeout", kPatience, "replay", arm_file, "--loop"});
+      {Binary("gcm"), "--gcm", address, "--timeout", kTestTimeout, "replay", arm_file, "--loop"});
   ASSERT_TRUE(EventuallySays({"ls", "lab"}, "arm\tactive")) << replay.err();
   const auto desk = StartOne("desk", "teleoperation", "Teleoperation", "teleoperation");
   ASSERT_TRUE(EventuallySays({"ls", "desk"}, "teleoperation")) << desk->err();

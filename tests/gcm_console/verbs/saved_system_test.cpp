@@ -41,7 +41,7 @@ class SavedSystemTest : public DemoFixture {
   }
   [[nodiscard]] std::unique_ptr<Program> StartEmpty(const std::string& name) const {
     return std::make_unique<Program>(
-        Program::Words{Binary("lcm"), "--name", name, "--gcm", address, "--timeout", kPatience});
+        Program::Words{Binary("lcm"), "--name", name, "--gcm", address, "--timeout", kTestTimeout});
   }
 };
 
@@ -169,7 +169,7 @@ TEST_F(SavedSystemTest, AnInterruptStopsApplyBetweenTwoSteps) {
   const json robot_alone = {{{"name", "robot"}, {"components", std::move(components)}}};
   home.Write("many.json",
              json({{"version", 1}, {"name", "many"}, {"processes", robot_alone}}).dump());
-  Program apply({Binary("gcm"), "--gcm", address, "--timeout", kPatience, "apply",
+  Program apply({Binary("gcm"), "--gcm", address, "--timeout", kTestTimeout, "apply",
                  InHome("many.json"), "--yes"});
   ASSERT_TRUE(EventuallyTrue([&] { return !apply.out().empty(); })) << apply.err();
 

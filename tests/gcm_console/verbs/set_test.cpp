@@ -20,8 +20,8 @@ class SetVerbTest : public SystemFixture {
  protected:
   void SetUp() override {
     StartGcm();
-    robot = std::make_unique<Program>(
-        Program::Words{Binary("lcm"), "--name", "robot", "--gcm", address, "--timeout", kPatience});
+    robot = std::make_unique<Program>(Program::Words{Binary("lcm"), "--name", "robot", "--gcm",
+                                                     address, "--timeout", kTestTimeout});
     ASSERT_TRUE(EventuallySays({"ls"}, "robot\talive")) << robot->err();
     const Outcome created = Gcm({"create", "SimulatedArm", "robot/arm", "--library",
                                  "simulated_arm", "--arg", R"({"noise": 0.001})"});
@@ -68,7 +68,7 @@ TEST_F(SetVerbTest, ReadsNumbersAlikeInAllLocales) {
     const std::map<std::string, std::string> language{{"LC_ALL", name},
                                                       {"LOCPATH", locales.path()}};
     const auto in_language = [&](Program::Words words) {
-      words.insert(words.begin(), {Binary("gcm"), "--gcm", address, "--timeout", kPatience});
+      words.insert(words.begin(), {Binary("gcm"), "--gcm", address, "--timeout", kTestTimeout});
       return RunProgram(words, language);
     };
 
@@ -163,7 +163,7 @@ TEST_F(SetVerbTest, ConcurrentSetsDoNotOverwriteEachOther) {
   const std::vector<std::string> parameters{"bandwidth", "noise", "home[1]", "home[2]"};
   for (const std::string& parameter : parameters) {
     persons.push_back(std::make_unique<Program>(Program::Words{Binary("gcm"), "--gcm", address,
-                                                               "--timeout", kPatience, "set",
+                                                               "--timeout", kTestTimeout, "set",
                                                                "robot/arm", parameter, "0.25"}));
   }
 

@@ -173,7 +173,7 @@ TEST_F(StartedSystemTest, KillAndForgetByGlobNeedConfirmation) {
   Apply();
   const auto type = [this](const std::string& words, const std::string& answer) {
     const std::string line =
-        Binary("gcm") + " --gcm " + address + " --timeout " + kPatience + " " + words;
+        Binary("gcm") + " --gcm " + address + " --timeout " + kTestTimeout + " " + words;
     return RunProgram(
         {"/bin/sh", "-c", "printf '" + answer + "\\n' | script -qec \"" + line + "\" /dev/null"});
   };
@@ -247,7 +247,7 @@ TEST_F(StartedSystemTest, UndoRevertsAnApplyIncludingItsProcess) {
 
 TEST_F(StartedSystemTest, AFailedProcessStartNamesItsLog) {
   const auto other = std::make_unique<Program>(
-      Program::Words{Binary("lcm"), "--name", "desk", "--gcm", address, "--timeout", kPatience});
+      Program::Words{Binary("lcm"), "--name", "desk", "--gcm", address, "--timeout", kTestTimeout});
   ASSERT_TRUE(EventuallySays({"ls"}, "desk\talive"));
   const auto folder = home.path() / "tendon" / ("processes-127.0.0.1-" + port);
   // A folder with the name of the log file.

@@ -21,8 +21,8 @@ class StrictStartTest : public SystemFixture {
   void StartEmpty() {
     for (auto* process : {&robot, &desk}) {
       const std::string name = process == &robot ? "robot" : "desk";
-      *process = std::make_unique<Program>(
-          Program::Words{Binary("lcm"), "--name", name, "--gcm", address, "--timeout", kPatience});
+      *process = std::make_unique<Program>(Program::Words{Binary("lcm"), "--name", name, "--gcm",
+                                                          address, "--timeout", kTestTimeout});
       ASSERT_TRUE(EventuallySays({"ls"}, name + "\talive")) << (*process)->err();
     }
   }

@@ -35,7 +35,7 @@ class WatchTest : public SystemFixture {
   }
 
   [[nodiscard]] std::unique_ptr<Program> Watch(Program::Words options = {}) const {
-    options.insert(options.begin(), {Binary("gcm"), "--gcm", address, "--timeout", kPatience,
+    options.insert(options.begin(), {Binary("gcm"), "--gcm", address, "--timeout", kTestTimeout,
                                      "watch", column, "--hz", "50"});
     return std::make_unique<Program>(options);
   }

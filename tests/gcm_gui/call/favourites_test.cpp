@@ -15,7 +15,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr std::chrono::seconds kFavouritePatience{120};
+constexpr std::chrono::seconds kFavouriteTimeout{120};
 const Favourite kStopFavourite{"robot/controller/Control.Stop", ""};
 
 TEST(Favourites, PersistAcrossInstances) {
@@ -28,11 +28,11 @@ TEST(Favourites, PersistAcrossInstances) {
     favourites.add({"a/b/C.Set", "{\"x\":1}"});
   }
 
-  ASSERT_TRUE(FileWriter::instance().waitForWritten(kFavouritePatience));
+  ASSERT_TRUE(FileWriter::instance().waitForWritten(kFavouriteTimeout));
   Favourites again(file);
   EXPECT_EQ(again.all(), (QList<Favourite>{kStopFavourite, {"a/b/C.Set", "{\"x\":1}"}}));
   again.remove(kStopFavourite);
-  ASSERT_TRUE(FileWriter::instance().waitForWritten(kFavouritePatience));
+  ASSERT_TRUE(FileWriter::instance().waitForWritten(kFavouriteTimeout));
   EXPECT_EQ(Favourites(file).all().size(), 1);
 }
 

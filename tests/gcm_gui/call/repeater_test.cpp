@@ -12,7 +12,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kRepeatPatience = 120'000;  // ms
+constexpr int kRepeatTimeout = 120'000;  // ms
 
 class RepeaterTest : public ::testing::Test {
  protected:
@@ -23,24 +23,24 @@ class RepeaterTest : public ::testing::Test {
 
 TEST_F(RepeaterTest, RunsOneCallAtATime) {
   repeater_.start("a/b/C.Set", "1", 100, 0);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return repeater_.leftOut() >= 3; }, kRepeatPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return repeater_.leftOut() >= 3; }, kRepeatTimeout));
   EXPECT_EQ(calls_.calls, QStringList{"a/b/C.Set 1"});
 
   calls_.answer(std::string(), 0.001);
 
-  EXPECT_TRUE(QTest::qWaitFor([&] { return calls_.calls.size() == 2; }, kRepeatPatience));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return calls_.calls.size() == 2; }, kRepeatTimeout));
 }
 
 TEST_F(RepeaterTest, ARestartWaitsForThePreviousCall) {
   repeater_.start("a/b/C.Set", "1", 100, 0);
   repeater_.stop();
   repeater_.start("a/b/C.Set", "2", 100, 0);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return repeater_.leftOut() >= 3; }, kRepeatPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return repeater_.leftOut() >= 3; }, kRepeatTimeout));
   EXPECT_EQ(calls_.calls, QStringList{"a/b/C.Set 1"});
 
   calls_.answer(std::string(), 0.001);
 
-  ASSERT_TRUE(QTest::qWaitFor([&] { return calls_.calls.size() == 2; }, kRepeatPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return calls_.calls.size() == 2; }, kRepeatTimeout));
   EXPECT_EQ(calls_.calls.at(1), "a/b/C.Set 2");
 }
 
@@ -55,7 +55,7 @@ TEST(RepeatRowTest, AClickDoesNotRepeatAMotionCommand) {
   QTest::mouseClick(button, Qt::LeftButton);
   EXPECT_TRUE(calls.calls.isEmpty());
   QTest::mousePress(button, Qt::LeftButton);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !calls.calls.isEmpty(); }, kRepeatPatience));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !calls.calls.isEmpty(); }, kRepeatTimeout));
   QTest::mouseRelease(button, Qt::LeftButton);
 
   EXPECT_FALSE(row.repeater().isRunning());
@@ -64,7 +64,7 @@ TEST(RepeatRowTest, AClickDoesNotRepeatAMotionCommand) {
 TEST_F(RepeaterTest, EndsAfterTheGivenNumberOfCalls) {
   repeater_.start("a/b/C.Set", "", 100, 2);
   calls_.answer(std::string(), 0.001);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return calls_.calls.size() == 2; }, kRepeatPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return calls_.calls.size() == 2; }, kRepeatTimeout));
   EXPECT_TRUE(repeater_.isRunning());
 
   calls_.answer(std::string(), 0.001);

@@ -40,7 +40,7 @@ class GraphCommandsTest : public WindowFixture {
   /// Saves the graph to `file`, waits for the notice, and returns the content.
   QByteArray Saved(const QString& file) {
     exporter().save(file);
-    EXPECT_TRUE(QTest::qWaitFor([&] { return Said() == file + " saved"; }, kPatience))
+    EXPECT_TRUE(QTest::qWaitFor([&] { return Said() == file + " saved"; }, kTestTimeout))
         << Said().toStdString();
     QFile written(file);
     EXPECT_TRUE(written.open(QIODevice::ReadOnly));
@@ -79,7 +79,7 @@ TEST_F(GraphCommandsTest, TheContextMenuSavesAPicture) {
   const QString file = InFolder("chosen");
   dialog->findChild<QLineEdit*>("fileNameEdit")->setText(file);
   QTest::keyClick(dialog->findChild<QLineEdit*>("fileNameEdit"), Qt::Key_Return);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return QFile::exists(file + ".svg"); }, kPatience));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return QFile::exists(file + ".svg"); }, kTestTimeout));
 }
 
 TEST_F(GraphCommandsTest, CtrlZUndoesAMoveUntilAnotherAction) {
@@ -114,7 +114,7 @@ TEST_F(GraphCommandsTest, TheSystemFileSavesAndRestoresPositions) {
   SystemDocument& document = window_.files().document();
   const QString file = InFolder("put.gcm.json");
   document.save(file);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return document.isOpen(); }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document.isOpen(); }, kTestTimeout));
   const auto read = ReadSystemFile(file.toStdString());
   ASSERT_TRUE(read.ok());
   EXPECT_EQ(read->layout.size(), 1U);
@@ -124,7 +124,7 @@ TEST_F(GraphCommandsTest, TheSystemFileSavesAndRestoresPositions) {
   ASSERT_EQ(place(), before);
   document.open(file);
 
-  EXPECT_TRUE(QTest::qWaitFor([&] { return place() == QPointF(-120, 44); }, kPatience));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return place() == QPointF(-120, 44); }, kTestTimeout));
 }
 
 TEST_F(GraphCommandsTest, CtrlFSearchesTheFocusedView) {
@@ -200,7 +200,7 @@ TEST_F(GraphCommandsTest, CopiesThePicture) {
   window_.findChild<QAction*>("Copy the picture of the graph")->trigger();
 
   EXPECT_TRUE(
-      QTest::qWaitFor([] { return !QApplication::clipboard()->image().isNull(); }, kPatience));
+      QTest::qWaitFor([] { return !QApplication::clipboard()->image().isNull(); }, kTestTimeout));
 }
 
 TEST_F(GraphCommandsTest, ReportsAFailedSave) {
@@ -209,8 +209,8 @@ TEST_F(GraphCommandsTest, ReportsAFailedSave) {
 
   const QString nowhere = InFolder("none/system.svg");
   exporter().save(nowhere);
-  EXPECT_TRUE(
-      QTest::qWaitFor([&] { return Said().startsWith(nowhere + " was not saved: "); }, kPatience))
+  EXPECT_TRUE(QTest::qWaitFor([&] { return Said().startsWith(nowhere + " was not saved: "); },
+                              kTestTimeout))
       << Said().toStdString();
 }
 

@@ -12,7 +12,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr std::chrono::seconds kHistoryPatience{120};
+constexpr std::chrono::seconds kHistoryTimeout{120};
 
 TEST(ConsoleHistory, UpAndDownWalkTheHistory) {
   ConsoleHistory history;
@@ -48,7 +48,7 @@ TEST(ConsoleHistory, PersistsAcrossWindows) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("below/console");
   ConsoleHistory(file).add("ls größe");
-  ASSERT_TRUE(FileWriter::instance().waitForWritten(kHistoryPatience));
+  ASSERT_TRUE(FileWriter::instance().waitForWritten(kHistoryTimeout));
 
   EXPECT_EQ(ConsoleHistory(file).lines(), QStringList{"ls größe"});
 }
@@ -61,7 +61,7 @@ TEST(ConsoleHistory, ReportsAFailedSaveOnce) {
   QSignalSpy notice(&history, &ConsoleHistory::notice);
   const auto add = [&](const QString& line) {
     history.add(line);
-    EXPECT_TRUE(FileWriter::instance().waitForWritten(kHistoryPatience));
+    EXPECT_TRUE(FileWriter::instance().waitForWritten(kHistoryTimeout));
     QCoreApplication::processEvents();
   };
 

@@ -13,7 +13,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kConsolePatience = 60'000;  // ms
+constexpr int kConsoleTimeout = 60'000;  // ms
 
 TEST(ConsoleRunner, ALineInterruptedBeforeItStartsEnds) {
   const test::Folder state;
@@ -32,12 +32,12 @@ TEST(ConsoleRunner, ALineInterruptedBeforeItStartsEnds) {
   runner.run(QStringLiteral("log -f"), 80);
   runner.interrupt();
 
-  ASSERT_TRUE(QTest::qWaitFor([&] { return ends.count() == 1; }, kConsolePatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return ends.count() == 1; }, kConsoleTimeout));
   EXPECT_EQ(ends[0][0].toInt(), program::kInterrupted);
   EXPECT_FALSE(runner.isRunning());
 
   runner.run(QStringLiteral("status"), 80);  // the interruption was meant for the previous line
-  ASSERT_TRUE(QTest::qWaitFor([&] { return ends.count() == 2; }, kConsolePatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return ends.count() == 2; }, kConsoleTimeout));
   EXPECT_EQ(ends[1][0].toInt(), program::kOk);
 }
 

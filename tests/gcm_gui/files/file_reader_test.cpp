@@ -14,7 +14,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kReaderPatience = 120'000;  // ms
+constexpr int kReaderTimeout = 120'000;  // ms
 
 struct Read {
   QByteArray content;
@@ -43,7 +43,7 @@ TEST_F(FileReaderTest, ReadsAsynchronously) {
   reader.read(name, Keep());
   EXPECT_FALSE(read_);
 
-  ASSERT_TRUE(QTest::qWaitFor([this] { return read_.has_value(); }, kReaderPatience));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return read_.has_value(); }, kReaderTimeout));
   EXPECT_EQ(read_->content, "{}");
   EXPECT_TRUE(read_->refusal.isEmpty());
 }
@@ -53,7 +53,7 @@ TEST_F(FileReaderTest, ReportsAReadError) {
 
   reader.read(folder_.filePath("none"), Keep());
 
-  ASSERT_TRUE(QTest::qWaitFor([this] { return read_.has_value(); }, kReaderPatience));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return read_.has_value(); }, kReaderTimeout));
   EXPECT_TRUE(read_->content.isEmpty());
   EXPECT_FALSE(read_->refusal.isEmpty());
 }
@@ -73,10 +73,10 @@ TEST_F(FileReaderTest, ASlowFileDoesNotBlockTheCaller) {
         end = ::open(pipe.toLocal8Bit().constData(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
         return end >= 0;
       },
-      kReaderPatience));
+      kReaderTimeout));
   EXPECT_EQ(::write(end, "late", 4), 4);
   ::close(end);
-  ASSERT_TRUE(QTest::qWaitFor([this] { return read_.has_value(); }, kReaderPatience));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return read_.has_value(); }, kReaderTimeout));
   EXPECT_EQ(read_->content, "late");
 }
 
@@ -91,7 +91,7 @@ TEST_F(FileReaderTest, TheDestructorDoesNotWaitForASlowFile) {
         end = ::open(pipe.toLocal8Bit().constData(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
         return end >= 0;
       },
-      kReaderPatience));
+      kReaderTimeout));
 
   testing::internal::CaptureStderr();
   reader.reset();

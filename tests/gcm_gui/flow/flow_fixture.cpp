@@ -55,7 +55,7 @@ void FlowFixture::OpenWindow() {
   window_ = std::make_unique<MainWindow>(parts);
   window_->show();
   window_->activateWindow();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get(), kFlowPatience));
+  ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get(), kFlowTimeout));
 }
 
 void FlowFixture::SetUp() {

@@ -16,7 +16,7 @@
 
 namespace tendon::gui {
 
-inline constexpr int kFlowPatience = 120'000;  // ms; bounds a test that fails
+inline constexpr int kFlowTimeout = 120'000;  // ms; bounds a test that fails
 
 /// The demo system in separate processes, and the real window with its session in this process.
 class FlowFixture : public ::testing::Test {
@@ -29,7 +29,7 @@ class FlowFixture : public ::testing::Test {
   void OpenWindow();
   [[nodiscard]] bool IsDemoRunning() const;
   [[nodiscard]] bool Eventually(const std::function<bool()>& holds) {
-    return QTest::qWaitFor(holds, kFlowPatience);
+    return QTest::qWaitFor(holds, kFlowTimeout);
   }
   template <typename T>
   T& Find(const char* name) {

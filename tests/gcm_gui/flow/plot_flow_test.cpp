@@ -109,8 +109,8 @@ TEST_F(PlotFlow, AHundredSignalsAtOneKilohertzLoseNoRow) {
     return std::all_of(curves.begin(), curves.end(),
                        [&](const Curve* curve) { return curve->samples().endIndex() >= rows; });
   };
-  const int patience = kFlowPatience + static_cast<int>(rows) * 4;
-  ASSERT_TRUE(QTest::qWaitFor(have_come, patience)) << load->err();
+  const int timeout = kFlowTimeout + static_cast<int>(rows) * 4;
+  ASSERT_TRUE(QTest::qWaitFor(have_come, timeout)) << load->err();
 
   for (const Curve* curve : curves) {
     const SampleRing& samples = curve->samples();

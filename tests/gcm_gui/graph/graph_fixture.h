@@ -13,7 +13,7 @@
 
 namespace tendon::gui {
 
-inline constexpr int kGraphPatience = 120'000;  // ms; bounds a test that fails
+inline constexpr int kGraphTimeout = 120'000;  // ms; bounds a test that fails
 
 /// The graph of a system that exists only as a catalogue; it is empty until Show().
 class GraphFixture : public ::testing::Test {
@@ -26,7 +26,7 @@ class GraphFixture : public ::testing::Test {
   void Show() {
     store_.apply(system_.TakeChanges());
     EXPECT_TRUE(QTest::qWaitFor([this] { return !IsAnnouncing(store_) && !scene_.isArranging(); },
-                                kGraphPatience));
+                                kGraphTimeout));
   }
 
   SystemBuilder system_;

@@ -15,7 +15,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kHoverPatience = 120'000;  // ms; bounds a test that fails
+constexpr int kHoverTimeout = 120'000;  // ms; bounds a test that fails
 const QString kEdge = "robot/controller/Arm";
 
 class GraphHoverTest : public GraphFixture {
@@ -43,7 +43,7 @@ class GraphHoverTest : public GraphFixture {
   }
   [[nodiscard]] bool EventuallyDims(bool dims) const {
     return QTest::qWaitFor([&] { return scene_.highlight().dimming() == (dims ? 1 : 0); },
-                           kHoverPatience);
+                           kHoverTimeout);
   }
   [[nodiscard]] bool IsHighlighted(const QString& component) const {
     return scene_.component(component)->zValue() > scene_.component("desk/teleoperation")->zValue();
@@ -86,7 +86,7 @@ TEST_F(GraphHoverTest, AnUnconnectedComponentDimsNothing) {
 TEST_F(GraphHoverTest, ShowsTheHealthOfAConnection) {
   QSignalSpy pointed(&scene_.hover(), &GraphHover::connectionPointed);
   MoveTo(MiddleOfEdge());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return pointed.size() == 1; }, kHoverPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return pointed.size() == 1; }, kHoverTimeout));
   EXPECT_EQ(pointed[0][0].toString(), kEdge);
   EXPECT_EQ(scene_.hover().card(), nullptr);
 

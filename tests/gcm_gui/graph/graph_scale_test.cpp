@@ -30,9 +30,9 @@ class GraphScaleTest : public GraphFixture {
   GraphScaleTest() : GraphFixture(LargeSystem(kProcesses, kOfEach)) { view_.resize(1000, 600); }
 
   void AwaitLayout() {
-    constexpr int kLayoutPatience = 60'000;  // ms
+    constexpr int kLayoutTimeout = 60'000;  // ms
     ASSERT_TRUE(QTest::qWaitFor([this] { return !IsAnnouncing(store_) && !scene_.isArranging(); },
-                                kLayoutPatience));
+                                kLayoutTimeout));
   }
 
   template <typename Step>

@@ -93,14 +93,14 @@ class GuardedViews : public WindowFixture {
     return all;
   }
   [[nodiscard]] bool WaitForProblem(const QString& words) {
-    return QTest::qWaitFor([&] { return !Problems().filter(words).isEmpty(); }, kPatience);
+    return QTest::qWaitFor([&] { return !Problems().filter(words).isEmpty(); }, kTestTimeout);
   }
   [[nodiscard]] bool WaitForNoProblem(const QString& words) {
-    return QTest::qWaitFor([&] { return Problems().filter(words).isEmpty(); }, kPatience);
+    return QTest::qWaitFor([&] { return Problems().filter(words).isEmpty(); }, kTestTimeout);
   }
   [[nodiscard]] bool WaitForCovers(qsizetype count) {
     return QTest::qWaitFor([&] { return window_.findChildren<ViewCover*>().size() == count; },
-                           kPatience);
+                           kTestTimeout);
   }
   void ExpectThatTheRestIsDrawn() {
     int drawn = 0;
@@ -245,13 +245,13 @@ TEST_F(GuardedViews, AThrowingDialogIsCovered) {
   window_.plots().askForName();
   auto* dialog = window_.findChild<QInputDialog*>();
   ASSERT_NE(dialog, nullptr);
-  ASSERT_TRUE(QTest::qWaitForWindowExposed(dialog, kPatience));
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(dialog, kTestTimeout));
   Bomb bomb(*dialog, QEvent::Paint, [] { throw std::runtime_error("a dialog"); });
   dialog->repaint();
 
   EXPECT_TRUE(WaitForProblem("Rename this plot is not drawn because of an error: a dialog"));
   EXPECT_TRUE(
-      QTest::qWaitFor([&] { return dialog->findChild<ViewCover*>() != nullptr; }, kPatience));
+      QTest::qWaitFor([&] { return dialog->findChild<ViewCover*>() != nullptr; }, kTestTimeout));
   dialog->close();
 }
 
@@ -267,8 +267,8 @@ TEST_F(GuardedViews, AThrowingReceiverDoesNotStopModelUpdates) {
   store_.apply(system_.TakeChanges());
 
   EXPECT_TRUE(WaitForProblem("Catalogue had an error: a model"));
-  EXPECT_TRUE(
-      QTest::qWaitFor([&] { return connections->model()->rowCount() == before - 1; }, kPatience));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return connections->model()->rowCount() == before - 1; },
+                              kTestTimeout));
 }
 
 TEST_F(GuardedViews, AFailingLayoutIsReported) {
@@ -288,7 +288,7 @@ TEST_F(GuardedViews, AFailingLayoutIsReported) {
       [&] {
         return window_.findChild<NoticeLine*>()->text().contains("cannot be shown: cannot create");
       },
-      kPatience));
+      kTestTimeout));
 }
 
 }  // namespace

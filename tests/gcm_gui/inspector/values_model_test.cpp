@@ -128,7 +128,7 @@ TEST_F(ValuesModelTest, AColumnShowsItsRateAndLaterItsAge) {
 TEST_F(ValuesModelTest, ATimedOutColumnCanBeRequestedAgain) {
   EXPECT_EQ(Value(0).toString(), "…");
   EXPECT_EQ(model_.askAgain(0), "");
-  Pass(ValuesModel::kPatience);
+  Pass(ValuesModel::kReplyTimeout);
   EXPECT_EQ(Value(0).toString(), "no reply in 1 s · ask again");
   EXPECT_TRUE(Value(0, kAccentRole).toBool());
 
@@ -158,17 +158,17 @@ TEST_F(ValuesModelTest, ARefusedColumnShowsTheReasonAndCanBeRetried) {
 
 TEST_F(ValuesModelTest, HiddenValuesDoNotTimeOut) {
   model_.awaitNothing();
-  Pass(ValuesModel::kPatience);
+  Pass(ValuesModel::kReplyTimeout);
   model_.await();
   EXPECT_EQ(Value(0).toString(), "…");
 
-  Pass(ValuesModel::kPatience);
+  Pass(ValuesModel::kReplyTimeout);
   EXPECT_EQ(Value(0).toString(), "no reply in 1 s · ask again");
 }
 
 TEST_F(ValuesModelTest, AReturnedProcessGetsANewTimeout) {
   model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), StaleReason::kLost);
-  Pass(10 * ValuesModel::kPatience);
+  Pass(10 * ValuesModel::kReplyTimeout);
 
   model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), StaleReason::kNone);
 
@@ -185,7 +185,7 @@ TEST_F(ValuesModelTest, TheAccessibleTextIncludesTheRate) {
 
 TEST_F(ValuesModelTest, ALostProcessDoesNotTimeOut) {
   model_.show("robot/arm", catalogue_.FindComponent("robot", "arm"), StaleReason::kLost);
-  Pass(ValuesModel::kPatience);
+  Pass(ValuesModel::kReplyTimeout);
 
   EXPECT_EQ(Value(0).toString(), "…");
 }

@@ -86,7 +86,7 @@ class WindowInLanguage : private Speaking, public WindowFixture {
   void look(const QString& name) {
     Theme::instance().choose(Theme::Choice::kLight);
     window_.selection().select("robot/arm");
-    EXPECT_TRUE(QTest::qWaitFor([this] { return cutOff().isEmpty(); }, kPatience))
+    EXPECT_TRUE(QTest::qWaitFor([this] { return cutOff().isEmpty(); }, kTestTimeout))
         << cutOff().join('\n').toStdString();
     EXPECT_TRUE(window_.grab().save(PictureFile(name)));
   }

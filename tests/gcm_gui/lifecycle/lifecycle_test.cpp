@@ -31,7 +31,7 @@ class LifecycleTest : public WindowFixture {
     return *window_.findChild<HoldButton*>(name);
   }
   bool IsAsked(const QStringList& orders) {
-    return QTest::qWaitFor([&] { return actions_.asked == orders; }, kPatience);
+    return QTest::qWaitFor([&] { return actions_.asked == orders; }, kTestTimeout);
   }
   /// Returns the menu that opens at this position.
   static QMenu* MenuAt(QWidget& viewport, const QPoint& place) {
@@ -132,7 +132,7 @@ TEST_F(LifecycleTest, TheCatalogueMenuOpensOnlyOnARowOrByKey) {
       [&] {
         return !tree.indexAt(tree.viewport()->rect().bottomLeft() + QPoint(20, -4)).isValid();
       },
-      kPatience));
+      kTestTimeout));
 
   EXPECT_EQ(MenuAt(*tree.viewport(), tree.viewport()->rect().bottomLeft() + QPoint(20, -4)),
             nullptr);
@@ -147,7 +147,8 @@ TEST_F(LifecycleTest, EnterOnTheCardButtonConfirms) {
   window_.selection().select("robot/arm");
   QTest::keyClick(&window_, Qt::Key_F8);
   Button("lifecycle.confirm").setFocus();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return Button("lifecycle.confirm").hasFocus(); }, kPatience));
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return Button("lifecycle.confirm").hasFocus(); }, kTestTimeout));
 
   QTest::keyClick(&Button("lifecycle.confirm"), Qt::Key_Return);
 
@@ -186,7 +187,7 @@ TEST_F(LifecycleTest, AReadOnlyWindowExplainsItself) {
   MainWindow window(parts);
   window.show();
   window.activateWindow();
-  ASSERT_TRUE(QTest::qWaitForWindowActive(&window, kPatience));
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window, kTestTimeout));
   window.selection().select("robot/arm");
 
   QTest::keyClick(&window, Qt::Key_F8);

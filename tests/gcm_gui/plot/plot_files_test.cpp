@@ -15,7 +15,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kPatience = 120'000;  // ms; bounds a test that fails
+constexpr int kTestTimeout = 120'000;  // ms; bounds a test that fails
 const QString kSignalX = "robot/arm/state.x";
 
 class PlotFilesTest : public testing::Test {
@@ -47,7 +47,7 @@ TEST_F(PlotFilesTest, SavesTheVisibleSamplesToTheChosenFile) {
   dialog->selectFile(file);
   QMetaObject::invokeMethod(dialog, "accept");
 
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !notices_.isEmpty(); }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !notices_.isEmpty(); }, kTestTimeout));
   EXPECT_EQ(notices_.front().front().toString(), "Saved 1000 rows, none lost, to " + file);
   QFile saved(file);
   ASSERT_TRUE(saved.open(QIODevice::ReadOnly));
@@ -65,15 +65,16 @@ TEST_F(PlotFilesTest, SavesAndOpensALayoutAndReportsAMissingFile) {
   const QString file = folder_.filePath("mine.plots.json");
   panel_.addSignal(kSignalX, "rad");
   panel_.files().saveLayout(file);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return notices_.count() == 1; }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return notices_.count() == 1; }, kTestTimeout));
   EXPECT_EQ(notices_[0][0].toString(), file + " saved");
   PlotPanel other;
   other.files().openLayout(file);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return other.paths() == QStringList{kSignalX}; }, kPatience));
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return other.paths() == QStringList{kSignalX}; }, kTestTimeout));
 
   QSignalSpy notice(&other, &PlotPanel::notice);
   other.files().openLayout(folder_.filePath("none"));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return notice.count() == 1; }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return notice.count() == 1; }, kTestTimeout));
   EXPECT_THAT(notice[0][0].toString().toStdString(), testing::HasSubstr("cannot be read"));
 }
 

@@ -33,7 +33,7 @@ namespace {
 using namespace std::chrono_literals;
 using State = RecordingController::State;
 
-constexpr int kRecordingPatience = 120'000;  // ms; bounds a test that fails
+constexpr int kRecordingTimeout = 120'000;  // ms; bounds a test that fails
 
 /// Counts its cycles in a table with two columns, and raises an event at each hundredth one.
 class Counter final : public PeriodicTask {
@@ -66,7 +66,7 @@ class RecordingWorkerTest : public ::testing::Test {
     window_ = std::make_unique<MainWindow>(PartsOf(*session_));
     window_->show();
     window_->activateWindow();
-    EXPECT_TRUE(QTest::qWaitForWindowActive(window_.get(), kRecordingPatience));
+    EXPECT_TRUE(QTest::qWaitForWindowActive(window_.get(), kRecordingTimeout));
     Controller().setFolder(folder_.filePath("recordings"));
     EXPECT_TRUE(Eventually([this] {
       return session_->store().catalogue().FindComponent("robot", "counter") != nullptr;
@@ -88,7 +88,7 @@ class RecordingWorkerTest : public ::testing::Test {
     EXPECT_TRUE(robot_->StartAll());
   }
   static bool Eventually(const std::function<bool()>& holds) {
-    return QTest::qWaitFor(holds, kRecordingPatience);
+    return QTest::qWaitFor(holds, kRecordingTimeout);
   }
 
   RecordingController& Controller() { return window_->recording().controller(); }

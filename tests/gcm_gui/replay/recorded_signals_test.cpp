@@ -20,7 +20,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr int kSignalPatience = 120'000;  // ms; bounds a test that fails
+constexpr int kSignalTimeout = 120'000;  // ms; bounds a test that fails
 constexpr auto kTimeSignal = "robot/arm/state.Joints.position[0]";
 constexpr auto kWaveSignal = "robot/arm/state.Joints.position[1]";
 
@@ -54,7 +54,7 @@ class RecordedSignalsTest : public ::testing::Test {
   void See(double from, double to) { seen_ = {.from_ns = At(from), .to_ns = At(to)}; }
   void Subscribe(const char* signal) { signals_.subscribe(RecordedPath(file_, signal)); }
   static bool Eventually(const std::function<bool()>& holds) {
-    return QTest::qWaitFor(holds, kSignalPatience);
+    return QTest::qWaitFor(holds, kSignalTimeout);
   }
   [[nodiscard]] bool Covers(const char* signal, double from, double to) {
     const auto& all = samples_[signal];
@@ -143,7 +143,7 @@ TEST_F(RecordedSignalsTest, ItsTimeIsToldWhenItIsOpen) {
   QSignalSpy opened(&signals_, &RecordedSignals::opened);
   Subscribe(kTimeSignal);
 
-  ASSERT_TRUE(opened.wait(kSignalPatience));
+  ASSERT_TRUE(opened.wait(kSignalTimeout));
   EXPECT_EQ(opened[0][0], file_);
   EXPECT_EQ(opened[0][1].value<TimeSpan>().from_ns, At(0));
 }
@@ -152,7 +152,7 @@ TEST_F(RecordedSignalsTest, AMissingFileIsRefusedWithItsName) {
   QSignalSpy notice(&signals_, &RecordedSignals::notice);
   Subscribe(kTimeSignal);
 
-  ASSERT_TRUE(notice.wait(kSignalPatience));
+  ASSERT_TRUE(notice.wait(kSignalTimeout));
   EXPECT_THAT(notice[0][0].toString().toStdString(), HasSubstr("run.mcap"));
   EXPECT_NE(reasons_[kTimeSignal], "");
 
@@ -168,7 +168,7 @@ TEST_F(RecordedSignalsTest, AFileThatIsNoRecordingIsRefused) {
   QSignalSpy notice(&signals_, &RecordedSignals::notice);
   Subscribe(kTimeSignal);
 
-  ASSERT_TRUE(notice.wait(kSignalPatience));
+  ASSERT_TRUE(notice.wait(kSignalTimeout));
   EXPECT_NE(reasons_[kTimeSignal], "");
 }
 

@@ -59,7 +59,7 @@ class RecordingOverlayTest : public WindowFixture {
   [[nodiscard]] PlotView& Plot() const { return window_.plots().currentPlot(); }
   [[nodiscard]] const Curve* Recorded() const { return Plot().curve(recorded_); }
   static bool Eventually(const std::function<bool()>& holds) {
-    return QTest::qWaitFor(holds, kPatience);
+    return QTest::qWaitFor(holds, kTestTimeout);
   }
   [[nodiscard]] RecordedSignalDialog* Dialog() const {
     return window_.findChild<RecordedSignalDialog*>();

@@ -16,7 +16,7 @@ namespace {
 
 using testing::ElementsAre;
 
-constexpr int kReaderPatience = 120'000;  // ms; bounds a test that fails
+constexpr int kReaderTimeout = 120'000;  // ms; bounds a test that fails
 constexpr auto kColumn = "robot/arm/state.Joints";
 constexpr auto kOtherColumn = "robot/arm/state.Temperature";
 constexpr auto kField = ".position[0]";
@@ -31,7 +31,7 @@ class ReplayReading : public ::testing::Test {
   void Open() {
     QSignalSpy opened(&reader_, &ReplayReader::opened);
     reader_.open(file_);
-    ASSERT_TRUE(opened.wait(kReaderPatience));
+    ASSERT_TRUE(opened.wait(kReaderTimeout));
   }
   /// A feed that keeps position[0].
   static std::shared_ptr<ColumnFeed> Feed() {
@@ -42,11 +42,11 @@ class ReplayReading : public ::testing::Test {
   void Jump(std::int64_t time, const WantedColumns& columns) {
     QSignalSpy stepped(&reader_, &ReplayReader::stepped);
     reader_.jump(time, 20 * kSecond, columns);
-    ASSERT_TRUE(stepped.wait(kReaderPatience));
+    ASSERT_TRUE(stepped.wait(kReaderTimeout));
   }
 
   static bool Eventually(const std::function<bool()>& holds) {
-    return QTest::qWaitFor(holds, kReaderPatience);
+    return QTest::qWaitFor(holds, kReaderTimeout);
   }
 
   QTemporaryDir folder_;
@@ -79,7 +79,7 @@ TEST_F(ReplayReading, EachLossIsCountedOnce) {
        {{kColumn, {plotted, true}}, {kOtherColumn, {shown, false}}});
   QSignalSpy stepped(&reader_, &ReplayReader::stepped);
   reader_.add(kOtherColumn, shown);
-  ASSERT_TRUE(stepped.wait(kReaderPatience));
+  ASSERT_TRUE(stepped.wait(kReaderTimeout));
 
   EXPECT_EQ(plotted->losses().table, 50U);
 }
@@ -90,16 +90,16 @@ TEST_F(ReplayReading, OnlyRowsAreReadForAPlotOfAnotherSystem) {
   QSignalSpy opened(&rows, &ReplayReader::opened);
   QSignalSpy stepped(&rows, &ReplayReader::stepped);
   rows.open(file_);
-  ASSERT_TRUE(opened.wait(kReaderPatience));
+  ASSERT_TRUE(opened.wait(kReaderTimeout));
   const auto facts = opened[0][0].value<RecordingFacts>();
   EXPECT_EQ(facts.columns.size(), 2U);
   EXPECT_EQ(facts.columns.count(kColumn), 1U);
 
   const auto feed = Feed();
   rows.jump(kRunBegin + 6 * kSecond, kSecond, {{kColumn, {feed, true}}});
-  ASSERT_TRUE(stepped.wait(kReaderPatience));
+  ASSERT_TRUE(stepped.wait(kReaderTimeout));
   rows.play(kRunBegin + 17 * kSecond);
-  ASSERT_TRUE(stepped.wait(kReaderPatience));
+  ASSERT_TRUE(stepped.wait(kReaderTimeout));
 
   for (const QList<QVariant>& arguments : stepped) {
     const auto step = arguments[0].value<ReplayStep>();
@@ -134,7 +134,7 @@ TEST_F(ReplayReading, ACancelledReadingReadsNoFurtherAndDropsItsRows) {
   auto reader = std::make_unique<ReplayReader>(ReplayReader::Content::kRows, disk.opener());
   QSignalSpy opened(reader.get(), &ReplayReader::opened);
   reader->open(file_);
-  ASSERT_TRUE(opened.wait(kReaderPatience));
+  ASSERT_TRUE(opened.wait(kReaderTimeout));
   const auto feed = Feed();
   disk.stop();
   reader->jump(kRunBegin + 20 * kSecond, 20 * kSecond, {{kColumn, {feed, true}}});
@@ -155,7 +155,7 @@ TEST_F(ReplayReading, TheDestructorDoesNotWaitUntilTheFileIsClosed) {
   auto reader = std::make_unique<ReplayReader>(ReplayReader::Content::kAll, disk.opener());
   QSignalSpy opened(reader.get(), &ReplayReader::opened);
   reader->open(file_);
-  ASSERT_TRUE(opened.wait(kReaderPatience));
+  ASSERT_TRUE(opened.wait(kReaderTimeout));
   disk.stop();
 
   reader.reset();

@@ -19,7 +19,7 @@ using testing::internal::CaptureStderr;
 using testing::internal::GetCapturedStderr;
 using State = ReplaySession::State;
 
-constexpr int kSessionPatience = 120'000;  // ms; bounds a test that fails
+constexpr int kSessionTimeout = 120'000;  // ms; bounds a test that fails
 
 /// A session whose disk stops while it reads. A function that waits for the disk would block until
 /// it gives up, and then report the unfinished reading on stderr.
@@ -35,7 +35,7 @@ class ReplayFromASlowDisk : public ::testing::Test {
                      [this] { shown_.insert(session_->position()); });
   }
   static bool Eventually(const std::function<bool()>& holds) {
-    return QTest::qWaitFor(holds, kSessionPatience);
+    return QTest::qWaitFor(holds, kSessionTimeout);
   }
   [[nodiscard]] bool IsShowing() const {
     return session_->state() == State::kOpen && !session_->isJumping();

@@ -48,7 +48,7 @@ namespace {
 using testing::HasSubstr;
 using State = ReplaySession::State;
 
-constexpr int kReplayPatience = 120'000;  // ms; bounds a test that fails
+constexpr int kReplayTimeout = 120'000;  // ms; bounds a test that fails
 constexpr auto kSignal = "robot/arm/state.Joints.position[0]";
 
 /// The real window with a recording of 20 s; see WriteRun().
@@ -102,10 +102,10 @@ class ReplayWindow : public ::testing::Test {
     window_ = std::make_unique<MainWindow>(parts);
     window_->show();
     window_->activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get(), kReplayPatience));
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window_.get(), kReplayTimeout));
   }
   static bool Eventually(const std::function<bool()>& holds) {
-    return QTest::qWaitFor(holds, kReplayPatience);
+    return QTest::qWaitFor(holds, kReplayTimeout);
   }
   [[nodiscard]] double Seconds() const {
     return static_cast<double>(session_->position() - kRunBegin) / kSecond;

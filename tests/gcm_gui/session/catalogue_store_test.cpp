@@ -10,7 +10,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kPatience = 120'000;  // ms; bounds a test that fails
+constexpr int kTestTimeout = 120'000;  // ms; bounds a test that fails
 
 class CatalogueStoreTest : public ::testing::Test {
  protected:
@@ -22,7 +22,7 @@ class CatalogueStoreTest : public ::testing::Test {
 
   void Show(SystemBuilder& system) { store_.apply(system.TakeChanges()); }
   [[nodiscard]] bool Finish() {
-    return QTest::qWaitFor([&] { return !IsAnnouncing(store_); }, kPatience);
+    return QTest::qWaitFor([&] { return !IsAnnouncing(store_); }, kTestTimeout);
   }
   /// Returns how often a whole process was reported as changed.
   [[nodiscard]] int Times(const std::string& process) const {

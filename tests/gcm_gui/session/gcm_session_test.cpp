@@ -17,7 +17,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kSessionPatience = 120'000;  // ms; bounds a test that fails
+constexpr int kSessionTimeout = 120'000;  // ms; bounds a test that fails
 
 const InterfaceName kOperated{"desk", "operator", "Robot"};
 const InterfaceName kPlantControl{"robot", "plant", "Control"};
@@ -51,7 +51,7 @@ class GcmSessionTest : public ::testing::Test {
     return connection != nullptr && connection->state == ConnectionState::kActive;
   }
   bool Eventually(const std::function<bool()>& holds) {
-    return QTest::qWaitFor(holds, kSessionPatience);
+    return QTest::qWaitFor(holds, kSessionTimeout);
   }
   bool EverythingIsThere() {
     const auto is_active = [&](const char* process, const char* component) {

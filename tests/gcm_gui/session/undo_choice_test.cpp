@@ -48,10 +48,10 @@ TEST(UndoChoice, AnothersStepNeedsASecondRequest) {
   EXPECT_NE(asked.error().message.find("by gcm-gui of anna@host, 12 s ago"), std::string::npos)
       << asked.error().message;
 
-  const auto step = choice.Choose(history, kNow + UndoChoice::kPatience, kWallNow);
+  const auto step = choice.Choose(history, kNow + UndoChoice::kTimeout, kWallNow);
   ASSERT_TRUE(step.ok());
   EXPECT_EQ(*step, 7U);
-  EXPECT_FALSE(choice.Choose(history, kNow + UndoChoice::kPatience, kWallNow).ok()) << "once only";
+  EXPECT_FALSE(choice.Choose(history, kNow + UndoChoice::kTimeout, kWallNow).ok()) << "once only";
 }
 
 TEST(UndoChoice, TheSecondRequestMustMatchAndComeInTime) {
@@ -61,7 +61,7 @@ TEST(UndoChoice, TheSecondRequestMustMatchAndComeInTime) {
 
   history.entries.push_back(Step(8, "bert"));
   EXPECT_FALSE(choice.Choose(history, kNow + seconds(1), kWallNow).ok()) << "it is another step";
-  EXPECT_FALSE(choice.Choose(history, kNow + seconds(2) + UndoChoice::kPatience, kWallNow).ok())
+  EXPECT_FALSE(choice.Choose(history, kNow + seconds(2) + UndoChoice::kTimeout, kWallNow).ok())
       << "it is too late";
 }
 

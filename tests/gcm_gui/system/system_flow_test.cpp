@@ -27,7 +27,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kFlowPatience = 120'000;  // ms; bounds a test that fails
+constexpr int kFlowTimeout = 120'000;  // ms; bounds a test that fails
 
 const InterfaceName kFlowRequired{"desk", "operator", "Robot"};
 const InterfaceName kFlowProvided{"robot", "plant", "Control"};
@@ -58,12 +58,12 @@ class SystemFlowTest : public ::testing::Test {
     window_ = std::make_unique<MainWindow>(parts);
     window_->show();
     window_->activateWindow();
-    (void)QTest::qWaitForWindowActive(window_.get(), kFlowPatience);
+    (void)QTest::qWaitForWindowActive(window_.get(), kFlowTimeout);
   }
 
   std::shared_ptr<Middleware> Node() { return std::make_shared<LoopbackMiddleware>(network_); }
   bool Eventually(const std::function<bool()>& holds) {
-    return QTest::qWaitFor(holds, kFlowPatience);
+    return QTest::qWaitFor(holds, kFlowTimeout);
   }
   bool IsConnected() {
     const auto* connection = session_->store().catalogue().FindConnection(kFlowRequired);

@@ -57,7 +57,7 @@ class CatalogueColumnsTest : public WindowFixture {
           window_.resizeDocks({dock}, {620}, Qt::Horizontal);
           return dock->width() >= 600;
         },
-        kPatience));
+        kTestTimeout));
   }
   void ShowAll() const {
     for (int column = Model::kValue; column < Model::kColumnCount; ++column) {
@@ -154,7 +154,7 @@ TEST_F(CatalogueColumnsTest, TheNameTakesTheRemainingWidth) {
   header.resizeSection(Model::kRate, 1000);
   EXPECT_GE(header.sectionSize(Model::kName), 100);
   EXPECT_TRUE(
-      QTest::qWaitFor([&] { return tree().horizontalScrollBar()->maximum() > 0; }, kPatience));
+      QTest::qWaitFor([&] { return tree().horizontalScrollBar()->maximum() > 0; }, kTestTimeout));
 }
 
 TEST_F(CatalogueColumnsTest, RendersAllColumns) {

@@ -24,7 +24,7 @@ class CatalogueTreeTest : public WindowFixture {
  protected:
   CatalogueTreeTest() : first_(PathOf(3, 7)), second_(PathOf(4, 9)) {
     store_.replace(LargeSystem(10, 50).catalogue());
-    EXPECT_TRUE(QTest::qWaitFor([this] { return !IsAnnouncing(store_); }, kPatience));
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !IsAnnouncing(store_); }, kTestTimeout));
   }
 
   static QString PathOf(int process, int component) {

@@ -13,7 +13,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kDrawPatience = 120'000;  // ms; bounds a test that fails
+constexpr int kDrawTimeout = 120'000;  // ms; bounds a test that fails
 
 RawImage Plain(int side, char shade) {
   return {.width = static_cast<std::uint64_t>(side),
@@ -27,7 +27,7 @@ bool Shows(const ImageView& view, int side, int shade) {
       [&] {
         return view.image().width() == side && view.image().pixelColor(0, 0).value() == shade;
       },
-      kDrawPatience);
+      kDrawTimeout);
 }
 
 TEST(ImageView, ShowsAPictureAndItsFormat) {
@@ -66,8 +66,7 @@ TEST(ImageView, ReportsAWrongSize) {
 
   view.show(wrong);
 
-  EXPECT_TRUE(
-      QTest::qWaitFor([&] { return view.words().contains("do not match"); }, kDrawPatience));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return view.words().contains("do not match"); }, kDrawTimeout));
   EXPECT_TRUE(view.image().isNull());
   EXPECT_FALSE(view.isHidden());
 }
@@ -117,8 +116,7 @@ TEST(CallPanel, ShowsAnImageReplyAsAPicture) {
   EXPECT_TRUE(result.isHidden());
 
   call(R"({"width":2,"height":2,"encoding":"mono8","data":[9,9]})");
-  EXPECT_TRUE(
-      QTest::qWaitFor([&] { return view.words().contains("do not match"); }, kDrawPatience));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return view.words().contains("do not match"); }, kDrawTimeout));
   EXPECT_FALSE(result.isHidden());
 
   call(R"({"width":2})");

@@ -132,7 +132,7 @@ TEST_F(AccessibleTest, TheRenameDialogHasNames) {
   QTest::keyClick(&window_, Qt::Key_F2);
   auto* dialog = window_.findChild<QInputDialog*>();
   ASSERT_NE(dialog, nullptr);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->isVisible(); }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->isVisible(); }, kTestTimeout));
   ExpectNames("name");
 
   dialog->setTextValue("joints");
@@ -218,12 +218,12 @@ TEST_F(AccessibleTest, KeysReadAndHideMarks) {
   window_.plots().addMark({.time_ns = plot.now(), .label = "Moved", .text = "call robot/arm.Move"});
   plot.canvas()->setFocus();
   const auto told = [&] { return plot.canvas()->accessibleDescription(); };
-  EXPECT_TRUE(QTest::qWaitFor([&] { return told() == "call robot/arm.Move"; }, kPatience))
+  EXPECT_TRUE(QTest::qWaitFor([&] { return told() == "call robot/arm.Move"; }, kTestTimeout))
       << told().toStdString();
 
   QTest::keyClick(plot.canvas(), Qt::Key_E);
   EXPECT_FALSE(window_.plots().areMarksShown());
-  EXPECT_TRUE(QTest::qWaitFor([&] { return told().isEmpty(); }, kPatience));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return told().isEmpty(); }, kTestTimeout));
 
   const QPoint middle = plot.canvas()->rect().center();
   QContextMenuEvent wanted(QContextMenuEvent::Keyboard, middle, plot.canvas()->mapToGlobal(middle));
@@ -245,7 +245,7 @@ TEST_F(AccessibleTest, APictureInTheInspectorHasNames) {
     return std::any_of(views.begin(), views.end(),
                        [](const ImageView* view) { return view->isVisible(); });
   };
-  ASSERT_TRUE(QTest::qWaitFor(is_shown, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor(is_shown, kTestTimeout));
 
   ExpectNames("values");
 }

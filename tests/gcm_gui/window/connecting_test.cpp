@@ -84,7 +84,7 @@ class ReadOnlyTest : public ConnectingTest {
   ReadOnlyTest() {
     only_looks_.show();
     only_looks_.activateWindow();
-    (void)QTest::qWaitForWindowActive(&only_looks_, kPatience);
+    (void)QTest::qWaitForWindowActive(&only_looks_, kTestTimeout);
   }
   [[nodiscard]] QString Refused() const { return only_looks_.findChild<NoticeLine*>()->text(); }
   void ExpectRefusal(const char* how) {

@@ -29,7 +29,7 @@ class DemoTest : public WindowFixture {
   }
   bool Start() {
     QTest::mouseClick(&TryDemo(window_), Qt::LeftButton);
-    return QTest::qWaitFor([this] { return plans_.started == 1; }, kPatience);
+    return QTest::qWaitFor([this] { return plans_.started == 1; }, kTestTimeout);
   }
   [[nodiscard]] QString Page() const {
     return window_.centre().tabs().tabText(window_.centre().current());
@@ -112,7 +112,7 @@ TEST_F(DemoTest, ReportsAMissingDemoFile) {
   QTest::mouseClick(&TryDemo(window), Qt::LeftButton);
 
   EXPECT_TRUE(
-      QTest::qWaitFor([&] { return Notice(window).contains("/no/such/demo.json"); }, kPatience));
+      QTest::qWaitFor([&] { return Notice(window).contains("/no/such/demo.json"); }, kTestTimeout));
   EXPECT_TRUE(Notice(window).startsWith("The system file of the demo cannot be read: "));
   EXPECT_EQ(plans_.started, 0);
 }

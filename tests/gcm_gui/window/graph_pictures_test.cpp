@@ -30,7 +30,7 @@ class GraphPicturesTest : public WindowFixture {
 
   [[nodiscard]] GraphScene& scene() const { return window_.graph().graph(); }
   [[nodiscard]] bool EventuallyDimmed() const {
-    return QTest::qWaitFor([&] { return scene().highlight().dimming() == 1; }, kPatience);
+    return QTest::qWaitFor([&] { return scene().highlight().dimming() == 1; }, kTestTimeout);
   }
 };
 
@@ -65,7 +65,8 @@ TEST_F(GraphPicturesTest, RendersALargeGraphZoomedOut) {
   SystemBuilder large = LargeSystem(12, 20);
   store_.replace(large.catalogue());
   EXPECT_TRUE(QTest::qWaitFor(
-      [&] { return !IsAnnouncing(store_) && !window_.graph().graph().isArranging(); }, kPatience));
+      [&] { return !IsAnnouncing(store_) && !window_.graph().graph().isArranging(); },
+      kTestTimeout));
   window_.graph().fit();
   KeepPictures(window_, "graph-far");
 }

@@ -302,11 +302,11 @@ TEST_F(MainWindowTest, OnlyVisibleColumnsAreSubscribed) {
 
   window_.catalogue().tree().reveal("robot/arm/state.Joints");
   EXPECT_TRUE(QTest::qWaitFor([&] { return source_.watched().contains("robot/arm/state.Joints"); },
-                              kPatience));
+                              kTestTimeout));
 
   window_.catalogue().tree().collapse(
       window_.catalogue().tree().model()->index(1, 0));  // the row of robot; desk comes first
-  EXPECT_TRUE(QTest::qWaitFor([&] { return source_.watched().isEmpty(); }, kPatience));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return source_.watched().isEmpty(); }, kTestTimeout));
 }
 
 TEST_F(MainWindowTest, SpacePausesTheView) {
@@ -381,15 +381,15 @@ TEST_F(MainWindowTest, ValuesResumeInTheTreeWhenAProcessReturns) {
   const QString column = "robot/arm/state.Joints";
   const auto watched = [&] { return source_.watched().contains(column); };
   window_.catalogue().tree().reveal(column);
-  ASSERT_TRUE(QTest::qWaitFor(watched, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor(watched, kTestTimeout));
   system_.Process("robot", ProcessState::kLost, 1);
   Show();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !watched(); }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !watched(); }, kTestTimeout));
 
   system_.Process("robot");
   Show();
 
-  EXPECT_TRUE(QTest::qWaitFor(watched, kPatience));
+  EXPECT_TRUE(QTest::qWaitFor(watched, kTestTimeout));
 }
 
 TEST_F(MainWindowTest, WrapsALongReason) {
@@ -407,7 +407,7 @@ TEST_F(MainWindowTest, WrapsALongReason) {
                   "been heard of it since");
   Show();
 
-  EXPECT_TRUE(QTest::qWaitFor([&] { return reason->height() > 2 * line; }, kPatience));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return reason->height() > 2 * line; }, kTestTimeout));
 }
 
 TEST_F(MainWindowTest, ALostProcessCanBeForgotten) {

@@ -78,7 +78,7 @@ TEST_F(OldValues, AreMarkedInEveryViewDuringASuspension) {
   const auto* values = window_.findChild<QTreeView*>("inspector.values");
   EXPECT_TRUE(values->model()->index(0, 0).data(kStaleRole).toBool());
   EXPECT_TRUE(values->model()->index(0, 0).data(kDetailRole).toString().startsWith("suspended · "));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return LegendOf(0).old; }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return LegendOf(0).old; }, kTestTimeout));
   EXPECT_TRUE(LegendOf(0).name.contains("suspended · ")) << LegendOf(0).name.toStdString();
   EXPECT_FALSE(LegendOf(0).value.isEmpty()) << "the last value stands, as old";
 }
@@ -87,13 +87,13 @@ TEST_F(OldValues, AreLiveAgainOnceTheComponentRuns) {
   using namespace std::chrono_literals;
   SendRow(4000ms);
   Let(ComponentState::kSuspended);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return LegendOf(0).old; }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return LegendOf(0).old; }, kTestTimeout));
 
   Let(ComponentState::kActive);
   SendRow(0ms);
 
   EXPECT_FALSE(window_.catalogueModel().indexOf(kVelocity).data(kStaleRole).toBool());
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !LegendOf(0).old; }, kPatience));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !LegendOf(0).old; }, kTestTimeout));
   const Curve& curve = *window_.plots().currentPlot().curve(kVelocity);
   ASSERT_EQ(curve.samples().gaps().size(), 1u);
   EXPECT_EQ(curve.samples().gaps()[0].cause, Gap::Cause::kStandstill);

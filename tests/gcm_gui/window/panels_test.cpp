@@ -42,7 +42,7 @@ TEST_F(PanelsTest, AMovablePanelCanBeDragged) {
   Drag(dock("Inspector"), {8, window_.height() / 2});
 
   EXPECT_EQ(AreaOf("Inspector"), Qt::LeftDockWidgetArea);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !dock("Inspector").isFloating(); }, kPatience));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !dock("Inspector").isFloating(); }, kTestTimeout));
   EXPECT_TRUE(dock("Inspector").isVisible());
 }
 

@@ -49,7 +49,7 @@ TEST_F(PictureValuesTest, ShowsAnImageBelowTheNumbersOfItsComponent) {
     }
     return nullptr;
   };
-  ASSERT_TRUE(QTest::qWaitFor([&] { return shown() != nullptr; }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return shown() != nullptr; }, kTestTimeout));
   EXPECT_EQ(shown()->words(), "Joints · 640 × 480 rgb8");
   for (const auto& [choice, name] :
        {std::pair{Theme::Choice::kDark, "dark"}, std::pair{Theme::Choice::kLight, "light"}}) {

@@ -15,14 +15,14 @@ WindowFixture::WindowFixture(std::int64_t lost_since) : system_(LookSystem(lost_
   Show();
   window_.show();
   window_.activateWindow();
-  (void)QTest::qWaitForWindowActive(&window_, kPatience);
+  (void)QTest::qWaitForWindowActive(&window_, kTestTimeout);
 }
 
 void WindowFixture::Show() {
   store_.apply(system_.TakeChanges());
   EXPECT_TRUE(QTest::qWaitFor(
       [this] { return !IsAnnouncing(store_) && !window_.graph().graph().isArranging(); },
-      kPatience));
+      kTestTimeout));
 }
 
 WindowParts WindowFixture::Parts() {

@@ -13,7 +13,7 @@
 
 namespace tendon::gui {
 
-inline constexpr int kPatience = 120'000;  // ms; bounds a test that fails
+inline constexpr int kTestTimeout = 120'000;  // ms; bounds a test that fails
 
 /// A whole window with a system that exists only as a catalogue.
 class WindowFixture : public ::testing::Test {

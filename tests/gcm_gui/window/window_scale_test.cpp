@@ -36,7 +36,7 @@ class WindowScaleTest : public WindowFixture {
   /// Processes events until `done` is true, and reports the longest turn of the event loop.
   template <typename Done>
   void TimeTurns(const char* what, Done done) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(kPatience);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(kTestTimeout);
     std::chrono::nanoseconds longest{0};
     while (!done() && std::chrono::steady_clock::now() < end) {
       const auto before = os::ThreadCpuTime();

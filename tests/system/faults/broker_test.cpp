@@ -87,7 +87,7 @@ TEST_P(BrokerTest, TheBrokerSurvivesMalformedIceMessages) {
   const auto place = tendon::ParseAddress(broker_address_, 1);
 
   for (const auto& [name, attack] : tendon::ice::Attacks()) {
-    const auto socket = tendon::os::ConnectTo(place->host, place->port, Patience());
+    const auto socket = tendon::os::ConnectTo(place->host, place->port, Timeout());
     ASSERT_TRUE(socket) << name << ": " << socket.error().message;
     (void)tendon::os::SendSome(*socket, attack);
   }

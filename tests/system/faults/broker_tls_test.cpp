@@ -106,7 +106,7 @@ TEST_P(CertifiedBroker, ABrokerDropsMessagesPublishedByAViewer) {
         of_viewer += static_cast<int>(message.front() == std::byte{1});
         of_operator += static_cast<int>(message.front() == std::byte{2});
       },
-      Patience());
+      Timeout());
   ASSERT_TRUE(reception.ok()) << reception.error().message;
   ASSERT_TRUE(Eventually([&] { return !log.texts().empty(); })) << "nobody says that it is refused";
 

@@ -87,7 +87,7 @@ TEST_P(HungLcm, AResumedLcmDoesNotExecuteExpiredCommands) {
     viewer_->ExecuteLifecycleOrder({.verb = tendon::LifecycleVerb::kStop,
                                     .process = "robot",
                                     .component = "ledger",
-                                    .patience = std::chrono::milliseconds(200)},
+                                    .timeout = std::chrono::milliseconds(200)},
                                    std::move(handler));
   });
   robot_->Signal(SIGCONT);
@@ -110,12 +110,12 @@ TEST_P(HungLcm, AStoppedLcmAndGcmDoNotBlockOtherProcesses) {
                                   {.instance = tendon::os::RandomNumber(),
                                    .name = "asker",
                                    .cookie = *tendon::LoopbackCookie()},
-                                  std::make_shared<tendon::ChannelHandler>(), Patience());
+                                  std::make_shared<tendon::ChannelHandler>(), Timeout());
   ASSERT_TRUE(desk) << desk.error().message;
   const tendon::InterfaceName client("desk", "client", "Ledger");
   const auto says = [&](const std::string& words) {
     const auto counts = (*desk)->Call<tendon::ConnectionCounts>(
-        tendon::message::kGetCounts, 0, tendon::message::GetCounts{client}, Patience());
+        tendon::message::kGetCounts, 0, tendon::message::GetCounts{client}, Timeout());
     return !counts && counts.error().message.find(words) != std::string::npos;
   };
   gcm_->Signal(SIGSTOP);

@@ -88,7 +88,7 @@ class Overload : public FaultTest {
       const std::shared_ptr<tendon::GcmListener>& listener) const {
     auto viewer = std::make_unique<tendon::GcmClient>(
         NewMiddleware(),
-        tendon::GcmClient::Options{.name = "other", .address = gcm_address_, .timeout = Patience()},
+        tendon::GcmClient::Options{.name = "other", .address = gcm_address_, .timeout = Timeout()},
         listener);
     EXPECT_TRUE(viewer->WaitUntilWatching().ok());
     return viewer;

@@ -58,7 +58,7 @@ class SaveLastFaults : public FaultTest {
                 "--gcm",
                 gcm_address_,
                 "--timeout",
-                std::to_string(Patience().count() / 4),
+                std::to_string(Timeout().count() / 4),
                 "--middleware",
                 GetParam(),
                 "--json",
@@ -73,7 +73,7 @@ class SaveLastFaults : public FaultTest {
   }
   /// Waits for the end of `gcm save-last`. Expects that it has written an intact file.
   static void Finish(Program& saving, const fs::path& path, Saved& saved) {
-    const auto exit_code = saving.Wait(std::chrono::ceil<std::chrono::seconds>(3 * Patience()));
+    const auto exit_code = saving.Wait(std::chrono::ceil<std::chrono::seconds>(3 * Timeout()));
     saved.outcome = {exit_code.value_or(-1), saving.out(), saving.err()};
     saved.report = json::parse(saved.outcome.out, nullptr, false);
     ASSERT_FALSE(saved.report.is_discarded()) << saved.outcome.out << saved.outcome.err;

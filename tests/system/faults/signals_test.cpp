@@ -19,7 +19,7 @@ class Signals : public FaultTest {
     std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(moment(random_)));
     const Stopwatch since_told;
     program.Signal(signal);
-    const auto exit_code = program.Wait(std::chrono::ceil<std::chrono::seconds>(Patience()));
+    const auto exit_code = program.Wait(std::chrono::ceil<std::chrono::seconds>(Timeout()));
     EXPECT_TRUE(exit_code) << "it goes on";
     // Before main() handles the signals, a signal kills the program.
     EXPECT_THAT(exit_code.value_or(-1), AnyOf(0, 128 + signal)) << program.err();

@@ -77,7 +77,7 @@ class UntrustedPeers : public FaultTest {
  protected:
   static os::Socket Knock(const std::string& address) {
     const auto place = tendon::ParseAddress(address, 1);
-    auto socket = os::ConnectTo(place->host, place->port, Patience());
+    auto socket = os::ConnectTo(place->host, place->port, Timeout());
     EXPECT_TRUE(socket) << socket.error().message;
     return socket ? *std::move(socket) : os::Socket();
   }
@@ -183,7 +183,7 @@ TEST_P(UntrustedPeers, AnotherProtocolVersionIsRefusedWithAReason) {
   for (const std::string& port : ports_) {
     for (const int version : {kOurs + 1, kOurs - 1}) {
       const auto listener = std::make_shared<RefusalListener>();
-      const auto link = middleware->Open(port, listener, Patience());
+      const auto link = middleware->Open(port, listener, Timeout());
       ASSERT_TRUE(link) << link.error().message;
       EXPECT_TRUE((*link)->Send(HelloOfVersion(static_cast<std::uint16_t>(version))));
       EXPECT_TRUE(Eventually([&] { return listener->refusal().has_value(); }));
@@ -221,7 +221,7 @@ TEST_P(UntrustedPeers, AConnectionFloodIsServedAndIdleOnesAreClosed) {
       threads.emplace_back([&] {
         while (left-- > 0) {
           const auto channel = Channel::Open(*middleware, gcm_address_, hello,
-                                             std::make_shared<ChannelHandler>(), Patience());
+                                             std::make_shared<ChannelHandler>(), Timeout());
           if (channel) ++served;
         }
       });
@@ -250,7 +250,7 @@ TEST_P(UntrustedPeers, OutOfDescriptorsKeepsOldConnectionsAndDelaysNewOnes) {
   const auto place = tendon::ParseAddress(gcm_address_, 1);
   // They wait or are refused, because Ice stops listening for a second.
   for (int i = 0; i < 30; ++i) {
-    if (auto one = os::ConnectTo(place->host, place->port, Patience())) {
+    if (auto one = os::ConnectTo(place->host, place->port, Timeout())) {
       crowd.push_back(*std::move(one));
     }
   }
@@ -301,10 +301,10 @@ TEST_P(UntrustedPeers, OutOfMemoryKeepsConnectionsAndRefusesALargeMessage) {
   const tendon::Hello hello{.instance = 1, .name = "giant", .cookie = *tendon::LoopbackCookie()};
   const auto ask = [&]() -> tendon::Error {
     const auto channel = Channel::Open(*middleware, gcm_address_, hello,
-                                       std::make_shared<ChannelHandler>(), Patience());
+                                       std::make_shared<ChannelHandler>(), Timeout());
     if (!channel) return channel.error();
     return (*channel)
-        ->Call(tendon::message::kJoin, 0, Bytes(tendon::kMaxPayload), Patience())
+        ->Call(tendon::message::kJoin, 0, Bytes(tendon::kMaxPayload), Timeout())
         .error();
   };
   rlimit limit{};

@@ -113,8 +113,8 @@ int WaitForEnd(pid_t child) {
 
 Result<ProgramOutcome> RunProgram(const std::filesystem::path& program,
                                   const std::vector<std::string>& arguments,
-                                  std::chrono::milliseconds patience) {
-  const auto deadline = WaitClock::now() + patience;
+                                  std::chrono::milliseconds timeout) {
+  const auto deadline = WaitClock::now() + timeout;
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) {
     return Error{ErrorCode::kFailed, std::string("cannot create a pipe: ") + std::strerror(errno)};
@@ -132,7 +132,7 @@ Result<ProgramOutcome> RunProgram(const std::filesystem::path& program,
   const int status = WaitForEnd(child);
   if (!ended) {
     return Error{ErrorCode::kTimeout,
-                 program.string() + " did not end in " + Milliseconds(patience)};
+                 program.string() + " did not end in " + Milliseconds(timeout)};
   }
   ProgramOutcome outcome = OutcomeOf(status);
   outcome.out = std::move(out);

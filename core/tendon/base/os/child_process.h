@@ -21,10 +21,10 @@ struct ProgramOutcome {
 
 /// Runs a program as a separate process and waits until it ends. The program has no input, and its
 /// error output is discarded. Errors: kFailed if the program cannot be run, kTimeout if it was
-/// killed because it did not end within `patience`.
+/// killed because it did not end within `timeout`.
 Result<ProgramOutcome> RunProgram(const std::filesystem::path& program,
                                   const std::vector<std::string>& arguments,
-                                  std::chrono::milliseconds patience);
+                                  std::chrono::milliseconds timeout);
 
 /// A program that runs as a separate process and continues when this object, or this process, ends.
 /// The program has its own session, so signals of this process's terminal do not reach it. It has

@@ -72,11 +72,11 @@ void Keyboard::Prepare() noexcept {
 
 void Keyboard::Restore() noexcept { tcsetattr(STDIN_FILENO, TCSANOW, &former_->settings); }
 
-std::optional<char> Keyboard::NextKey(std::chrono::milliseconds patience) noexcept {
+std::optional<char> Keyboard::NextKey(std::chrono::milliseconds timeout) noexcept {
   if (!former_) return std::nullopt;
   std::array<pollfd, 2> wait = {{{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0},
                                  {.fd = signal_pipe[0], .events = POLLIN, .revents = 0}}};
-  if (poll(wait.data(), wait.size(), static_cast<int>(patience.count())) <= 0) return std::nullopt;
+  if (poll(wait.data(), wait.size(), static_cast<int>(timeout.count())) <= 0) return std::nullopt;
   if (wait[1].revents != 0) TakeSignals();
   if (wait[0].revents == 0) return std::nullopt;
   char key = 0;
@@ -103,9 +103,9 @@ void Keyboard::Pause() noexcept {
   Prepare();
 }
 
-bool IsKeyPressed(std::chrono::milliseconds patience) noexcept {
+bool IsKeyPressed(std::chrono::milliseconds timeout) noexcept {
   pollfd input{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
-  return poll(&input, 1, static_cast<int>(patience.count())) > 0;
+  return poll(&input, 1, static_cast<int>(timeout.count())) > 0;
 }
 
 }  // namespace tendon::os

@@ -17,9 +17,9 @@ class Keyboard {
   ~Keyboard();
 
   /// Waits for the next key and returns its letter. Returns nothing if no key is pressed within
-  /// `patience` or there is no terminal. A change of the terminal's size, a request to pause and
+  /// `timeout` or there is no terminal. A change of the terminal's size, a request to pause and
   /// the end of a pause end the wait early.
-  std::optional<char> NextKey(std::chrono::milliseconds patience) noexcept;
+  std::optional<char> NextKey(std::chrono::milliseconds timeout) noexcept;
 
   /// Returns true, once, after Ctrl-Z was pressed or a pause was requested in another way.
   [[nodiscard]] bool TakePause() noexcept;
@@ -36,8 +36,8 @@ class Keyboard {
   bool is_pause_requested_ = false;
 };
 
-/// True if the standard input has data, or has ended. Waits for at most `patience`; a signal ends
+/// True if the standard input has data, or has ended. Waits for at most `timeout`; a signal ends
 /// the wait early.
-[[nodiscard]] bool IsKeyPressed(std::chrono::milliseconds patience) noexcept;
+[[nodiscard]] bool IsKeyPressed(std::chrono::milliseconds timeout) noexcept;
 
 }  // namespace tendon::os

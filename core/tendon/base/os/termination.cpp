@@ -56,11 +56,11 @@ int WaitForTermination() noexcept {
   return signal;
 }
 
-bool TerminationRequested(std::chrono::milliseconds patience) noexcept {
-  if (interruption != nullptr) return interruption->Take(patience);
+bool TerminationRequested(std::chrono::milliseconds timeout) noexcept {
+  if (interruption != nullptr) return interruption->Take(timeout);
   const sigset_t signals = TerminationSignals();
-  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(patience);
-  const timespec limit{seconds.count(), std::chrono::nanoseconds(patience - seconds).count()};
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(timeout);
+  const timespec limit{seconds.count(), std::chrono::nanoseconds(timeout - seconds).count()};
   if (sigtimedwait(&signals, nullptr, &limit) <= 0) return false;
   was_termination_requested.store(true, std::memory_order_relaxed);
   LetThrough();
@@ -102,9 +102,9 @@ void Interruption::Request() noexcept {
   change_.notify_all();
 }
 
-bool Interruption::Take(std::chrono::milliseconds patience) noexcept {
+bool Interruption::Take(std::chrono::milliseconds timeout) noexcept {
   std::unique_lock lock(mutex_);
-  change_.wait_for(lock, patience, [this] { return is_requested_; });
+  change_.wait_for(lock, timeout, [this] { return is_requested_; });
   return std::exchange(is_requested_, false);
 }
 

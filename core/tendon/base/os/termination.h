@@ -15,9 +15,9 @@ void HoldTerminationSignals() noexcept;
 /// ends the process at once.
 int WaitForTermination() noexcept;
 
-/// True if the process is asked to terminate; waits for at most `patience`. A second signal then
+/// True if the process is asked to terminate; waits for at most `timeout`. A second signal then
 /// ends the process at once.
-bool TerminationRequested(std::chrono::milliseconds patience) noexcept;
+bool TerminationRequested(std::chrono::milliseconds timeout) noexcept;
 
 /// True if a signal has asked the process to terminate since HoldTerminationSignals(), even if
 /// TerminationRequested() or WaitForTermination() has already reported it.
@@ -52,8 +52,8 @@ class Interruption {
 
   /// Requests the end of the work. Take() reports the request once. Any thread.
   void Request() noexcept;
-  /// True if Request() was called since the last call; waits for at most `patience`.
-  bool Take(std::chrono::milliseconds patience) noexcept;
+  /// True if Request() was called since the last call; waits for at most `timeout`.
+  bool Take(std::chrono::milliseconds timeout) noexcept;
   /// Discards a pending request.
   void Forget() noexcept;
 

@@ -101,7 +101,7 @@ Result<ProcessLinks::SharedChannel> ProcessLinks::TryOpen(const std::string& pro
       .instance = os::RandomNumber(), .name = options_.name, .wanted = process, .cookie = *cookie};
   const auto handler = std::make_shared<Handler>(weak_from_this(), listener_, options_.role);
   const std::string who = "process '" + process + "' does not answer at " + there->address;
-  auto channel = Channel::Open(middleware_, there->address, mine, handler, options_.patience);
+  auto channel = Channel::Open(middleware_, there->address, mine, handler, options_.timeout);
   if (!channel) return Error{channel.error().code, who + ": " + channel.error().message};
   if ((*channel)->peer().instance == there->instance) return channel;
   (*channel)->Close();

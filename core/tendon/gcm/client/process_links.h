@@ -32,7 +32,7 @@ class ProcessLinks final : public std::enable_shared_from_this<ProcessLinks> {
   struct Options {
     std::string name;
     Role role = Role::kOperator;
-    std::chrono::milliseconds patience{1000};
+    std::chrono::milliseconds timeout{1000};
   };
 
   /// The middleware must exist until Stop() returns.

@@ -123,7 +123,7 @@ void LifecycleOrders::Record(message::HistoryEntry entry, const Result<Lifecycle
   parts_.history.Record(std::move(entry), [done, reply] { done(reply); });
 }
 
-void LifecycleOrders::Undo(const message::HistoryEntry& step, std::chrono::nanoseconds patience,
+void LifecycleOrders::Undo(const message::HistoryEntry& step, std::chrono::nanoseconds timeout,
                            Connect connect, Done<None> done) {
   const message::LifecycleStep& lifecycle = step.lifecycle;
   const auto checked = CheckUndo(parts_.registry.catalogue(), step);
@@ -133,8 +133,8 @@ void LifecycleOrders::Undo(const message::HistoryEntry& step, std::chrono::nanos
     if (claimed) claimed = Claim({lifecycle.process, follower}, claimed);
   }
   if (!claimed) return;
-  UndoPlan plan = PlanUndo(step, patience);
-  const SteadyTime until = SteadyClock().Now() + kUndoOrderTimeouts * Longest(PatienceOf(patience));
+  UndoPlan plan = PlanUndo(step, timeout);
+  const SteadyTime until = SteadyClock().Now() + kUndoOrderTimeouts * Longest(TimeoutOf(timeout));
   const auto start = [locked = locked_, then = std::move(plan.then), until,
                       claimed](const auto& connected) {
     if (!connected || then.empty()) return claimed(connected);
@@ -201,7 +201,7 @@ void LifecycleOrders::SendOrder(LifecycleOrder order, LifecycleDone done) {
   if (auto checked = CheckTarget(parts_.registry.catalogue(), order); !checked) {
     return Reply(std::move(done), Result<LifecycleOutcome>(checked.error()));
   }
-  order.patience = PatienceOf(order.patience);
+  order.timeout = TimeoutOf(order.timeout);
   order.id = ++last_id_;
   sent_[order.id] = {.path = {order.process, order.component}, .verb = order.verb};
   const auto heard = [locked = locked_, order,
@@ -214,19 +214,19 @@ void LifecycleOrders::SendOrder(LifecycleOrder order, LifecycleDone done) {
     }
     done(std::move(obeyed));
   };
-  Send<LifecycleOutcome>(message::kLifecycleOrder, order.process, order, Longest(order.patience),
+  Send<LifecycleOutcome>(message::kLifecycleOrder, order.process, order, Longest(order.timeout),
                          heard);
 }
 
-nanoseconds LifecycleOrders::PatienceOf(nanoseconds asked) const {
+nanoseconds LifecycleOrders::TimeoutOf(nanoseconds asked) const {
   if (asked <= nanoseconds(0)) return timeout_ * 2 / 3;
   return std::min<nanoseconds>(asked, std::chrono::hours(1));
 }
 
 /// Returns how long to wait for the reply to an order. The client waits longer: twice the
-/// patience.
-milliseconds LifecycleOrders::Longest(nanoseconds patience) const {
-  const auto most = std::chrono::ceil<milliseconds>(patience);
+/// timeout.
+milliseconds LifecycleOrders::Longest(nanoseconds timeout) const {
+  const auto most = std::chrono::ceil<milliseconds>(timeout);
   return most + std::min(timeout_, most / 2);
 }
 
@@ -243,15 +243,15 @@ void LifecycleOrders::SendAll(std::vector<LifecycleOrder> orders, SteadyTime unt
         Result<None>(Error{ErrorCode::kFailed, PathOf(first) + " has been ordered to stop, so "
                                                                "it is not started"}));
   }
-  const auto patience = PatienceWithin(PatienceOf(first.patience), until - SteadyClock().Now());
-  if (!patience) {
+  const auto timeout = TimeoutWithin(TimeoutOf(first.timeout), until - SteadyClock().Now());
+  if (!timeout) {
     return Reply(
         std::move(done),
         Result<None>(Error{ErrorCode::kTimeout,
                            "the time limit of the request was reached before the GCM could " +
                                std::string(ToString(first.verb)) + " " + PathOf(first)}));
   }
-  first.patience = *patience;
+  first.timeout = *timeout;
   orders.erase(orders.begin());
   SendOrder(first, [locked = locked_, rest = std::move(orders), until, done](const auto& obeyed) {
     if (!obeyed) return done(obeyed.error());

@@ -41,7 +41,7 @@ class LifecycleOrders : private OrderSender {
     DeferredActions& deferred;
     Worker& worker;  ///< provides timeouts
   };
-  /// `timeout` is the time that the reply to an order may need in addition to the patience of the
+  /// `timeout` is the time that the reply to an order may need in addition to the timeout of the
   /// order.
   LifecycleOrders(Parts parts, Locked locked, std::chrono::milliseconds timeout);
 
@@ -52,7 +52,7 @@ class LifecycleOrders : private OrderSender {
   using Connect = std::function<void(Done<None>)>;
   /// Undoes a step. Calls `connect` without the lock, before it starts components. The undo is not
   /// recorded in the history.
-  void Undo(const message::HistoryEntry& step, std::chrono::nanoseconds patience, Connect connect,
+  void Undo(const message::HistoryEntry& step, std::chrono::nanoseconds timeout, Connect connect,
             Done<None> done);
   /// Called when the process `by` is about to execute an order. If it returns an error, the process
   /// does not execute the order.
@@ -75,8 +75,8 @@ class LifecycleOrders : private OrderSender {
   Done<None> Claim(const Path& path, Done<None> done);
   void CancelStarts(const Path& path);
   void SendOrder(message::LifecycleOrder order, LifecycleDone done);
-  [[nodiscard]] std::chrono::nanoseconds PatienceOf(std::chrono::nanoseconds asked) const;
-  [[nodiscard]] std::chrono::milliseconds Longest(std::chrono::nanoseconds patience) const;
+  [[nodiscard]] std::chrono::nanoseconds TimeoutOf(std::chrono::nanoseconds asked) const;
+  [[nodiscard]] std::chrono::milliseconds Longest(std::chrono::nanoseconds timeout) const;
   void SendAll(std::vector<message::LifecycleOrder> orders, SteadyTime until, Done<None> done);
   void RunAgain(std::vector<message::LifecycleOrder> orders, SteadyTime until, Done<None> done);
   void Record(message::HistoryEntry entry, const Result<message::LifecycleOutcome>& outcome,

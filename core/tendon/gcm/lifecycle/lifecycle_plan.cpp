@@ -219,19 +219,19 @@ Result<void> CheckUndo(const Catalogue& catalogue, const HistoryEntry& step) {
   return {};
 }
 
-std::optional<std::chrono::nanoseconds> PatienceWithin(std::chrono::nanoseconds patience,
-                                                       std::chrono::nanoseconds left) {
+std::optional<std::chrono::nanoseconds> TimeoutWithin(std::chrono::nanoseconds timeout,
+                                                      std::chrono::nanoseconds left) {
   const std::chrono::nanoseconds most = left * 2 / 3;
   if (most < std::chrono::milliseconds(1)) return std::nullopt;
-  return std::min(patience, most);
+  return std::min(timeout, most);
 }
 
-UndoPlan PlanUndo(const HistoryEntry& step, std::chrono::nanoseconds patience) {
+UndoPlan PlanUndo(const HistoryEntry& step, std::chrono::nanoseconds timeout) {
   const LifecycleStep& lifecycle = step.lifecycle;
   LifecycleOrder order{.process = lifecycle.process,
                        .instance = step.instance,
                        .component = lifecycle.component,
-                       .patience = patience};
+                       .timeout = timeout};
   UndoPlan plan;
   if (step.verb == ToString(LifecycleVerb::kCreate)) {
     order.verb = LifecycleVerb::kRemove;

@@ -55,15 +55,15 @@ struct UndoPlan {
   std::vector<message::LifecycleOrder> then;
 };
 
-/// Returns the time limit for an order: at most `patience`, but short enough that the reply
+/// Returns the time limit for an order: at most `timeout`, but short enough that the reply
 /// arrives within `left`. The reply to an order may take one and a half times its time limit.
 /// Returns nothing if too little time is left.
-[[nodiscard]] std::optional<std::chrono::nanoseconds> PatienceWithin(
-    std::chrono::nanoseconds patience, std::chrono::nanoseconds left);
+[[nodiscard]] std::optional<std::chrono::nanoseconds> TimeoutWithin(
+    std::chrono::nanoseconds timeout, std::chrono::nanoseconds left);
 
-/// Returns the orders that undo a step. Each order has the time limit `patience`, and is valid only
+/// Returns the orders that undo a step. Each order has the time limit `timeout`, and is valid only
 /// for the process instance that made the step.
 [[nodiscard]] UndoPlan PlanUndo(const message::HistoryEntry& step,
-                                std::chrono::nanoseconds patience);
+                                std::chrono::nanoseconds timeout);
 
 }  // namespace tendon

@@ -146,8 +146,8 @@ void ConnectionOrders::Undo(const message::StepSelection& which, const std::stri
     locked(
         [&](ConnectionOrders& orders) { orders.FinishUndo(step, who, OutcomeOf(outcome), done); });
   };
-  if (IsProcessStep(*step)) return parts_.supervisor.Undo(*step, which.patience, finish);
-  if (IsLifecycleStep(*step)) return UndoLifecycle(*step, which.patience, finish);
+  if (IsProcessStep(*step)) return parts_.supervisor.Undo(*step, which.timeout, finish);
+  if (IsLifecycleStep(*step)) return UndoLifecycle(*step, which.timeout, finish);
   UndoWire(*step, who, finish);
 }
 
@@ -339,11 +339,11 @@ void ConnectionOrders::SendBreak(const InterfaceName& required, Done<None> done)
 }
 
 void ConnectionOrders::UndoLifecycle(const message::HistoryEntry& step,
-                                     std::chrono::nanoseconds patience, const Done<None>& done) {
+                                     std::chrono::nanoseconds timeout, const Done<None>& done) {
   const auto connect = [locked = locked_, step](const Done<None>& connected) {
     locked([&](ConnectionOrders& orders) { orders.MakeAgain(step, connected); });
   };
-  parts_.lifecycle.Undo(step, patience, connect, done);
+  parts_.lifecycle.Undo(step, timeout, connect, done);
 }
 
 /// Restores the connections of a component that was created again. If a connection cannot be

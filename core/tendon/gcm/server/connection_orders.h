@@ -96,7 +96,7 @@ class ConnectionOrders : private OrderSender {
 
   [[nodiscard]] Result<message::HistoryEntry> Newest(const message::StepSelection& which) const;
   void UndoWire(const message::HistoryEntry& step, const std::string& who, const ConnectDone& done);
-  void UndoLifecycle(const message::HistoryEntry& step, std::chrono::nanoseconds patience,
+  void UndoLifecycle(const message::HistoryEntry& step, std::chrono::nanoseconds timeout,
                      const Done<None>& done);
   void MakeAgain(const message::HistoryEntry& step, const Done<None>& done);
   [[nodiscard]] Result<void> CheckUndo(const message::HistoryEntry& step) const;

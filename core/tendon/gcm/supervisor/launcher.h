@@ -43,8 +43,8 @@ class Launcher {
   /// The process to start.
   struct Order {
     std::string process;
-    std::chrono::milliseconds patience{0};  ///< the time within which the process must find the GCM
-    std::optional<SystemFile> system{};     ///< the components to create
+    std::chrono::milliseconds timeout{0};  ///< the time within which the process must find the GCM
+    std::optional<SystemFile> system{};    ///< the components to create
   };
 
   virtual ~Launcher() = default;

@@ -86,8 +86,8 @@ Result<std::shared_ptr<StartedProcess>> LcmLauncher::Start(const Order& order) {
   }
   fs::create_directories(folder_, reason);
   fs::permissions(folder_, fs::perms::owner_all, reason);
-  std::vector<std::string> words = {
-      "--name", order.process, "--gcm", gcm_, "--timeout", std::to_string(order.patience.count())};
+  std::vector<std::string> words = {"--name", order.process, "--gcm",
+                                    gcm_,     "--timeout",   std::to_string(order.timeout.count())};
   for (std::string& word : launch_.options(order.process)) words.push_back(std::move(word));
   if (order.system) {
     const fs::path file = FileOf(order.process, ".json");

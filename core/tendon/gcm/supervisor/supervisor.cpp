@@ -21,7 +21,7 @@ using std::chrono::milliseconds;
 /// killed.
 constexpr std::chrono::seconds kLongestEnd(2);
 
-milliseconds PatienceOf(std::chrono::nanoseconds asked) {
+milliseconds TimeoutOf(std::chrono::nanoseconds asked) {
   constexpr milliseconds kUsual(6000);
   constexpr std::chrono::hours kLongest(1);
   if (asked <= std::chrono::nanoseconds(0)) return kUsual;
@@ -56,7 +56,7 @@ void Supervisor::ExecuteOrder(const message::ProcessOrder& order, const std::str
     return Reply(std::move(done), valid.error());
   }
   if (order.verb == ProcessVerb::kStart) return Start(order, who, std::move(done));
-  Kill(order.process, PatienceOf(order.patience), std::move(done));
+  Kill(order.process, TimeoutOf(order.timeout), std::move(done));
 }
 
 void Supervisor::Tick() {
@@ -98,16 +98,16 @@ Result<void> Supervisor::CheckUndo(const message::HistoryEntry& step) const {
   return Refused(process, "now has components, such as " + entry->components.begin()->first);
 }
 
-void Supervisor::Undo(const message::HistoryEntry& step, std::chrono::nanoseconds patience,
+void Supervisor::Undo(const message::HistoryEntry& step, std::chrono::nanoseconds timeout,
                       Done done) {
-  Kill(step.lifecycle.process, PatienceOf(patience), std::move(done));
+  Kill(step.lifecycle.process, TimeoutOf(timeout), std::move(done));
 }
 
 void Supervisor::Start(const message::ProcessOrder& order, const std::string& who, Done done) {
   if (auto free = CheckStart(order.process); !free) return Reply(std::move(done), free.error());
   Child& child = children_[order.process];
   child = {.restart = order.restart,
-           .patience = PatienceOf(order.patience),
+           .timeout = TimeoutOf(order.timeout),
            .who = who,
            .done = std::move(done)};
   Launch(order.process, child);
@@ -154,7 +154,7 @@ Result<void> Supervisor::CheckKill(const std::string& process) const {
                      description.host + " by: kill " + std::to_string(description.pid));
 }
 
-void Supervisor::Kill(const std::string& process, milliseconds patience, Done done) {
+void Supervisor::Kill(const std::string& process, milliseconds timeout, Done done) {
   if (auto ours = CheckKill(process); !ours) return Reply(std::move(done), ours.error());
   Child& child = children_.at(process);
   if (child.phase == Phase::kPausing) {
@@ -165,7 +165,7 @@ void Supervisor::Kill(const std::string& process, milliseconds patience, Done do
   child.done = std::move(done);
   child.is_unwanted = true;
   child.phase = Phase::kEnding;
-  child.until = parts_.clock.Now() + patience;
+  child.until = parts_.clock.Now() + timeout;
   child.program->Terminate();
 }
 
@@ -174,7 +174,7 @@ void Supervisor::Launch(const std::string& process, Child& child) {
   child.is_changed = false;
   child.fault.clear();
   parts_.registry.Expect(process, 0);
-  const Launcher::Order order{process, child.patience, child.system};
+  const Launcher::Order order{process, child.timeout, child.system};
   worker_.Post([launcher = parts_.launcher, locked = locked_, order] {
     const auto program =
         Guarded<std::shared_ptr<StartedProcess>>([&] { return launcher->Start(order); });
@@ -199,7 +199,7 @@ void Supervisor::Begin(const std::string& process,
   child.program = *program;
   child.phase = Phase::kJoining;
   child.begin = parts_.clock.Now();
-  child.until = child.begin + child.patience;
+  child.until = child.begin + child.timeout;
 }
 
 void Supervisor::Check(const std::string& process, Child& child) {
@@ -216,7 +216,7 @@ void Supervisor::Check(const std::string& process, Child& child) {
   switch (child.phase) {
     case Phase::kJoining:
       if (IsMember(process, child)) return OnJoined(process, child);
-      if (is_over) EndFaulty(child, "has not joined within " + Milliseconds(child.patience));
+      if (is_over) EndFaulty(child, "has not joined within " + Milliseconds(child.timeout));
       return;
     case Phase::kEnding:
       if (is_over) child.program->Kill();

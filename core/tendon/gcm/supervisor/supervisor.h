@@ -65,7 +65,7 @@ class Supervisor {
   [[nodiscard]] Result<void> CheckUndo(const message::HistoryEntry& step) const;
   /// Undoes a step that started a process: ends the process. The undo is not recorded in the
   /// history.
-  void Undo(const message::HistoryEntry& step, std::chrono::nanoseconds patience, Done done);
+  void Undo(const message::HistoryEntry& step, std::chrono::nanoseconds timeout, Done done);
 
  private:
   enum class Phase {
@@ -80,7 +80,7 @@ class Supervisor {
 
   struct Child {
     RestartPolicy restart = RestartPolicy::kNever;
-    std::chrono::milliseconds patience{0};  ///< time limit for joining
+    std::chrono::milliseconds timeout{0};  ///< time limit for joining
     std::string who{};
     Done done{};  ///< called when the process has joined or ended
     Phase phase = Phase::kStarting;
@@ -97,7 +97,7 @@ class Supervisor {
   };
 
   void Start(const message::ProcessOrder& order, const std::string& who, Done done);
-  void Kill(const std::string& process, std::chrono::milliseconds patience, Done done);
+  void Kill(const std::string& process, std::chrono::milliseconds timeout, Done done);
   [[nodiscard]] Result<void> CheckStart(const std::string& process) const;
   [[nodiscard]] Result<void> CheckKill(const std::string& process) const;
   void Launch(const std::string& process, Child& child);

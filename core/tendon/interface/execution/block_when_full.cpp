@@ -8,7 +8,7 @@ thread_local SteadyTime waits_until = SteadyTime::min();
 }  // namespace
 
 BlockWhenFull::BlockWhenFull() noexcept : before_(waits_until) {
-  if (before_ == SteadyTime::min()) waits_until = SteadyClock().Now() + kPatience;
+  if (before_ == SteadyTime::min()) waits_until = SteadyClock().Now() + kMaxWait;
 }
 
 BlockWhenFull::~BlockWhenFull() { waits_until = before_; }

@@ -7,12 +7,12 @@
 namespace tendon {
 
 /// While this object exists, calls and events of its thread wait for room in a full mailbox instead
-/// of being refused, at most kPatience in total. Used during Cleanup(), because a full mailbox must
+/// of being refused, at most kMaxWait in total. Used during Cleanup(), because a full mailbox must
 /// not refuse its last command, such as a stop. Cleanup() may wait, because the cycles of its
 /// component have ended.
 class BlockWhenFull {
  public:
-  static constexpr std::chrono::milliseconds kPatience{800};
+  static constexpr std::chrono::milliseconds kMaxWait{800};
 
   BlockWhenFull() noexcept;
   BlockWhenFull(const BlockWhenFull&) = delete;

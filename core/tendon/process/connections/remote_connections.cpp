@@ -354,7 +354,7 @@ Result<void> RemoteConnections::Disconnect(const InterfaceName& required) {
     }
     auto ended = entries_.extract(found);
     done = std::move(ended.mapped().done);
-    TakeDown(ended.mapped(), SteadyClock().Now() + LocalManager::kDrainPatience);
+    TakeDown(ended.mapped(), SteadyClock().Now() + LocalManager::kDrainTimeout);
   }
   context_.process.StructureChanged();
   if (done) {  // called on the worker, because this thread may hold the lock

@@ -196,7 +196,7 @@ void ServedConnections::RemoveComponent(const std::string& component) {
     // the channel is closed instead, and the client opens it again.
     if (sent == Status(Status::kQueueFull)) channel.Close();
   }
-  const SteadyTime deadline = SteadyClock().Now() + LocalManager::kDrainPatience;
+  const SteadyTime deadline = SteadyClock().Now() + LocalManager::kDrainTimeout;
   TakeDownWhere(entries_, is_of_it, deadline);
   TakeDownWhere(hanging_, is_of_it, deadline);
 }
@@ -217,7 +217,7 @@ void ServedConnections::Close(SteadyTime deadline) {
 template <typename Predicate>
 void ServedConnections::CloseWhere(Predicate predicate) {
   const auto lock = context_.process.LockStructure();
-  const SteadyTime deadline = SteadyClock().Now() + LocalManager::kDrainPatience;
+  const SteadyTime deadline = SteadyClock().Now() + LocalManager::kDrainTimeout;
   const bool none_hung = hanging_.empty();
   for (auto entry = entries_.begin(); entry != entries_.end();) {
     const auto next = std::next(entry);

@@ -124,14 +124,14 @@ void ProcessHistory::Run() {
     // Cleared only if it was read, so that a later request is kept.
     if (is_urgent) is_urgent_.Set(false);
     const nanoseconds before = os::ThreadCpuTime();
-    nanoseconds patience = kLongestGap;
+    nanoseconds until_next = kLongestGap;
     try {
-      patience = Gather();
+      until_next = Gather();
     } catch (const std::bad_alloc&) {
       // Data that is not copied now is copied later, or counted as missed or dropped.
     }
     pause = std::clamp(is_urgent ? kShortestGap : 2 * pause, kShortestGap,
-                       std::clamp(patience, kShortestGap, kLongestGap));
+                       std::clamp(until_next, kShortestGap, kLongestGap));
     const SteadyTime end = SteadyClock().Now();
     const nanoseconds shortest = std::max(kShortestGap, os::ThreadCpuTime() - before);
     wakeup_.WaitUntil([&] { return is_stopping() || is_urgent_.Get(); },
@@ -146,16 +146,16 @@ std::chrono::nanoseconds ProcessHistory::Gather() {
   GatherLog(now);
   const std::int64_t oldest = InNanoseconds(now - options_.span);
   const std::scoped_lock lock(mutex_);
-  nanoseconds patience = has_more ? nanoseconds(0) : nanoseconds::max();
+  nanoseconds until_next = has_more ? nanoseconds(0) : nanoseconds::max();
   for (const auto& table : tables_) {
     table->ring().DropBefore(oldest);
-    patience = std::min(patience, table->patience());
+    until_next = std::min(until_next, table->until_next_read());
   }
   for (const auto& events : events_) {
     events->Gather();
     events->ring().DropBefore(oldest);
   }
-  return patience;
+  return until_next;
 }
 
 /// Releases the lock after each part of a table. Copies at most about 4 MiB of each table, because

@@ -39,7 +39,7 @@ bool TableHistory::Gather(SteadyTime now) {
   }
   missed_ += rows_->TakeLost();
   const bool has_more = rows_->next_tick() < end;
-  if (!has_more) EstimatePatience(now);
+  if (!has_more) EstimateNextRead(now);
   return has_more;
 }
 
@@ -75,18 +75,18 @@ void TableHistory::ReadCells(const HistoryRecord& record,
   }
 }
 
-/// Sets the patience to a quarter of the time in which the whole table is overwritten at the rate
-/// of the last rows.
-void TableHistory::EstimatePatience(SteadyTime now) {
+/// Sets the time until the next read to a quarter of the time in which the whole table is
+/// overwritten at the rate of the last rows.
+void TableHistory::EstimateNextRead(SteadyTime now) {
   const std::uint64_t next = rows_->next_tick();
   const std::uint64_t written = next - std::exchange(looked_at_tick_, next);
   const std::chrono::duration<double> time = now - std::exchange(looked_, now);
-  patience_ = std::chrono::nanoseconds::max();
+  until_next_read_ = std::chrono::nanoseconds::max();
   if (written == 0) return;
   const auto held = static_cast<double>(next - table_.oldest_tick());
   constexpr double kPart = 0.25;
   constexpr std::chrono::seconds kLongest(10);
-  patience_ =
+  until_next_read_ =
       std::chrono::duration_cast<std::chrono::nanoseconds>(std::min<std::chrono::duration<double>>(
           time * kPart * held / static_cast<double>(written), kLongest));
 }

@@ -36,14 +36,14 @@ class TableHistory {
   bool Gather(SteadyTime now);
   /// Returns the time within which Gather() must be called again, so that no row is overwritten
   /// before. Returns the largest value if there were no new rows.
-  [[nodiscard]] std::chrono::nanoseconds patience() const { return patience_; }
+  [[nodiscard]] std::chrono::nanoseconds until_next_read() const { return until_next_read_; }
 
   /// Fills in the cells of all columns of a record of this ring.
   void ReadCells(const HistoryRecord& record, std::vector<std::span<const std::byte>>& cells) const;
 
  private:
   void Encode();
-  void EstimatePatience(SteadyTime now);
+  void EstimateNextRead(SteadyTime now);
 
   const std::string component_;
   const StateTable& table_;
@@ -55,7 +55,7 @@ class TableHistory {
   std::uint64_t missed_ = 0;
   SteadyTime looked_;                 // the time of the last estimate
   std::uint64_t looked_at_tick_ = 0;  // the next tick at that time
-  std::chrono::nanoseconds patience_ = std::chrono::nanoseconds::max();
+  std::chrono::nanoseconds until_next_read_ = std::chrono::nanoseconds::max();
 };
 
 }  // namespace tendon

@@ -14,12 +14,13 @@ namespace {
 
 using message::LifecycleOrder;
 
-constexpr Patience kLongestPatience = std::chrono::hours(1);
+constexpr std::chrono::nanoseconds kLongestTimeout = std::chrono::hours(1);
 
 /// Returns the time until the deadline, but at least 1 ms, because kNoWait would report success
 /// before the change has happened.
-Patience Left(SteadyTime deadline) {
-  return std::max<Patience>(std::chrono::milliseconds(1), deadline - SteadyClock().Now());
+std::chrono::nanoseconds Left(SteadyTime deadline) {
+  return std::max<std::chrono::nanoseconds>(std::chrono::milliseconds(1),
+                                            deadline - SteadyClock().Now());
 }
 
 std::string WordsFor(const LifecycleOrder& order) {
@@ -75,8 +76,8 @@ class LifecycleExecutor::Claim {
 
 void LifecycleExecutor::ExecuteOrder(const LifecycleOrder& order, Begin begin,
                                      Done<message::LifecycleOutcome> done) {
-  const Patience patience = std::clamp(Patience(order.patience), kNoWait, kLongestPatience);
-  const SteadyTime deadline = SteadyClock().Now() + patience;
+  const std::chrono::nanoseconds timeout = std::clamp(order.timeout, kNoWait, kLongestTimeout);
+  const SteadyTime deadline = SteadyClock().Now() + timeout;
   ThreadPerTask& threads = order.verb == LifecycleVerb::kStop ? stops_ : orders_;
   const auto begun = threads.Do([this, order, begin = std::move(begin), done, deadline] {
     const Outcome outcome = ExecuteGuarded({order, deadline, begin});

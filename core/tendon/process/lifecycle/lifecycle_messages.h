@@ -90,7 +90,7 @@ struct LifecycleOrder {
   bool is_strict = false;
   /// The time limit. An order that has not begun within this time is not executed. If 0, the
   /// program that forwards the order chooses the limit.
-  std::chrono::nanoseconds patience{0};
+  std::chrono::nanoseconds timeout{0};
 };
 
 /// The result of an executed order, and the state before it.
@@ -146,7 +146,7 @@ inline constexpr auto tendon::kPayload<tendon::message::LifecycleOrder> = tendon
     tendon::Field{"thread", &tendon::message::LifecycleOrder::thread},
     tendon::Field{"leader", &tendon::message::LifecycleOrder::leader},
     tendon::Field{"is_strict", &tendon::message::LifecycleOrder::is_strict},
-    tendon::Field{"patience", &tendon::message::LifecycleOrder::patience});
+    tendon::Field{"patience", &tendon::message::LifecycleOrder::timeout});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::LifecycleOutcome> = tendon::Describe(

@@ -32,9 +32,9 @@ void ThreadPerTask::Close() {
   is_stopped_ = true;
 }
 
-bool ThreadPerTask::WaitUntilIdle(std::chrono::milliseconds patience) {
+bool ThreadPerTask::WaitUntilIdle(std::chrono::milliseconds timeout) {
   std::unique_lock lock(mutex_);
-  return changed_.wait_for(lock, patience, [this] { return threads_.empty(); });
+  return changed_.wait_for(lock, timeout, [this] { return threads_.empty(); });
 }
 
 void ThreadPerTask::Stop() {

@@ -30,8 +30,8 @@ class ThreadPerTask {
   Result<void> Do(std::function<void()> task);
   /// From now on, no task is started.
   void Close();
-  /// Returns true if all tasks have ended within `patience`.
-  [[nodiscard]] bool WaitUntilIdle(std::chrono::milliseconds patience);
+  /// Returns true if all tasks have ended within `timeout`.
+  [[nodiscard]] bool WaitUntilIdle(std::chrono::milliseconds timeout);
   /// Calls Close() and waits for running tasks. Must not be called from a task.
   void Stop();
 

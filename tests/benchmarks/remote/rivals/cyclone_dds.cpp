@@ -127,11 +127,11 @@ class Client final : public RivalClient {
   }
 
  private:
-  bool Ask(dds_duration_t patience) {
+  bool Ask(dds_duration_t timeout) {
     const Sample question{.number = ++last_};
     end_.Write(question);
     Sample reply;
-    while (dds_waitset_wait(arrivals_, nullptr, 0, patience) > 0) {
+    while (dds_waitset_wait(arrivals_, nullptr, 0, timeout) > 0) {
       if (end_.Take(reply) && reply.number == question.number) return true;
     }
     return false;

@@ -8,7 +8,7 @@
 namespace tendon::benchmark {
 namespace {
 
-constexpr int kPatience = 10'000;  // ms
+constexpr int kTestTimeout = 10'000;  // ms
 
 /// The ZeroMQ context of one end. Its end also ends the waits in its sockets.
 class Context {
@@ -71,7 +71,7 @@ class Server final : public RivalServer {
 class Client final : public RivalClient {
  public:
   explicit Client(const std::string& address) {
-    Require(zmq_setsockopt(socket_.get(), ZMQ_RCVTIMEO, &kPatience, sizeof(kPatience)) == 0);
+    Require(zmq_setsockopt(socket_.get(), ZMQ_RCVTIMEO, &kTestTimeout, sizeof(kTestTimeout)) == 0);
     Require(zmq_connect(socket_.get(), address.c_str()) == 0);
     Message reply{};
     Read(reply);

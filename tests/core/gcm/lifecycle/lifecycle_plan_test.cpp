@@ -187,11 +187,11 @@ TEST_F(LifecyclePlan, UndoingAStopOfAnOldJournalStartsOnlyIt) {
 
 TEST_F(LifecyclePlan, AnOrderIsAnsweredWithinTheRemainingTime) {
   using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
-  EXPECT_EQ(PatienceWithin(1s, 1min), 1s);
-  EXPECT_EQ(PatienceWithin(1s, 1500ms), 1s);
-  EXPECT_EQ(PatienceWithin(1s, 600ms), 400ms);
-  EXPECT_EQ(PatienceWithin(1s, 1ms), std::nullopt);
-  EXPECT_EQ(PatienceWithin(1s, -1s), std::nullopt);
+  EXPECT_EQ(TimeoutWithin(1s, 1min), 1s);
+  EXPECT_EQ(TimeoutWithin(1s, 1500ms), 1s);
+  EXPECT_EQ(TimeoutWithin(1s, 600ms), 400ms);
+  EXPECT_EQ(TimeoutWithin(1s, 1ms), std::nullopt);
+  EXPECT_EQ(TimeoutWithin(1s, -1s), std::nullopt);
 }
 
 TEST_F(LifecyclePlan, AnUndoIsRefusedIfTheComponentHasChanged) {

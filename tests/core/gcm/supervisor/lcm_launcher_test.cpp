@@ -44,7 +44,7 @@ TEST_F(LcmLauncherTest, StartsTheProgramAndKeepsItsOutput) {
   Script("echo \"$*\"; echo 'no GCM' >&2; exit 3");
   LcmLauncher launcher = Make("0.0.0.0:10705");
 
-  const auto process = launcher.Start({.process = "robot", .patience = 2s});
+  const auto process = launcher.Start({.process = "robot", .timeout = 2s});
 
   ASSERT_TRUE(process) << process.error().message;
   const ProcessEnd end = WaitForEndOf(**process);
@@ -62,7 +62,7 @@ TEST_F(LcmLauncherTest, StartsAProgramInItsOwnSessionAndEndsIt) {
   Script("exec sleep 1000");
   LcmLauncher launcher = Make();
 
-  const auto process = launcher.Start({.process = "robot", .patience = 2s});
+  const auto process = launcher.Start({.process = "robot", .timeout = 2s});
   ASSERT_TRUE(process) << process.error().message;
   const auto pid = static_cast<pid_t>((*process)->pid());
   EXPECT_TRUE(EventuallyTrue([&] { return getsid(pid) == pid; }));
@@ -75,13 +75,13 @@ TEST_F(LcmLauncherTest, StartsAProgramInItsOwnSessionAndEndsIt) {
 TEST_F(LcmLauncherTest, PassesTheSystemFileAndKeepsTheFormerLog) {
   Script("echo \"$*\"");
   LcmLauncher launcher = Make();
-  const auto first = launcher.Start({.process = "robot", .patience = 2s});
+  const auto first = launcher.Start({.process = "robot", .timeout = 2s});
   ASSERT_TRUE(first);
   EXPECT_FALSE(WaitForEndOf(**first).is_failure);
   SystemFile system;
   system.processes.push_back({.name = "robot", .components = {}});
 
-  const auto process = launcher.Start({.process = "robot", .patience = 2s, .system = system});
+  const auto process = launcher.Start({.process = "robot", .timeout = 2s, .system = system});
 
   ASSERT_TRUE(process) << process.error().message;
   WaitForEndOf(**process);
@@ -97,7 +97,7 @@ TEST_F(LcmLauncherTest, RotatesALongLogOfARunningProgram) {
   Script("echo 'a long line'; read -r go < " + fifo + "; echo more; exec sleep 1000");
   LcmLauncher launcher({.program = home_.path() / "lcm", .longest_log = 8}, "127.0.0.1:1",
                        home_.path() / "state");
-  const auto process = launcher.Start({.process = "robot", .patience = 2s});
+  const auto process = launcher.Start({.process = "robot", .timeout = 2s});
   ASSERT_TRUE(process) << process.error().message;
   ASSERT_TRUE(EventuallyTrue([&] { return home_.Read("state/robot.log") == "a long line\n"; }));
 
@@ -119,7 +119,7 @@ TEST_F(LcmLauncherTest, TruncatesALogThatCannotBeRotated) {
   Script("echo 'a long line'; exec sleep 1000");
   LcmLauncher launcher({.program = home_.path() / "lcm", .longest_log = 8}, "127.0.0.1:1",
                        home_.path() / "state");
-  const auto process = launcher.Start({.process = "robot", .patience = 2s});
+  const auto process = launcher.Start({.process = "robot", .timeout = 2s});
   ASSERT_TRUE(process) << process.error().message;
   const std::string log = (home_.path() / "state" / "robot.log").string();
   ASSERT_TRUE(EventuallyTrue([&] { return home_.Read("state/robot.log") == "a long line\n"; }));
@@ -140,7 +140,7 @@ TEST_F(LcmLauncherTest, TruncatesALogThatCannotBeRotated) {
   launcher.ShortenLog("robot");
   EXPECT_EQ(*logged, "");
 
-  const auto second = launcher.Start({.process = "robot", .patience = 2s});
+  const auto second = launcher.Start({.process = "robot", .timeout = 2s});
   ASSERT_TRUE(second) << second.error().message;
   EXPECT_THAT(*logged, HasSubstr("the previous log of process 'robot', " + log +
                                  ", could not be kept as " + log + ".1: "));

@@ -106,7 +106,7 @@ class SupervisorTest : public testing::Test {
   SharedAnswer Order(ProcessVerb verb, RestartPolicy restart = RestartPolicy::kOnFailure) {
     const auto answer = std::make_shared<Answer>();
     const message::ProcessOrder order{
-        .verb = verb, .process = "robot", .restart = restart, .patience = 5s};
+        .verb = verb, .process = "robot", .restart = restart, .timeout = 5s};
     Locked([&] {
       supervisor_.ExecuteOrder(order, "test", [answer](const Result<None>& result) {
         answer->text = result ? "" : result.error().message;

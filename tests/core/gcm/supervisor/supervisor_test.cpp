@@ -24,7 +24,7 @@ TEST_F(SupervisorTest, AStartCompletesWhenTheProcessJoins) {
   const auto reply = Order(ProcessVerb::kStart);
   ASSERT_TRUE(Comes([this] { return launcher_->starts() == 1; }));
   EXPECT_FALSE(launcher_->order().system);
-  EXPECT_EQ(launcher_->order().patience, 5s);
+  EXPECT_EQ(launcher_->order().timeout, 5s);
   EXPECT_FALSE(reply->is_here);
 
   Join();

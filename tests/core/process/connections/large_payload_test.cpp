@@ -154,8 +154,8 @@ TEST_P(LargePayload, IsExecutedDespiteADisconnect) {
   const auto taken = std::chrono::steady_clock::now() - start;
 
   const std::vector executed{"stored " + std::to_string(kPoints)};
-  EXPECT_TRUE(arm->log() == executed || taken >= tendon::LocalManager::kDrainPatience)
-      << "it may be dropped only after an end was out of patience";
+  EXPECT_TRUE(arm->log() == executed || taken >= tendon::LocalManager::kDrainTimeout)
+      << "it may be dropped only after the timeout of an end";
 }
 
 TEST_P(LargePayload, OverTheLimitIsRefusedByTheSender) {

@@ -19,7 +19,7 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-constexpr std::chrono::seconds kRefusalPatience(120);
+constexpr std::chrono::seconds kRefusalTimeout(120);
 
 /// A payload that needs mailbox slots of 64 KiB.
 struct Picture {
@@ -137,7 +137,7 @@ class TypeMismatch : public RemoteConnection {
                       {.instance = tendon::os::RandomNumber(),
                        .name = "desk",
                        .cookie = *tendon::LoopbackCookie()},
-                      std::make_shared<Foreigner>(schema, manner), kRefusalPatience);
+                      std::make_shared<Foreigner>(schema, manner), kRefusalTimeout);
     EXPECT_TRUE(channel.ok()) << channel.error().message;
     OpenInterface open{.required = kRobot, .provided = kControl, .handle = 1, .capacity = 64};
     open.description.name = "Robot";
@@ -147,7 +147,7 @@ class TypeMismatch : public RemoteConnection {
                        tendon::FingerprintOf<tendon::None>()},
          .in_type = schema.name()});
     const auto opened = (*channel)->Call<OpenInterfaceReply>(tendon::message::kOpenInterface, 0,
-                                                             open, kRefusalPatience);
+                                                             open, kRefusalTimeout);
     (*channel)->Close();
     EXPECT_FALSE(opened.ok());
     if (opened.ok()) return "accepted";

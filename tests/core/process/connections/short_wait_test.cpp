@@ -70,7 +70,7 @@ class Porter final : public tendon::Component {
 /// Callers wait for a task that executes commands quickly.
 class ShortWait : public NetworkTest {
  protected:
-  static constexpr auto kPatience = 120s;
+  static constexpr auto kTestTimeout = 120s;
 
   ShortWait() {
     gong = &robot->Add<Gong>("gong");
@@ -90,10 +90,11 @@ class ShortWait : public NetworkTest {
   std::future<Status> WaitForStick() {
     constexpr int kSoonDone = 20;
     for (int i = 0; i < kSoonDone; ++i) {
-      EXPECT_EQ(porter->stick.Wait(kPatience), Status(Status::kDone));
+      EXPECT_EQ(porter->stick.Wait(kTestTimeout), Status(Status::kDone));
     }
     gong->stuck = true;
-    auto status = std::async(std::launch::async, [this] { return porter->stick.Wait(kPatience); });
+    auto status =
+        std::async(std::launch::async, [this] { return porter->stick.Wait(kTestTimeout); });
     EXPECT_TRUE(EventuallyTrue([this] { return gong->sticks > kSoonDone; }));
     return status;
   }
@@ -111,7 +112,7 @@ TEST_P(ShortWait, KeepsTheOrderWithTheCallsBeforeAndAfterIt) {
 
   for (int i = 0; i < kStrikes; ++i) {
     if (i % 3 == 2) {
-      ASSERT_EQ(porter->strike.Wait(i, kPatience), Status(Status::kDone));
+      ASSERT_EQ(porter->strike.Wait(i, kTestTimeout), Status(Status::kDone));
       EXPECT_EQ(gong->strikes().size(), static_cast<std::size_t>(i + 1));
     } else {
       ASSERT_TRUE(EventuallyTrue([&] { return porter->strike(i) == Status(Status::kQueued); }));
@@ -126,7 +127,7 @@ TEST_P(ShortWait, KeepsTheOrderWithTheCallsBeforeAndAfterIt) {
 TEST_P(ShortWait, IsNotExecutedAfterItsDeadline) {
   EXPECT_EQ(porter->strike.Wait(1, 0s), Status(Status::kTimeout));
 
-  EXPECT_EQ(porter->strike.Wait(2, kPatience), Status(Status::kDone));
+  EXPECT_EQ(porter->strike.Wait(2, kTestTimeout), Status(Status::kDone));
   EXPECT_EQ(gong->strikes(), std::vector{2});
 }
 
@@ -135,7 +136,7 @@ TEST_P(ShortWait, ReturnsRepliesOfAllSizes) {
     const std::vector<double> question(size, 0.5);
     std::vector<double> result{1, 2, 3};
 
-    ASSERT_EQ(porter->echo.Wait(question, result, kPatience), Status(Status::kDone)) << size;
+    ASSERT_EQ(porter->echo.Wait(question, result, kTestTimeout), Status(Status::kDone)) << size;
 
     EXPECT_EQ(result, question);
   }
@@ -151,8 +152,8 @@ TEST_P(ShortWait, BlocksNobodyIfItIsLong) {
   gong->stuck = false;
 
   EXPECT_EQ(status.get(), Status(Status::kDone));
-  EXPECT_EQ(porter->strike.Wait(2, kPatience), Status(Status::kDone));
-  for (int i = 0; i < 20; ++i) EXPECT_EQ(porter->stick.Wait(kPatience), Status(Status::kDone));
+  EXPECT_EQ(porter->strike.Wait(2, kTestTimeout), Status(Status::kDone));
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(porter->stick.Wait(kTestTimeout), Status(Status::kDone));
   EXPECT_EQ(gong->strikes(), (std::vector{1, 2}));
 }
 
@@ -164,7 +165,7 @@ TEST_P(ShortWait, EndsWithADisconnect) {
   EXPECT_EQ(status.get(), Status(Status::kOutcomeUnknown));
   gong->stuck = false;
   Connect();
-  EXPECT_EQ(porter->strike.Wait(1, kPatience), Status(Status::kDone));
+  EXPECT_EQ(porter->strike.Wait(1, kTestTimeout), Status(Status::kDone));
 }
 
 TEST_P(ShortWait, ReportsTrueOutcomesDuringReconnects) {
@@ -175,7 +176,7 @@ TEST_P(ShortWait, ReportsTrueOutcomesDuringReconnects) {
   for (int caller = 0; caller < 3; ++caller) {
     callers.emplace_back([&] {
       while (!is_done) {
-        const Status status = porter->strike.Wait(1, kPatience);
+        const Status status = porter->strike.Wait(1, kTestTimeout);
         if (status == Status(Status::kDone)) ++done;
         if (status == Status(Status::kOutcomeUnknown)) ++unknown;
         if (!status) std::this_thread::yield();

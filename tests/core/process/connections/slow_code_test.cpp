@@ -19,7 +19,7 @@ using plant::Operator;
 using tendon::InterfaceName;
 using tendon::Status;
 
-constexpr auto kSlowCodePatience = 120s;
+constexpr auto kSlowCodeTimeout = 120s;
 
 /// A read command of the plant does not return while its gate is locked.
 class SlowRead : public RemoteConnection {
@@ -37,7 +37,7 @@ class SlowRead : public RemoteConnection {
   void ExpectAllElseIsServed(Operator& caller) {
     plant::Move move;
     EXPECT_TRUE(EventuallyTrue([&] { return caller.get_move(move) == Status(Status::kDone); }));
-    EXPECT_EQ(caller.move_to.Wait({.number = 7, .goal = {}}, kSlowCodePatience),
+    EXPECT_EQ(caller.move_to.Wait({.number = 7, .goal = {}}, kSlowCodeTimeout),
               Status(Status::kDone));
     EXPECT_TRUE(EventuallyQueued([&] { return caller.stop(); }));
   }
@@ -221,14 +221,14 @@ TEST_P(SlowFilter, KeepsTheOrderOfAllCommandsOfItsConnection) {
 
   for (int i = 0; i < kWeights; ++i) {
     if (i % 7 == 6) {
-      ASSERT_EQ(weigher->put.Wait(i, kSlowCodePatience), Status(Status::kDone));
+      ASSERT_EQ(weigher->put.Wait(i, kSlowCodeTimeout), Status(Status::kDone));
       EXPECT_EQ(scale->weights.size(), static_cast<std::size_t>(i + 1));
     } else {
       ASSERT_TRUE(EventuallyTrue([&] { return Put(i) == Status(Status::kQueued); }));
     }
   }
 
-  EXPECT_EQ(weigher->put_rounded.Wait(kWeights, kSlowCodePatience), Status(Status::kDone));
+  EXPECT_EQ(weigher->put_rounded.Wait(kWeights, kSlowCodeTimeout), Status(Status::kDone));
   EXPECT_EQ(scale->weights.values(), Weights(kWeights + 1));
 }
 
@@ -258,7 +258,7 @@ TEST_P(SlowFilter, SkipsAWaitedCallAfterItsDeadline) {
     EXPECT_FALSE(weigher->put.Wait(kNext, 2s));
   }
 
-  EXPECT_EQ(weigher->put.Wait(1, kSlowCodePatience), Status(Status::kDone));
+  EXPECT_EQ(weigher->put.Wait(1, kSlowCodeTimeout), Status(Status::kDone));
   const auto weights = scale->weights.values();
   EXPECT_EQ(weights.front(), 0);
   EXPECT_EQ(weights.back(), 1);
@@ -276,7 +276,7 @@ TEST_P(SlowFilter, DirectRepliesLoseNoQueuedCalls) {
   // The first call waits behind calls that are not sent yet. Later calls are sent directly, except
   // while the network thread is sending; therefore, there are many.
   for (int i = 0; i < 20; ++i) {
-    EXPECT_EQ(weigher->ring.Wait(kSlowCodePatience), Status(Status::kDone));
+    EXPECT_EQ(weigher->ring.Wait(kSlowCodeTimeout), Status(Status::kDone));
   }
   // The desk keeps as many calls as its mailbox holds. The others are sent, more than the other
   // mailbox holds.
@@ -298,7 +298,7 @@ TEST_P(SlowFilter, DropsQueuedCallsIfItHangsBeyondItsConnection) {
   ASSERT_TRUE(desk->Disconnect(kWeigher).ok());
   ASSERT_TRUE(desk->Connect(kWeigher, kScale).ok());
   ASSERT_TRUE(EventuallyActive(*desk, 1));
-  ASSERT_EQ(weigher->put.Wait(100, kSlowCodePatience), Status(Status::kDone));
+  ASSERT_EQ(weigher->put.Wait(100, kSlowCodeTimeout), Status(Status::kDone));
   const auto serves = [&](std::size_t connections) {
     const auto all = robot->proxies();
     return all.size() == 1 && all.front().required.size() == connections;
@@ -381,7 +381,7 @@ TEST_P(SlowHandler, BlocksNothingElseThatItsProcessReceives) {
 
   plant::Move move;
   EXPECT_TRUE(EventuallyTrue([&] { return user->get_move(move) == Status(Status::kDone); }));
-  EXPECT_EQ(user->move_to.Wait({.number = 10, .goal = {}}, kSlowCodePatience),
+  EXPECT_EQ(user->move_to.Wait({.number = 10, .goal = {}}, kSlowCodeTimeout),
             Status(Status::kDone));
   EXPECT_TRUE(EventuallyTrue([&] { return user->Process() > 0 && user->moved.size() >= 11; }));
   EXPECT_TRUE(desk->is_joined());
@@ -399,7 +399,7 @@ TEST_P(SlowHandler, CountsEventsThatFindNoRoom) {
   std::unique_lock closed(watcher->gate);
   for (std::uint64_t i = 0; i < kMoves; ++i) Move(i);
   ASSERT_TRUE(EventuallyTrue([&] { return plant->moves.size() == kMoves; }));
-  ASSERT_EQ(user->move_to.Wait({}, kSlowCodePatience), Status(Status::kDone));
+  ASSERT_EQ(user->move_to.Wait({}, kSlowCodeTimeout), Status(Status::kDone));
   closed.unlock();
 
   EXPECT_TRUE(EventuallyTrue([&] {

@@ -162,12 +162,12 @@ TEST_F(TableHistoryTest, WaitsAtMostAQuarterOfTheTimeInWhichTheTableIsOverwritte
   Write(100);
   Gather();
 
-  EXPECT_GT(history.patience(), 150ms);
-  EXPECT_LE(history.patience(), 260ms) << "1000 to 1023 rows, one a millisecond";
+  EXPECT_GT(history.until_next_read(), 150ms);
+  EXPECT_LE(history.until_next_read(), 260ms) << "1000 to 1023 rows, one a millisecond";
 
   now += 1s;
   Gather();
-  EXPECT_EQ(history.patience(), std::chrono::nanoseconds::max()) << "there were no rows";
+  EXPECT_EQ(history.until_next_read(), std::chrono::nanoseconds::max()) << "there were no rows";
 }
 
 /// Memory for about a second.

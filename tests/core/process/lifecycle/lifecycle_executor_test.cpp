@@ -155,7 +155,7 @@ TEST_P(Lifecycle, ASlowPlugInBlocksNothingElse) {
                                        .process = "robot",
                                        .component = "lamp",
                                        .class_name = "Lamp",
-                                       .patience = std::chrono::milliseconds(1)});
+                                       .timeout = std::chrono::milliseconds(1)});
   EXPECT_FALSE(late);  // nobody waits for this answer any more
   robot_->Add<plant::Plant>("plant");
   EXPECT_TRUE(EventuallyTrue([&] { return !Known("plant").name.empty(); }));
@@ -324,7 +324,7 @@ TEST(LifecycleExecutor, RefusesAnOrderBasedOnAnotherConfiguration) {
   const auto obey = [&executor](tendon::message::LifecycleOrder order) {
     order.process = "robot";
     order.component = "lamp";
-    order.patience = std::chrono::minutes(1);
+    order.timeout = std::chrono::minutes(1);
     std::promise<std::string> reason;
     executor.ExecuteOrder(
         order, [] { return tendon::Result<void>(); },

@@ -77,7 +77,7 @@ TEST_P(LifecycleSlow, AStopIsAcceptedDuringTheStartOfItsComponent) {
   const auto stopped = Execute(*client_, {.verb = LifecycleVerb::kStop,
                                           .process = "robot",
                                           .component = "slow",
-                                          .patience = std::chrono::seconds(2)});
+                                          .timeout = std::chrono::seconds(2)});
   ASSERT_FALSE(stopped);
   // The component was told to stop, but cannot stop yet.
   EXPECT_EQ(stopped.error().code, ErrorCode::kTimeout);
@@ -93,7 +93,7 @@ TEST_P(LifecycleSlow, AnUnconfirmedStartCanBeUndone) {
   const auto started = Execute(*client_, {.verb = LifecycleVerb::kStart,
                                           .process = "robot",
                                           .component = "slow",
-                                          .patience = std::chrono::seconds(2)});
+                                          .timeout = std::chrono::seconds(2)});
 
   ASSERT_FALSE(started);
   EXPECT_EQ(started.error().code, ErrorCode::kTimeout);
@@ -141,7 +141,7 @@ TEST_P(LifecycleSlow, AnOrderNotStartedInTimeIsDropped) {
                                        .process = "robot",
                                        .component = "lamp",
                                        .class_name = "Lamp",
-                                       .patience = std::chrono::seconds(2)});
+                                       .timeout = std::chrono::seconds(2)});
 
   ASSERT_FALSE(late);
   EXPECT_EQ(late.error().code, ErrorCode::kFailed);
@@ -165,7 +165,7 @@ TEST_P(LifecycleSlow, AHungComponentIsNotRemoved) {
   const auto removed = Execute(*client_, {.verb = LifecycleVerb::kRemove,
                                           .process = "robot",
                                           .component = "hung",
-                                          .patience = std::chrono::seconds(2)});
+                                          .timeout = std::chrono::seconds(2)});
 
   ASSERT_FALSE(removed);
   EXPECT_THAT(removed.error().message,

@@ -16,7 +16,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kWorkerPatience = 120'000;  // ms
+constexpr int kWorkerTimeout = 120'000;  // ms
 
 GraphPicture LargePicture() { return PictureOf(LargeSystem(4, 50).catalogue()); }
 
@@ -36,7 +36,7 @@ TEST_P(LayoutInThread, PlacesNodesLikeTheLayout) {
   EXPECT_TRUE(worker.isAtWork());
   EXPECT_EQ(arranged.count(), 0);
 
-  ASSERT_TRUE(QTest::qWaitFor([&] { return arranged.count() == 1; }, kWorkerPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return arranged.count() == 1; }, kWorkerTimeout));
   EXPECT_FALSE(worker.isAtWork());
   EXPECT_EQ(worker.arrangement().nodes, layout.arrangement().nodes);
   EXPECT_EQ(worker.arrangement().boxes, layout.arrangement().boxes);
@@ -52,7 +52,7 @@ TEST(LayoutWorker, PlacesOnlyTheNewestPendingRequest) {
   worker.arrange(picture, {{path, {-500, -500}}});
   worker.move(picture, {{path, {-1000, -2000}}});
 
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !worker.isAtWork(); }, kWorkerPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !worker.isAtWork(); }, kWorkerTimeout));
   EXPECT_EQ(worker.arrangement().nodes.value(path).topLeft(), QPointF(-1000, -2000));
   EXPECT_EQ(arranged.count(), 2);
 }
@@ -70,7 +70,7 @@ TEST(LayoutWorker, ADestroyedWorkerSignalsNothing) {
   LayoutWorker later;  // needs as much time as the first worker
   QSignalSpy arranged(&later, &LayoutWorker::arranged);
   later.arrange(LargePicture(), {});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return arranged.count() == 1; }, kWorkerPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return arranged.count() == 1; }, kWorkerTimeout));
   EXPECT_EQ(told, 0);
 }
 
@@ -87,7 +87,7 @@ TEST(GraphScene, HidesComponentsWithoutAPlace) {
   EXPECT_TRUE(scene.processes().empty());
 
   ASSERT_TRUE(QTest::qWaitFor([&] { return !scene.isArranging() && !IsAnnouncing(store); },
-                              kWorkerPatience));
+                              kWorkerTimeout));
   ASSERT_EQ(scene.components().size(), 7U);
   for (const auto& [path, component] : scene.components()) {
     const auto* process = scene.processes().at(path.section('/', 0, 0));
@@ -108,7 +108,7 @@ class LayoutAnimationTest : public GraphFixture {
 
   [[nodiscard]] QPointF place() const { return scene_.component("robot/arm")->pos(); }
   bool IsEventuallyAt(const QPointF& point) const {
-    return QTest::qWaitFor([&] { return place() == point; }, kWorkerPatience);
+    return QTest::qWaitFor([&] { return place() == point; }, kWorkerTimeout);
   }
 };
 
@@ -135,7 +135,7 @@ TEST(LayoutAnimation, ALargeSystemIsNotAnimated) {
   ConnectMode mode{store, actions};
   GraphScene scene(store, selection, mode);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !scene.isArranging() && !IsAnnouncing(store); },
-                              kWorkerPatience));
+                              kWorkerTimeout));
   const auto& [path, component] = *scene.components().begin();
   const QPointF there = component->pos() + QPointF(5000, 5000);
 

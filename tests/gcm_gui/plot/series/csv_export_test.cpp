@@ -12,7 +12,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kPatience = 120'000;  // ms; bounds a test that fails
+constexpr int kTestTimeout = 120'000;  // ms; bounds a test that fails
 const QString kSignalX = "robot/arm/state.x";
 
 /// Blocks the writer, and thereby all files requested later, until release.
@@ -39,7 +39,7 @@ TEST(CsvExport, ReportsAFileThatCannotBeWritten) {
 
   csv.save({}, file);
 
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !finished.isEmpty(); }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !finished.isEmpty(); }, kTestTimeout));
   EXPECT_TRUE(finished.front().front().toString().startsWith(file + " was not saved: "));
 }
 
@@ -52,7 +52,7 @@ TEST(CsvExport, ASlowDiskBlocksNeitherSavingNorDestruction) {
 
   EXPECT_FALSE(QFile::exists(file));
   disk.answer();
-  ASSERT_TRUE(FileWriter::exports().waitForWritten(std::chrono::milliseconds(kPatience)));
+  ASSERT_TRUE(FileWriter::exports().waitForWritten(std::chrono::milliseconds(kTestTimeout)));
   EXPECT_TRUE(QFile::exists(file));
 }
 
@@ -67,7 +67,7 @@ TEST(CsvExport, TwoRequestsForOneFileGiveOneNotice) {
   csv.save({.curves = {{.path = kSignalX, .times = {1}, .words = {2}}}}, file);
   disk.answer();
 
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !finished.isEmpty(); }, kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !finished.isEmpty(); }, kTestTimeout));
   QCoreApplication::processEvents();
   ASSERT_EQ(finished.size(), 1);
   EXPECT_EQ(finished.front().front().toString(), "Saved 1 row, none lost, to " + file);

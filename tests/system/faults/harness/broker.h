@@ -69,7 +69,7 @@ class BrokerTest : public FaultTest {
   void Watch(const std::shared_ptr<tendon::RowSink>& sink) {
     auto& viewer = viewers_.emplace_back(std::make_unique<tendon::GcmClient>(
         NewMiddleware(), tendon::GcmClient::Options{
-                             .name = "other", .address = gcm_address_, .timeout = Patience()}));
+                             .name = "other", .address = gcm_address_, .timeout = Timeout()}));
     ASSERT_TRUE(viewer->WaitUntilWatching().ok());
     viewer->telemetry().Subscribe(rows_, sink);
   }

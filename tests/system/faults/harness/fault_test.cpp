@@ -114,13 +114,8 @@ FaultTest::Environment FaultTest::environment() const {
 }
 
 FaultTest::Words FaultTest::Command(const std::string& program, const Words& words) const {
-  Words command{Built("bin/" + program),
-                "--gcm",
-                gcm_address_,
-                "--timeout",
-                std::to_string(Patience().count()),
-                "--middleware",
-                GetParam()};
+  Words command{Built("bin/" + program),           "--gcm",        gcm_address_, "--timeout",
+                std::to_string(Timeout().count()), "--middleware", GetParam()};
   command.insert(command.end(), words.begin(), words.end());
   return command;
 }
@@ -155,7 +150,7 @@ void FaultTest::StartSystem() {
 void FaultTest::StartViewer() {
   viewer_ = std::make_unique<tendon::GcmClient>(
       NewMiddleware(),
-      tendon::GcmClient::Options{.name = "test", .address = gcm_address_, .timeout = Patience()},
+      tendon::GcmClient::Options{.name = "test", .address = gcm_address_, .timeout = Timeout()},
       watch_);
   const auto watching = viewer_->WaitUntilWatching();
   ASSERT_TRUE(watching) << watching.error().message;
@@ -163,8 +158,7 @@ void FaultTest::StartViewer() {
 
 Outcome FaultTest::Gcm(Words words) const {
   Program program(Command("gcm", words), environment());
-  const auto longer =
-      std::chrono::seconds(10) + std::chrono::ceil<std::chrono::seconds>(Patience());
+  const auto longer = std::chrono::seconds(10) + std::chrono::ceil<std::chrono::seconds>(Timeout());
   const auto exit_code = program.Wait(longer);
   return {exit_code.value_or(-1), program.out(), program.err()};
 }

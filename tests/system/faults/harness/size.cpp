@@ -31,7 +31,7 @@ double Slowness() {
   return slowness;
 }
 
-std::chrono::milliseconds Patience() {
+std::chrono::milliseconds Timeout() {
   constexpr double kCalm = 20'000.0;  // ms; ten times the longest limit of a test
   return std::chrono::milliseconds(static_cast<long>(kCalm * Slowness()));
 }

@@ -17,14 +17,14 @@ int Starts(int small, int full);
 double Slowness();
 
 /// Returns the time limit for one request of a failing test. It is not a requirement on speed.
-std::chrono::milliseconds Patience();
+std::chrono::milliseconds Timeout();
 
 /// Waits until `predicate()` is true, at most three times as long as for a request, because other
 /// tests may have begun after Slowness() was measured. Checks it rarely, so that the check does not
 /// disturb the test.
 template <typename Predicate>
 bool Eventually(Predicate predicate) {
-  const auto deadline = std::chrono::steady_clock::now() + 3 * Patience();
+  const auto deadline = std::chrono::steady_clock::now() + 3 * Timeout();
   while (!predicate()) {
     if (std::chrono::steady_clock::now() >= deadline) return false;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
