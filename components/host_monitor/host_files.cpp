@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostThermometers = 64;
+constexpr std::size_t kMaxThermometers = 64;
 constexpr std::size_t kLongestName = 32;
 
 /// Returns the entries of `folder` whose names begin with `beginning`, sorted by name.
@@ -67,7 +67,7 @@ void Thermometers::Read(Temperatures& temperatures) const {
 
 void Thermometers::Add(std::string sensor, const fs::path& path) {
   const bool is_there = ParseTemperature(ReadText(path)).has_value();
-  if (!is_there || files_.size() == kMostThermometers) return;
+  if (!is_there || files_.size() == kMaxThermometers) return;
   files_.push_back({std::move(sensor), path});
 }
 

@@ -8,7 +8,7 @@
 namespace host {
 namespace {
 
-constexpr std::size_t kMostCores = 4096;
+constexpr std::size_t kMaxCores = 4096;
 constexpr double kKibInMib = 1024.0;
 
 /// Removes the next line from the front of `text` and returns it.
@@ -78,7 +78,7 @@ CpuCounters ParseCpu(std::string_view text) {
     sum.busy = sum.all - ticks[3] - ticks[4];
     if (name.empty()) {
       counters.total = sum;
-    } else if (const auto core = ToNumber<std::size_t>(name); core && *core < kMostCores) {
+    } else if (const auto core = ToNumber<std::size_t>(name); core && *core < kMaxCores) {
       counters.cores.resize(std::max(counters.cores.size(), *core + 1));
       counters.cores[*core] = sum;
     }

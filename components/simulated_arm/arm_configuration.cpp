@@ -19,7 +19,7 @@ std::string Element(const char* field, std::size_t joint, double value) {
 }
 
 /// True for a valid limit of velocity or acceleration.
-bool IsLimit(double value) { return value >= kLeastLimit && value <= kGreatestLimit; }
+bool IsLimit(double value) { return value >= kMinLimit && value <= kGreatestLimit; }
 
 }  // namespace
 
@@ -39,9 +39,9 @@ void RequireValid(const ArmConfiguration& configuration, const std::string& comp
         IsLimit(acceleration[joint]), component,
         Element("acceleration", joint, acceleration[joint]) + ", expected 0.001 to 1000 rad/s^2");
   }
-  Require(bandwidth >= kLeastBandwidth && bandwidth <= kMostBandwidth, component,
+  Require(bandwidth >= kMinBandwidth && bandwidth <= kMaxBandwidth, component,
           "bandwidth is " + Text(bandwidth) + ", expected 0.001 to 500 rad/s");
-  Require(noise >= 0.0 && noise <= kMostNoise, component,
+  Require(noise >= 0.0 && noise <= kMaxNoise, component,
           "noise is " + Text(noise) + ", expected 0 to 1 rad");
 }
 

@@ -16,12 +16,12 @@ inline constexpr JointVector kReadyPosture{0.0,
                                            std::numbers::pi / 2,
                                            std::numbers::pi / 4};  // rad
 
-inline constexpr double kLargestAngle = 1e3;     // rad; a larger angle is a mistake
-inline constexpr double kLeastLimit = 1e-3;      // rad/s, rad/s^2; minimum for a joint that moves
-inline constexpr double kGreatestLimit = 1e3;    // rad/s, rad/s^2
-inline constexpr double kLeastBandwidth = 1e-3;  // rad/s
-inline constexpr double kMostBandwidth = 500.0;  // rad/s; stiffer joints need a step below 1 ms
-inline constexpr double kMostNoise = 1.0;        // rad
+inline constexpr double kLargestAngle = 1e3;    // rad; a larger angle is a mistake
+inline constexpr double kMinLimit = 1e-3;       // rad/s, rad/s^2; minimum for a joint that moves
+inline constexpr double kGreatestLimit = 1e3;   // rad/s, rad/s^2
+inline constexpr double kMinBandwidth = 1e-3;   // rad/s
+inline constexpr double kMaxBandwidth = 500.0;  // rad/s; stiffer joints need a step below 1 ms
+inline constexpr double kMaxNoise = 1.0;        // rad
 
 /// The configuration of a simulated arm. The defaults are the limits of a Franka Emika Panda:
 /// https://frankaemika.github.io/docs/control_parameters.html
@@ -53,14 +53,14 @@ inline constexpr auto tendon::kPayload<arm::ArmConfiguration> = tendon::Describe
     tendon::Field{"upper", &arm::ArmConfiguration::upper, "rad"}.Within(-arm::kLargestAngle,
                                                                         arm::kLargestAngle),
     tendon::Field{"velocity", &arm::ArmConfiguration::velocity, "rad/s"}
-        .Within(arm::kLeastLimit, arm::kGreatestLimit)
+        .Within(arm::kMinLimit, arm::kGreatestLimit)
         .Help("Maximum of each joint."),
     tendon::Field{"acceleration", &arm::ArmConfiguration::acceleration, "rad/s^2"}
-        .Within(arm::kLeastLimit, arm::kGreatestLimit)
+        .Within(arm::kMinLimit, arm::kGreatestLimit)
         .Help("Maximum of each joint."),
     tendon::Field{"bandwidth", &arm::ArmConfiguration::bandwidth, "rad/s"}
-        .Within(arm::kLeastBandwidth, arm::kMostBandwidth)
+        .Within(arm::kMinBandwidth, arm::kMaxBandwidth)
         .Help("Stiffness with which a joint follows its reference."),
     tendon::Field{"noise", &arm::ArmConfiguration::noise, "rad"}
-        .Within(0.0, arm::kMostNoise)
+        .Within(0.0, arm::kMaxNoise)
         .Help("Standard deviation of a measured position."));

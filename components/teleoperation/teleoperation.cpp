@@ -31,7 +31,7 @@ JointTour CheckedTour(const TeleoperationConfiguration& configuration, const std
                                      ToString(tendon::NumericValue(period)) +
                                      ", expected 4 to 3600 s");
   }
-  if (!(amplitude >= 0.0 && amplitude <= kMostAmplitude)) {
+  if (!(amplitude >= 0.0 && amplitude <= kMaxAmplitude)) {
     throw tendon::ConfigurationError("configuration of '" + name + "': amplitude is " +
                                      ToString(tendon::NumericValue(amplitude)) +
                                      ", expected 0 to 3");

@@ -6,7 +6,7 @@ namespace arm {
 
 inline constexpr double kShortestTour = 4.0;    // s
 inline constexpr double kLongestTour = 3600.0;  // s
-inline constexpr double kMostAmplitude = 3.0;
+inline constexpr double kMaxAmplitude = 3.0;
 
 /// The configuration of the tour.
 struct TeleoperationConfiguration {
@@ -34,7 +34,7 @@ inline constexpr auto tendon::kPayload<arm::TeleoperationConfiguration> = tendon
         .Within(arm::kShortestTour, arm::kLongestTour)
         .Help("Duration of one round."),
     tendon::Field{"amplitude", &arm::TeleoperationConfiguration::amplitude}
-        .Within(0, arm::kMostAmplitude)
+        .Within(0, arm::kMaxAmplitude)
         .Help("Amplitude of the joints; above 1, the joints can reach their limits."));
 
 template <>

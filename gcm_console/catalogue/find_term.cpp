@@ -48,7 +48,7 @@ tendon::Result<Expression> Expression::Parse(std::string_view text) {
   re2::RE2::Options options;
   options.set_case_sensitive(false);
   options.set_log_errors(false);
-  options.set_max_mem(kMostMemory);
+  options.set_max_mem(kMaxMemory);
   auto compiled = std::make_shared<const re2::RE2>(PieceOf(text), options);
   if (!compiled->ok()) return Error{ErrorCode::kInvalid, MistakeIn(*compiled)};
   return Expression(std::move(compiled));

@@ -17,11 +17,11 @@ class RE2;
 namespace console {
 
 /// A regular expression in RE2 syntax that ignores case. The time for a match is linear in the
-/// length of the text, and its memory is limited to kMostMemory.
+/// length of the text, and its memory is limited to kMaxMemory.
 class Expression {
  public:
   static constexpr std::size_t kLongest = 200;
-  static constexpr std::size_t kMostMemory = std::size_t{1} << 20U;
+  static constexpr std::size_t kMaxMemory = std::size_t{1} << 20U;
 
   /// Parses an expression. The error kInvalid says what is wrong, and in which part of the
   /// expression.

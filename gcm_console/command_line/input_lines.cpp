@@ -48,14 +48,14 @@ bool InputLines::Next(std::string& line) {
 }
 
 tendon::Result<std::string> AllOf(std::istream& in) {
-  constexpr std::size_t kMost = std::size_t{16} << 20U;
+  constexpr std::size_t kMax = std::size_t{16} << 20U;
   std::string all;
   std::array<char, 65536> part{};
-  while (all.size() <= kMost && in) {
+  while (all.size() <= kMax && in) {
     in.read(part.data(), part.size());
     all.append(part.data(), static_cast<std::size_t>(in.gcount()));
   }
-  if (all.size() > kMost)
+  if (all.size() > kMax)
     return Error{ErrorCode::kInvalid, "the input is over 16 MiB: give a smaller input"};
   if (IsBroken(in)) return Broken();
   return all;

@@ -47,9 +47,9 @@ void CurveFeed::Add(const RowInbox::WantedPath& wanted, const tendon::Schema& sc
   tendon::Path title = wanted.path;
   for (const NumericField& number : *numbers) {
     title.field = number.path;
-    if (curves_.size() == kMostCurves) {
+    if (curves_.size() == kMaxCurves) {
       return left_out_.push_back(ToString(title) + " and later numbers are left out: at most " +
-                                 std::to_string(kMostCurves) + " numbers of a table can be drawn");
+                                 std::to_string(kMaxCurves) + " numbers of a table can be drawn");
     }
     sources_.push_back({wanted.column, number});
     curves_.push_back({ToString(title), number.unit, number.schema, {}});
@@ -74,9 +74,9 @@ void CurveFeed::OnRows(const tendon::RowBatch& batch) {
     while (!samples.empty() && samples.back().time - samples.front().time > window_) {
       samples.pop_front();
     }
-    if (samples.size() <= kMostSamples) continue;
+    if (samples.size() <= kMaxSamples) continue;
     is_cut_ = true;
-    samples.erase(samples.begin(), samples.end() - kMostSamples);
+    samples.erase(samples.begin(), samples.end() - kMaxSamples);
   }
 }
 
@@ -105,7 +105,7 @@ std::vector<std::string> CurveFeed::notes() const {
   std::vector<std::string> notes = left_out_;
   if (is_cut_) {
     notes.push_back(
-        "the newest " + std::to_string(kMostSamples) +
+        "the newest " + std::to_string(kMaxSamples) +
         " samples of each curve are drawn; to see the whole window, use a shorter --window");
   }
   if (!complaint_.empty()) notes.push_back(complaint_);

@@ -29,9 +29,9 @@ struct NumberCurve {
 class CurveFeed final : public tendon::RowSink {
  public:
   /// The maximum number of curves; further curves are left out.
-  static constexpr std::size_t kMostCurves = 16;
+  static constexpr std::size_t kMaxCurves = 16;
   /// The maximum number of samples of each curve; above it, the oldest samples are dropped.
-  static constexpr std::size_t kMostSamples = std::size_t{1} << 17U;
+  static constexpr std::size_t kMaxSamples = std::size_t{1} << 17U;
 
   /// `window` is the time span in s for which samples are kept.
   CurveFeed(std::vector<RowInbox::WantedPath> wanted, double window)
@@ -66,7 +66,7 @@ class CurveFeed final : public tendon::RowSink {
   std::optional<tendon::Error> mistake_;
   std::vector<std::string> left_out_;
   std::string complaint_;
-  bool is_cut_ = false;  // true if the window contains more than kMostSamples samples
+  bool is_cut_ = false;  // true if the window contains more than kMaxSamples samples
 };
 
 }  // namespace console

@@ -76,8 +76,8 @@ EventInbox::Content EventInbox::Take() {
 /// Stores an error; call it with the lock held. The number of stored errors is limited, because the
 /// caller may never take them.
 void EventInbox::Complain(const tendon::Error& complaint) {
-  constexpr std::size_t kMost = 100;
-  if (content_.complaints.size() < kMost) content_.complaints.push_back(complaint);
+  constexpr std::size_t kMax = 100;
+  if (content_.complaints.size() < kMax) content_.complaints.push_back(complaint);
 }
 
 void EventInbox::OnSnapshot(const tendon::Catalogue& /*catalogue*/) {

@@ -33,9 +33,9 @@ std::vector<InterfaceName> QueryThrottle::Begin(const std::vector<InterfaceName>
 
   std::vector<InterfaceName> begun;
   for (auto* const one : waiting) {
-    if (all_under_way >= kMostAtOnce) break;
+    if (all_under_way >= kMaxAtOnce) break;
     std::size_t& of_process = under_way[one->first.process];
-    if (of_process >= kMostOfOne) continue;
+    if (of_process >= kMaxOfOne) continue;
     ++of_process;
     ++all_under_way;
     one->second.asked = now;

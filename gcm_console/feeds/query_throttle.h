@@ -17,8 +17,8 @@ namespace console {
 class QueryThrottle {
  public:
   static constexpr std::chrono::seconds kBetween{1};
-  static constexpr std::size_t kMostAtOnce = 64;
-  static constexpr std::size_t kMostOfOne = 8;
+  static constexpr std::size_t kMaxAtOnce = 64;
+  static constexpr std::size_t kMaxOfOne = 8;
 
   /// Returns the connections in `there` for which a request is due. Connections that have waited
   /// longest come first. The caller must call End() for each returned connection.

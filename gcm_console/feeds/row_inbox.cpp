@@ -9,7 +9,7 @@ namespace console {
 namespace {
 
 tendon::QueueBound BoundFor(tendon::RowDelivery delivery) {
-  auto bound = kMostWaiting;
+  auto bound = kMaxWaiting;
   if (delivery == tendon::RowDelivery::kNewest) bound.elements = 1;
   return bound;
 }
@@ -71,7 +71,7 @@ void RowInbox::OnStale(const tendon::Error& reason) {
 
 std::deque<PrintedRow> RowInbox::Take() {
   std::unique_lock lock(mutex_);
-  const std::deque<KeptRow> taken = rows_.Take(kMostTaken);
+  const std::deque<KeptRow> taken = rows_.Take(kMaxTaken);
   lock.unlock();  // so that new rows can be added meanwhile
   std::deque<PrintedRow> printed;
   for (const KeptRow& row : taken) {
@@ -92,7 +92,7 @@ tendon::LostRows RowInbox::Rest() {
   const std::scoped_lock lock(mutex_);
   tendon::LostRows rest = std::exchange(gap_, {});
   while (!rows_.is_empty()) {
-    for (const KeptRow& row : rows_.Take(kMostTaken)) {
+    for (const KeptRow& row : rows_.Take(kMaxTaken)) {
       rest += row.lost_before;
       if (delivery_ == tendon::RowDelivery::kAll) ++rest.viewer;
     }

@@ -47,7 +47,7 @@ class RowInbox final : public tendon::RowSink {
   void OnRows(const tendon::RowBatch& batch) override;
   void OnStale(const tendon::Error& reason) override;
 
-  /// Removes and returns the oldest rows, at most kMostTaken bytes. Call it only in the printing
+  /// Removes and returns the oldest rows, at most kMaxTaken bytes. Call it only in the printing
   /// thread.
   std::deque<PrintedRow> Take();
   /// True if more rows can be taken.

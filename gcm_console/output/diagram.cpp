@@ -90,11 +90,11 @@ struct Stretch {
     if (shown.width > 0) x = std::max(x, needed.width / shown.width);
     if (shown.height > 0) y = std::max(y, needed.height / shown.height);
   }
-  /// Stretches as far as `other`, but at most to kMost times the present factors.
+  /// Stretches as far as `other`, but at most to kMax times the present factors.
   void FitMostly(const Stretch& other) {
-    constexpr double kMost = 4;
-    x = std::max(x, std::min(other.x, kMost * x));
-    y = std::max(y, std::min(other.y, kMost * y));
+    constexpr double kMax = 4;
+    x = std::max(x, std::min(other.x, kMax * x));
+    y = std::max(y, std::min(other.y, kMax * y));
   }
   [[nodiscard]] Rect operator()(const Rect& rect) const {
     return {rect.x * x, rect.y * y, rect.width * x, rect.height * y};
@@ -119,7 +119,7 @@ class Placement {
     for (const auto& one : catalogue_.connections()) AddWire(one);
     diagram_.title = TitleOf(catalogue_);
     const double width =
-        std::max({all.width, TextWidth(diagram_.title, diagram::kTitleText), diagram::kLeastWidth});
+        std::max({all.width, TextWidth(diagram_.title, diagram::kTitleText), diagram::kMinWidth});
     diagram_.size = {width + 2 * diagram::kMargin, all.height + diagram::kTop + diagram::kBottom};
     return std::move(diagram_);
   }
@@ -183,7 +183,7 @@ class Placement {
     };
     for (const auto& one : component.required) add(one.name, false, required, left);
     for (const auto& one : component.provided) add(one.name, true, provided, right);
-    node.rect.width = std::max({diagram::kLeastNode, HeadWidth(node),
+    node.rect.width = std::max({diagram::kMinNode, HeadWidth(node),
                                 left + right + diagram::kGap + 2 * diagram::kNodeInset});
     const auto rows = static_cast<double>(std::max(required, provided));
     node.rect.height = diagram::kNodeHead + rows * diagram::kPortPitch + diagram::kNodeTail;

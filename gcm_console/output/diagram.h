@@ -80,9 +80,9 @@ using Places = std::map<std::string, tendon::graph::Rect>;
 namespace console::diagram {
 
 inline constexpr double kMargin = 24;
-inline constexpr double kLeastWidth = 360;  ///< minimum width between the margins
-inline constexpr double kTop = 64;          ///< height for the title
-inline constexpr double kBottom = 64;       ///< height for the legend
+inline constexpr double kMinWidth = 360;  ///< minimum width between the margins
+inline constexpr double kTop = 64;        ///< height for the title
+inline constexpr double kBottom = 64;     ///< height for the legend
 inline constexpr double kBetweenProcesses = 96;
 inline constexpr double kBelowProcesses = 28;
 inline constexpr double kBetweenNodes = 80;
@@ -92,7 +92,7 @@ inline constexpr double kProcessInset = 20;
 inline constexpr double kNodeHead = 48;  ///< from a node's top to its ports
 inline constexpr double kNodeTail = 8;
 inline constexpr double kNodeInset = 14;
-inline constexpr double kLeastNode = 128;
+inline constexpr double kMinNode = 128;
 inline constexpr double kPortPitch = 22;
 inline constexpr double kPortRadius = 4.5;
 inline constexpr double kGap = 28;   ///< between two texts

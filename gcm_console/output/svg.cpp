@@ -130,11 +130,11 @@ void Print(std::ostream& out, const DiagramNode& node) {
 /// Draws a connection with the same bends as in the window. A line that goes to the left bends
 /// more.
 void Print(std::ostream& out, const DiagramWire& wire) {
-  constexpr double kLeastBend = 36;
-  constexpr double kMostBend = 160;
+  constexpr double kMinBend = 36;
+  constexpr double kMaxBend = 160;
   const double distance = std::abs(wire.to_x - wire.from_x);
-  const double wanted = wire.to_x > wire.from_x ? distance / 2 : distance / 3 + kLeastBend;
-  const double bend = std::clamp(wanted, kLeastBend, kMostBend);
+  const double wanted = wire.to_x > wire.from_x ? distance / 2 : distance / 3 + kMinBend;
+  const double bend = std::clamp(wanted, kMinBend, kMaxBend);
   out << " <path d=\"M " << wire.from_x << ' ' << wire.from_y << " C " << wire.from_x + bend << ' '
       << wire.from_y << ' ' << wire.to_x - bend << ' ' << wire.to_y << ' ' << wire.to_x << ' '
       << wire.to_y << "\" fill=\"none\" stroke=\"" << ColourOf(wire.state)

@@ -32,7 +32,7 @@ std::string TextOf(const Words& words) {
 
 void JobLines::Add(std::string line) {
   const std::scoped_lock lock(mutex_);
-  if (lines_.size() < kMost) {
+  if (lines_.size() < kMax) {
     lines_.push_back(std::move(line));
   } else {
     ++left_out_;

@@ -20,7 +20,7 @@ namespace console {
 /// lines are only counted. Thread-safe.
 class JobLines {
  public:
-  static constexpr std::size_t kMost = 1000;
+  static constexpr std::size_t kMax = 1000;
 
   /// Adds a line. `line` does not contain the line end.
   void Add(std::string line);

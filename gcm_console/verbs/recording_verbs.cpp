@@ -283,12 +283,12 @@ void PrintExport(Context& context, const recording::ExportReport& report, bool i
     context.err() << "gcm: " << tendon::Counted(report.incomplete, "entry has", "entries have")
                   << " empty cells, because a part is missing or malformed\n";
   }
-  constexpr std::size_t kMost = 8;  // lines
+  constexpr std::size_t kMax = 8;  // lines
   std::size_t lines = 0;
   for (const auto& [reason, messages] : report.left_out) {
-    if (lines++ == kMost) {
+    if (lines++ == kMax) {
       context.err() << "gcm: more messages are left out, for "
-                    << tendon::Counted(report.left_out.size() - kMost, "other reason",
+                    << tendon::Counted(report.left_out.size() - kMax, "other reason",
                                        "other reasons")
                     << "; --json lists all reasons\n";
       return;

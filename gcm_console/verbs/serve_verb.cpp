@@ -72,7 +72,7 @@ Verb::Run PrepareServe(CLI::App& app) {
 /// The memory limit of the broker. A message may claim to have 2^31 facets; Ice would then try to
 /// allocate 64 GiB. With the limit, this allocation fails, and Ice refuses the message and
 /// continues.
-constexpr std::size_t kMostOfBroker = std::size_t{8} << 30U;
+constexpr std::size_t kMaxOfBroker = std::size_t{8} << 30U;
 
 /// Writes a file that only this user can read, because the names of the broker's objects are
 /// secret.
@@ -100,7 +100,7 @@ tendon::Result<program::ExitCode> RunBroker(Context& context, const std::string&
   if (!settings) return settings.error();
   const auto file = WriteSettings(address, *settings);
   if (!file) return file.error();
-  tendon::os::BecomeProgram({"icebox", "--Ice.Config=" + file->string()}, kMostOfBroker);
+  tendon::os::BecomeProgram({"icebox", "--Ice.Config=" + file->string()}, kMaxOfBroker);
   return tendon::Error{tendon::ErrorCode::kNotFound,
                        "icebox is not installed; to install it: apt-get install zeroc-icebox "
                        "libzeroc-icestorm3.7 (tools/setup does this, too)"};

@@ -62,7 +62,7 @@ Result<ExitCode> RunShell(Context& context) {
   return ReadLines(shell, context.streams());
 }
 
-constexpr int kMostScripts = 10;
+constexpr int kMaxScripts = 10;
 
 struct ScriptOptions {
   std::string file;
@@ -72,9 +72,9 @@ struct ScriptOptions {
 Result<ExitCode> RunLines(Context& context, const ScriptOptions& options, std::istream& script) {
   const std::string name = options.file == "-" ? "standard input" : options.file;
   Settings settings = context.settings();
-  if (++settings.scripts > kMostScripts) {
+  if (++settings.scripts > kMaxScripts) {
     return Error{ErrorCode::kInvalid, "scripts are nested more than " +
-                                          std::to_string(kMostScripts) +
+                                          std::to_string(kMaxScripts) +
                                           " deep: check whether a script runs itself"};
   }
   Shell shell(std::move(settings));

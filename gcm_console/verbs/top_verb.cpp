@@ -122,7 +122,7 @@ Table TableOf(const std::vector<ConnectionFigures>& connections) {
 
 /// Returns the processes that use the most processor time, because not all processes fit.
 Table BusiestOf(const tendon::Catalogue& catalogue, const SystemHealth& health) {
-  constexpr std::size_t kMost = 5;
+  constexpr std::size_t kMax = 5;
   std::vector<const tendon::ProcessDescription*> processes;
   for (const auto& [name, entry] : catalogue.processes()) processes.push_back(&entry.process);
   const auto cpu = [&](const auto* process) {
@@ -130,7 +130,7 @@ Table BusiestOf(const tendon::Catalogue& catalogue, const SystemHealth& health) 
     return known == nullptr ? -1.0 : known->cpu;
   };
   std::ranges::stable_sort(processes, std::ranges::greater(), cpu);
-  processes.resize(std::min(processes.size(), kMost));
+  processes.resize(std::min(processes.size(), kMax));
   Table table({"PROCESS", "STATE", "CPU", "MEMORY"});
   for (const auto* process : processes) {
     const auto* known = FindHealth(health, *process);

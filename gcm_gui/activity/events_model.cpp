@@ -9,7 +9,7 @@ namespace tendon::gui {
 namespace {
 
 constexpr std::int64_t kRateWindow = 2'000'000'000;  // ns
-constexpr std::size_t kMostTimes = 100'000;
+constexpr std::size_t kMaxTimes = 100'000;
 
 }  // namespace
 
@@ -97,7 +97,7 @@ void EventsModel::add(const std::vector<EventRecord>& events) {
     times_.push_back(event.when);
     fresh.push_back(event);
   }
-  while (times_.size() > kMostTimes ||
+  while (times_.size() > kMaxTimes ||
          (!times_.empty() && times_.front() + kRateWindow < times_.back())) {
     times_.pop_front();
   }

@@ -39,12 +39,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kMostFormHeight = 232;
+constexpr int kMaxFormHeight = 232;
 constexpr int kJsonHeight = 120;
 constexpr qsizetype kLongestResult = 1500;
 // The largest result in bytes that is formatted. Formatting a larger one would block the window too
 // long.
-constexpr std::size_t kMostRead = 65536;
+constexpr std::size_t kMaxRead = 65536;
 constexpr std::chrono::seconds kSecondKey{2};
 enum ArgumentPage { kFormPage, kJsonPage };
 
@@ -62,7 +62,7 @@ QString Rest() { return Words::tr("…\nFor the whole result, use Copy as comman
 /// Formats a result for people, with one field per line. A very long result is truncated; the same
 /// command in a terminal shows all of it.
 QString Readable(const std::string& json) {
-  if (json.size() > kMostRead) {
+  if (json.size() > kMaxRead) {
     return ToQString(std::string_view(json).substr(0, kLongestResult)) + Rest();
   }
   const Json value = JsonOrText(json);
@@ -298,7 +298,7 @@ void CallPanel::fitForm() {
   const int width = form_area_->viewport()->width();
   const int height =
       form_->hasHeightForWidth() ? form_->heightForWidth(width) : form_->sizeHint().height();
-  form_area_->setFixedHeight(std::min(height, kMostFormHeight));
+  form_area_->setFixedHeight(std::min(height, kMaxFormHeight));
   argument_->setFixedHeight(as_json_->isChecked() ? kJsonHeight : form_area_->height());
 }
 

@@ -28,9 +28,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Edited = std::function<void()>;
 
-constexpr std::uint32_t kMostCells = 16;
+constexpr std::uint32_t kMaxCells = 16;
 constexpr int kCellsInRow = 4;
-constexpr int kLeastCell = 40;
+constexpr int kMinCell = 40;
 
 QString EntryText(const Json& value) {
   return ToQString(value.is_string() ? value.get<std::string>() : value.dump());
@@ -224,7 +224,7 @@ EntryWidget MakeGrid(const Schema::Field& field, const QString& name, const Edit
     NumberField* cell =
         MakeNumberField(field, QStringLiteral("%1[%2]").arg(name).arg(place), edited);
     cell->setHelp(QStringLiteral("[%1]").arg(place));
-    cell->setMinimumWidth(kLeastCell);
+    cell->setMinimumWidth(kMinCell);
     grid->addWidget(cell, place / kCellsInRow, place % kCellsInRow);
     elements.push_back(std::make_unique<NumberEntry>(*cell));
     cells.append(cell);
@@ -269,7 +269,7 @@ EntryWidget MakeEntry(const Schema::Field& field, const QString& name, const Edi
     case Schema::Kind::kString:
       return MakeText(name, edited);
     case Schema::Kind::kArray:
-      if (IsWrittenAsNumber(schema.element().kind()) && schema.length() <= kMostCells) {
+      if (IsWrittenAsNumber(schema.element().kind()) && schema.length() <= kMaxCells) {
         return MakeGrid(field, name, edited);
       }
       break;

@@ -9,13 +9,13 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kMostDecimals = 15;
+constexpr int kMaxDecimals = 15;
 
 }  // namespace
 
 NumberBox::NumberBox(Numbers numbers, QWidget* parent) : QDoubleSpinBox(parent), numbers_(numbers) {
   setButtonSymbols(NoButtons);  // not needed: the keys and the wheel do the same
-  setDecimals(numbers == Numbers::kWhole ? 0 : kMostDecimals);
+  setDecimals(numbers == Numbers::kWhole ? 0 : kMaxDecimals);
   setLocale(QLocale::c());
   connect(lineEdit(), &QLineEdit::textChanged, this, &NumberBox::edited);
 }

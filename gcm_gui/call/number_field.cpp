@@ -23,7 +23,7 @@ namespace tendon::gui {
 namespace {
 
 constexpr qsizetype kSurelySeen = 6;  // characters that are always visible
-constexpr int kMostDigits = 15;       // digits that every double keeps
+constexpr int kMaxDigits = 15;        // digits that every double keeps
 constexpr int kInnerMargin = 2;       // QLineEdit's own margin beside its text
 const QString kRole = QStringLiteral("mono number");
 
@@ -180,7 +180,7 @@ QString NumberField::shownText() const {
   const std::optional<double> number = DoubleOf(word().json);
   if (number && whole.contains('e', Qt::CaseInsensitive)) {
     // Rounds the number: its first digits without the exponent would be a different number.
-    for (int digits = kMostDigits; digits > 0; --digits) {
+    for (int digits = kMaxDigits; digits > 0; --digits) {
       const QString rounded = QString::number(*number, 'g', digits);
       if (fits(rounded)) return rounded;
     }

@@ -17,7 +17,7 @@ namespace tendon::gui {
 namespace {
 
 constexpr double kHighestRate = 50;  // Hz; code that must call faster belongs in a component
-constexpr int kMostRepeats = 100000;
+constexpr int kMaxRepeats = 100000;
 constexpr double kCallsUntilItExpires = 2;  // two calls per expiry time, because one may be late
 
 }  // namespace
@@ -37,7 +37,7 @@ RepeatRow::RepeatRow(CommandCalls& calls, std::function<std::string()> argument,
   rate_->setSuffix(QStringLiteral(" Hz"));
   times_->setObjectName(QStringLiteral("call.times"));
   times_->setAccessibleName(Words::tr("How many calls"));
-  times_->setRange(0, kMostRepeats);
+  times_->setRange(0, kMaxRepeats);
   times_->setSpecialValueText(Words::tr("until stopped"));
   times_->setSuffix(Words::tr(" times"));
   button_->setObjectName(QStringLiteral("call.repeat"));

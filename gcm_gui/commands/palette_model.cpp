@@ -90,8 +90,8 @@ std::vector<PaletteRow> RowsOf(Matches finds) {
         {action, PlainText(*action), action->shortcut().toString(QKeySequence::NativeText)});
   }
   auto& things = finds.things;
-  const auto shown = things.begin() + static_cast<std::ptrdiff_t>(
-                                          std::min(things.size(), PaletteModel::kMostThings));
+  const auto shown = things.begin() +
+                     static_cast<std::ptrdiff_t>(std::min(things.size(), PaletteModel::kMaxThings));
   std::partial_sort(things.begin(), shown, things.end(),
                     [](const ObjectMatch& a, const ObjectMatch& b) { return a.key() < b.key(); });
   for (auto it = things.begin(); it != shown; ++it) {

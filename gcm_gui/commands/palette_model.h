@@ -26,7 +26,7 @@ class PaletteModel : public RowListModel<PaletteRow> {
   Q_OBJECT
 
  public:
-  static constexpr std::size_t kMostThings = 50;
+  static constexpr std::size_t kMaxThings = 50;
 
   PaletteModel(QList<QAction*> actions, const CatalogueModel& catalogue, QObject* parent = nullptr);
 

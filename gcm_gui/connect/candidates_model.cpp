@@ -58,7 +58,7 @@ void CandidatesModel::refresh() {
       ++others;
     } else if (!isWanted(ToQString(ToString(candidate.port.name)))) {
       continue;
-    } else if (fresh.size() == kMostShown) {
+    } else if (fresh.size() == kMaxShown) {
       ++beyond;
     } else {
       fresh.push_back(rowOf(candidate));

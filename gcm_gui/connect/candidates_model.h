@@ -22,7 +22,7 @@ class CandidatesModel : public QAbstractItemModel {
 
   /// The maximum number of listed candidates. Further candidates are only counted, until a filter
   /// reduces their number.
-  static constexpr std::size_t kMostShown = 100;
+  static constexpr std::size_t kMaxShown = 100;
 
   /// Shows only candidates whose paths contain all these words. With a filter, the ports that do
   /// not fit are listed as well.

@@ -9,10 +9,10 @@ bool OutputPipe::write(Kind kind, std::string_view text) {
   bool wakes = false;
   {
     std::unique_lock lock(mutex_);
-    room_.wait(lock, [this] { return size_ < kMostWaiting || is_closed_; });
+    room_.wait(lock, [this] { return size_ < kMaxWaiting || is_closed_; });
     if (is_closed_) return false;
     const bool goes_on =
-        !pieces_.empty() && pieces_.back().kind == kind && pieces_.back().text.size() < kMostTaken;
+        !pieces_.empty() && pieces_.back().kind == kind && pieces_.back().text.size() < kMaxTaken;
     if (goes_on) {
       pieces_.back().text += text;
     } else {
@@ -31,9 +31,9 @@ std::deque<OutputPipe::Piece> OutputPipe::take() {
   {
     const std::scoped_lock lock(mutex_);
     std::size_t size = 0;
-    while (!pieces_.empty() && size < kMostTaken) {
+    while (!pieces_.empty() && size < kMaxTaken) {
       Piece& front = pieces_.front();
-      const std::size_t part = std::min(front.text.size(), kMostTaken - size);
+      const std::size_t part = std::min(front.text.size(), kMaxTaken - size);
       size += part;
       if (part == front.text.size()) {
         taken.push_back(std::move(front));

@@ -13,12 +13,12 @@
 
 namespace tendon::gui {
 
-/// Passes the output of one thread to another. If kMostWaiting bytes have not been taken yet, the
+/// Passes the output of one thread to another. If kMaxWaiting bytes have not been taken yet, the
 /// writer blocks, so that no output is lost and memory use is limited.
 class OutputPipe {
  public:
-  static constexpr std::size_t kMostWaiting = std::size_t{1} << 20;  // bytes
-  static constexpr std::size_t kMostTaken = std::size_t{1} << 15;    // per call
+  static constexpr std::size_t kMaxWaiting = std::size_t{1} << 20;  // bytes
+  static constexpr std::size_t kMaxTaken = std::size_t{1} << 15;    // per call
 
   enum class Kind { kOut, kError };
   struct Piece {
@@ -31,7 +31,7 @@ class OutputPipe {
 
   /// Appends output, and blocks while the pipe is full. Returns false if the pipe is closed.
   bool write(Kind kind, std::string_view text);
-  /// Removes and returns at most kMostTaken bytes, which may end in the middle of a character. If
+  /// Removes and returns at most kMaxTaken bytes, which may end in the middle of a character. If
   /// more bytes remain, calls `wake` again.
   [[nodiscard]] std::deque<Piece> take();
   /// Discards the output that was not taken, and unblocks the writers.

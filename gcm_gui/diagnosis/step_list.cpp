@@ -24,7 +24,7 @@ namespace tendon::gui {
 namespace {
 
 constexpr std::size_t kSignatureStep = 4;
-constexpr int kMostDiffRows = 9;  // rows of the comparison; with more rows, it scrolls
+constexpr int kMaxDiffRows = 9;  // rows of the comparison; with more rows, it scrolls
 constexpr int kStepMarkWidth = 16;
 constexpr int kNumberWidth = 14;
 constexpr int kLinkHeight = 20;  // lower than other links, because it stands in a line of text
@@ -70,7 +70,7 @@ StepList::StepList(SignatureModel& signatures, QWidget* parent)
   sides_->setParent(this);
   sides_->hide();
   const auto fit = [this, &signatures] {
-    const int rows = std::min(kMostDiffRows, std::max(1, signatures.rowCount()));
+    const int rows = std::min(kMaxDiffRows, std::max(1, signatures.rowCount()));
     sides_->setFixedHeight((rows + 1) * kRowHeight);
   };
   connect(&signatures, &QAbstractItemModel::modelReset, this, fit);

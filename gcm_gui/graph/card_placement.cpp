@@ -6,7 +6,7 @@ namespace tendon::gui {
 namespace {
 
 constexpr double kDistance = 28;
-constexpr double kMostUpOrDown = 240;
+constexpr double kMaxUpOrDown = 240;
 constexpr double kStep = 20;
 constexpr double kUnseenWeight = 60;
 
@@ -16,7 +16,7 @@ double AreaOf(const QRectF& rect) { return rect.width() * rect.height(); }
 
 QRectF CardPlacement::Reach(const QPointF& port, double widest) {
   const double aside = widest + 2 * kDistance;
-  return {port.x() - aside, port.y() - kMostUpOrDown, 2 * aside, 3 * kMostUpOrDown};
+  return {port.x() - aside, port.y() - kMaxUpOrDown, 2 * aside, 3 * kMaxUpOrDown};
 }
 
 void CardPlacement::Avoid(const QRectF& rect, double weight) { things_.push_back({rect, weight}); }
@@ -32,7 +32,7 @@ CardPlacement::Corner CardPlacement::Find(const QSizeF& size) const {
   Corner found;
   bool any = false;
   for (const double x : {kDistance, -size.width() / 2, -size.width() - kDistance}) {
-    for (double y = -kMostUpOrDown; y <= kMostUpOrDown; y += kStep) {
+    for (double y = -kMaxUpOrDown; y <= kMaxUpOrDown; y += kStep) {
       const QPointF corner = port_ + QPointF(x, y);
       const bool covers_port = QRectF(corner, size).adjusted(-8, -8, 8, 8).contains(port_);
       const double away = std::abs(y + size.height() / 2) + (x == kDistance ? 0 : 120);

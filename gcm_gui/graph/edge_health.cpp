@@ -58,9 +58,9 @@ void EdgeHealth::look() {
   });
   const auto next = std::upper_bound(seen.begin(), seen.end(), last_);
   std::rotate(seen.begin(), next, seen.end());
-  seen.resize(std::min(seen.size(), kMostAtOnce));
+  seen.resize(std::min(seen.size(), kMaxAtOnce));
   for (const InterfaceName& required : seen) {
-    if (asked_.size() >= kMostAtOnce) return;
+    if (asked_.size() >= kMaxAtOnce) return;
     last_ = required;
     ask(required);
   }

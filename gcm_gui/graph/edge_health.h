@@ -19,14 +19,14 @@ namespace tendon::gui {
 [[nodiscard]] QString HealthWarning(const ConnectionCounts& now,
                                     const std::optional<ConnectionCounts>& before);
 
-/// Polls the health of the visible connections while the graph is visible: about kMostAtOnce
-/// connections per second, one after another, with at most kMostAtOnce unanswered requests. The
+/// Polls the health of the visible connections while the graph is visible: about kMaxAtOnce
+/// connections per second, one after another, with at most kMaxAtOnce unanswered requests. The
 /// connection under the pointer is polled first, every second.
 class EdgeHealth : public QObject {
   Q_OBJECT
 
  public:
-  static constexpr std::size_t kMostAtOnce = 8;
+  static constexpr std::size_t kMaxAtOnce = 8;
   /// Returns the required interfaces of the working connections that are visible now.
   using Seen = std::function<std::vector<InterfaceName>()>;
 

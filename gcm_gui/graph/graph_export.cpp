@@ -30,7 +30,7 @@ namespace {
 constexpr double kAroundExport = 16;  // scene units
 constexpr double kDots = 2;           // pixels per scene unit
 // The maximum size of an image; a larger graph gets a lower resolution.
-constexpr double kMostExportPixels = 4e7;
+constexpr double kMaxExportPixels = 4e7;
 
 /// The graph as recorded strokes and texts. Another thread can make an image of them.
 struct Drawing {
@@ -41,7 +41,7 @@ struct Drawing {
 Drawing DrawingOf(GraphScene& scene) {
   const QRectF all =
       scene.contents().adjusted(-kAroundExport, -kAroundExport, kAroundExport, kAroundExport);
-  const double most = std::sqrt(kMostExportPixels / (all.width() * all.height()));
+  const double most = std::sqrt(kMaxExportPixels / (all.width() * all.height()));
   Drawing drawing;
   drawing.size = (all.size() * std::min(kDots, most)).toSize().expandedTo({1, 1});
   scene.hover().pointNow({});

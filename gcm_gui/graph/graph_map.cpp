@@ -15,10 +15,10 @@ namespace tendon::gui {
 namespace {
 
 constexpr QSize kLargest{200, 140};
-constexpr int kInside = 6;        // pixels from the border of the map to its graph
-constexpr double kLeastNode = 2;  // pixels; so each component is visible
-constexpr int kLeastView = 160;   // pixels; in a smaller view, the map would hide too much
-constexpr double kSlack = 1;      // scene units that may be outside the view
+constexpr int kInside = 6;      // pixels from the border of the map to its graph
+constexpr double kMinNode = 2;  // pixels; so each component is visible
+constexpr int kMinView = 160;   // pixels; in a smaller view, the map would hide too much
+constexpr double kSlack = 1;    // scene units that may be outside the view
 
 }  // namespace
 
@@ -51,7 +51,7 @@ void GraphMap::follow() {
   const QRectF all = graph_.graph().contents();
   const QRectF inner = all.adjusted(kSlack, kSlack, -kSlack, -kSlack);
   const QRect room = graph_.rect();
-  const bool has_room = std::min(room.width(), room.height()) >= kLeastView;
+  const bool has_room = std::min(room.width(), room.height()) >= kMinView;
   setVisible(wanted_ && has_room && !all.isEmpty() && !graph_.seen().contains(inner));
   if (isHidden()) return;
   const QSize most = kLargest.boundedTo({room.width() / 3, room.height() / 3});
@@ -90,7 +90,7 @@ void GraphMap::drawContents() {
   QPainter painter(&contents_);
   const auto small = [&](const QRectF& rect) {
     QRectF drawn(fromScene(rect.topLeft()), fromScene(rect.bottomRight()));
-    drawn.setSize(drawn.size().expandedTo({kLeastNode, kLeastNode}));
+    drawn.setSize(drawn.size().expandedTo({kMinNode, kMinNode}));
     return drawn;
   };
   painter.setPen(theme.color(Token::kLine));

@@ -24,7 +24,7 @@ namespace tendon::gui {
 namespace {
 
 constexpr std::array kCardWidths{320.0, 260.0, 210.0};
-constexpr std::size_t kMostGliding = 60;  // components; a larger system is moved without animation
+constexpr std::size_t kMaxGliding = 60;  // components; a larger system is moved without animation
 constexpr qsizetype kReasonsAsked = 2;
 // Lines on a card that appears without a request of the user.
 constexpr qsizetype kReasonsUnasked = 1;
@@ -125,7 +125,7 @@ void GraphScene::showCatalogue(const Catalogue& catalogue, const ChangedParts& t
 void GraphScene::showArrangement(bool moved) {
   if (moved) {
     const Arrangement& to = layout_->arrangement();
-    const bool is_large = static_cast<std::size_t>(to.nodes.size()) > kMostGliding;
+    const bool is_large = static_cast<std::size_t>(to.nodes.size()) > kMaxGliding;
     carried_.empty() && !is_large ? animation_->goTo(to) : animation_->jumpTo(to);
   }
   showItems(moved);

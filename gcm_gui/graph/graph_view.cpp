@@ -21,11 +21,11 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kLeastScale = 0.08;
-constexpr double kMostScale = 2.5;
+constexpr double kMinScale = 0.08;
+constexpr double kMaxScale = 2.5;
 constexpr double kReadable = 0.6;
 // The largest scale of fit(), so that a small graph is not enlarged too much in a large window.
-constexpr double kMostFitted = 1.2;
+constexpr double kMaxFitted = 1.2;
 constexpr double kMargin = 12;
 constexpr int kPanStep = 60;          // pixels
 constexpr int kMoveStep = 2 * kGrid;  // scene units
@@ -128,7 +128,7 @@ void GraphView::showAll() {
   if (scene_.contents().isEmpty()) return;
   const double wanted =
       std::min(viewport()->width() / contents.width(), viewport()->height() / contents.height());
-  const double scale = std::clamp(wanted, kLeastScale, kMostFitted);
+  const double scale = std::clamp(wanted, kMinScale, kMaxFitted);
   setTransform(QTransform::fromScale(scale, scale));
   centerOn(contents.center());
   updateVisibleArea();
@@ -136,7 +136,7 @@ void GraphView::showAll() {
 
 void GraphView::zoom(double factor) {
   const double now = transform().m11();
-  const double then = std::clamp(now * factor, kLeastScale, kMostScale);
+  const double then = std::clamp(now * factor, kMinScale, kMaxScale);
   following_ = false;
   scale(then / now, then / now);
   updateVisibleArea();

@@ -10,8 +10,8 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kFade = 140;                  // ms
-constexpr std::size_t kMostThatFade = 300;  // components; each step of a fade redraws all of them
+constexpr int kFade = 140;                 // ms
+constexpr std::size_t kMaxThatFade = 300;  // components; each step of a fade redraws all of them
 constexpr double kAround = 2;  // scene units; the dimmed area is this much larger than the contents
 
 }  // namespace
@@ -48,7 +48,7 @@ void Highlight::refresh() {
   const bool dims = !names().empty();
   raise();
   fade_.setDirection(dims ? QAbstractAnimation::Forward : QAbstractAnimation::Backward);
-  if (scene_.components().size() > kMostThatFade) {
+  if (scene_.components().size() > kMaxThatFade) {
     fade_.stop();
     dimming_item_->setStrength(dims ? 1 : 0);
     raise();

@@ -18,7 +18,7 @@ constexpr auto kName = "tendonView";
 constexpr std::chrono::seconds kPause{1};
 // The time for which a fault of a view without a cover is listed.
 constexpr std::chrono::minutes kKept{10};
-constexpr qsizetype kMostFaults = 50;
+constexpr qsizetype kMaxFaults = 50;
 
 std::int64_t Now() {
   return std::chrono::nanoseconds(std::chrono::system_clock::now().time_since_epoch()).count();
@@ -135,7 +135,7 @@ void ExceptionGuard::note(const QString& name, QWidget* view, const QString& wha
   auto entry = std::find_if(entries_.begin(), entries_.end(), is_same);
   if (entry == entries_.end()) {
     dropOld();
-    while (entries_.size() >= kMostFaults) entries_.removeFirst();
+    while (entries_.size() >= kMaxFaults) entries_.removeFirst();
     entries_.append({.fault = {.view = name, .what = what, .first = Now()}, .view = view});
     entry = entries_.end() - 1;
   }

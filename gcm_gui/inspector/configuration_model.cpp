@@ -9,13 +9,13 @@
 namespace tendon::gui {
 namespace {
 
-constexpr std::size_t kMostRows = 500;
+constexpr std::size_t kMaxRows = 500;
 
 /// Adds the rows of a value: one row for a list of values; for an object, one row per member.
 void AddRows(const QString& name, const nlohmann::ordered_json& value,
              std::vector<ConfigurationRow>& rows) {
   const bool is_list_of_objects = value.is_array() && !value.empty() && value.front().is_object();
-  if (rows.size() == kMostRows) return;
+  if (rows.size() == kMaxRows) return;
   if (value.is_object() && !value.empty()) {
     for (const auto& [key, field] : value.items()) {
       AddRows(name.isEmpty() ? ToQString(key) : name + '.' + ToQString(key), field, rows);

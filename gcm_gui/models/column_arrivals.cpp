@@ -24,11 +24,11 @@ QStringList ColumnArrivals::dropSilent() {
 }
 
 std::optional<double> ColumnArrivals::rate(const QString& column) const {
-  constexpr double kMostPeriods = 5;
+  constexpr double kMaxPeriods = 5;
   const auto it = all_.constFind(column);
   if (it == all_.constEnd() || it->rate.hz() <= 0) return std::nullopt;
   const std::chrono::duration<double> silence = clock_.Now() - it->time;
-  const std::chrono::duration<double> usual(kMostPeriods / it->rate.hz());
+  const std::chrono::duration<double> usual(kMaxPeriods / it->rate.hz());
   const std::chrono::duration<double> limit = kSilence;
   if (silence > std::max(limit, usual)) return std::nullopt;
   return it->rate.hz();

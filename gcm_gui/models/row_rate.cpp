@@ -3,10 +3,10 @@
 namespace tendon::gui {
 
 void RowRate::onValues(const ColumnValues& values) {
-  constexpr double kLeastTime = 1;  // s
+  constexpr double kMinTime = 1;  // s
   const double passed = 1e-9 * static_cast<double>(values.time - time_);
   const bool begins = time_ == 0 || values.rows < rows_ || passed < 0;
-  if (!begins && passed < kLeastTime) return;
+  if (!begins && passed < kMinTime) return;
   hz_ = begins ? 0 : static_cast<double>(values.rows - rows_) / passed;
   rows_ = values.rows;
   time_ = values.time;

@@ -11,7 +11,7 @@ namespace tendon::gui {
 namespace {
 
 constexpr double kLastExact = 1e15;  // a double can represent every integer up to this limit
-constexpr double kMostPlain = 1e12;  // larger than seconds since 1970, which must stay readable
+constexpr double kMaxPlain = 1e12;   // larger than seconds since 1970, which must stay readable
 
 /// Formats a number with as many decimals as are needed for four digits.
 QString FourDigits(double value) {
@@ -48,7 +48,7 @@ QString NumberText(double value) {
   const double size = std::abs(value);
   if (!std::isfinite(value)) return QString::number(value);
   if (value == std::floor(value) && size < kLastExact) return QString::number(value, 'f', 0);
-  if (size >= kMostPlain) return QString::number(value, 'e', 3);
+  if (size >= kMaxPlain) return QString::number(value, 'e', 3);
   if (size >= 1) return FourDigits(value);
   return size >= 0.01 ? QString::number(value, 'f', 4) : QString::number(value, 'g', 4);
 }

@@ -75,7 +75,7 @@ void SharedTimeAxis::remember(Gesture gesture) {
   if (is_same_run) return;
   later_.clear();
   former_.push_back(present());
-  if (former_.size() > kMostSteps) former_.erase(former_.begin());
+  if (former_.size() > kMaxSteps) former_.erase(former_.begin());
 }
 
 void SharedTimeAxis::go(std::vector<ViewState>& from, std::vector<ViewState>& to) {

@@ -24,7 +24,7 @@ namespace tendon::gui {
 class SharedTimeAxis {
  public:
   /// The maximum number of steps in the history.
-  static constexpr std::size_t kMostSteps = 64;
+  static constexpr std::size_t kMaxSteps = 64;
 
   enum class Gesture {
     kOnce,      ///< always a separate step in the history

@@ -21,7 +21,7 @@ using SteadyPoint = std::chrono::steady_clock::time_point;
 
 constexpr std::chrono::milliseconds kReportPeriod{250};
 constexpr std::chrono::seconds kRateSpan{5};  // a file grows in steps of whole chunks
-constexpr int kMostNames = 100;
+constexpr int kMaxNames = 100;
 
 /// The growth of a file over the last seconds.
 class GrowthRate {
@@ -171,7 +171,7 @@ class RecordingWorker::Run {
       const std::string ending = number == 1 ? "" : "-" + std::to_string(number);
       Result<T> made = make(folder / (request_.name.toStdString() + ending + ".mcap"));
       const bool is_taken = !made && made.error().code == ErrorCode::kExists;
-      if (!is_taken || number == kMostNames) return made;
+      if (!is_taken || number == kMaxNames) return made;
     }
   }
 

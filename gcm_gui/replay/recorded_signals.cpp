@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kFollowPeriod{33};
 constexpr std::int64_t kLongestRead = 3'600'000'000'000;  // ns, of the visible time
-constexpr std::int64_t kMostMargin = 60'000'000'000;      // ns, before and after the visible time
+constexpr std::int64_t kMaxMargin = 60'000'000'000;       // ns, before and after the visible time
 
 }  // namespace
 
@@ -62,7 +62,7 @@ class RecordedSignals::File : public QObject {
     if (from > to) return beOutOfSight();
     const bool has_begin = read_ && read_->from_ns <= from && from <= read_->to_ns;
     if (!is_past_wanted_ && has_begin && to <= read_->to_ns) return;
-    const std::int64_t margin = std::min((to - from) / 2, kMostMargin);
+    const std::int64_t margin = std::min((to - from) / 2, kMaxMargin);
     const std::int64_t end = std::min(MovedTime(to, margin), facts_.last);
     is_busy_ = true;
     if (!is_past_wanted_ && has_begin) {

@@ -30,7 +30,7 @@ void RecordingNotes::addRecent(const QString& file) {
   QStringList files = Lines(kept_->value(NameOfRecent()));
   files.removeAll(file);
   files.prepend(file);
-  kept_->set(NameOfRecent(), files.mid(0, kMostRecent).join('\n').toUtf8());
+  kept_->set(NameOfRecent(), files.mid(0, kMaxRecent).join('\n').toUtf8());
 }
 
 QList<std::int64_t> RecordingNotes::marks(const QString& file) const {

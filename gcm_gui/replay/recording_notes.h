@@ -15,12 +15,12 @@ namespace tendon::gui {
 /// GUI thread.
 class RecordingNotes {
  public:
-  static constexpr qsizetype kMostRecent = 8;
+  static constexpr qsizetype kMaxRecent = 8;
 
   /// `folder` is the folder of the window's saved state; if it is empty, nothing is saved.
   explicit RecordingNotes(const QString& folder);
 
-  /// Returns those of the latest kMostRecent files that still exist, latest first.
+  /// Returns those of the latest kMaxRecent files that still exist, latest first.
   [[nodiscard]] QStringList recent() const;
   /// `file` is an absolute path.
   void addRecent(const QString& file);

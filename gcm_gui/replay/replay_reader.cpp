@@ -17,8 +17,8 @@ using recording::Playback;
 using recording::PlayedItem;
 
 constexpr std::int64_t kBeforeBegin = 1'000'000'000'000;  // ns; so that no sample is before 0
-constexpr std::size_t kMostRows = 4096;                   // of a batch
-constexpr qsizetype kMostProblems = 20;
+constexpr std::size_t kMaxRows = 4096;                    // of a batch
+constexpr qsizetype kMaxProblems = 20;
 
 LogLevel LevelOf(std::uint8_t ros_level) {
   if (ros_level >= 40) return LogLevel::kError;
@@ -51,7 +51,7 @@ std::string TableOf(const std::string& column) { return column.substr(0, column.
 QStringList SentencesOf(const mcap::Problems& problems) {
   QStringList sentences;
   for (const mcap::Problem& problem : problems.first()) {
-    if (sentences.size() == kMostProblems) break;
+    if (sentences.size() == kMaxProblems) break;
     sentences << ToQString(problem.sentence);
   }
   return sentences;
@@ -84,7 +84,7 @@ class RowCollector {
     times_.push_back(ReplayReader::SampleTime(static_cast<std::int64_t>(time), first_));
     ends_.push_back(bytes_.size() + value.body.size());
     bytes_.insert(bytes_.end(), value.body.begin(), value.body.end());
-    if (ticks_.size() >= kMostRows) flush();
+    if (ticks_.size() >= kMaxRows) flush();
   }
 
   void add(const recording::Loss& loss) {

@@ -17,7 +17,7 @@ constexpr auto kFrame = 33ms;
 constexpr qint64 kValuesPeriod = 100;                     // ms
 constexpr std::int64_t kShortestPast = 5'000'000'000;     // ns
 constexpr std::int64_t kLongestPast = 3'600'000'000'000;  // ns
-constexpr std::int64_t kMostLate = 500'000'000;           // ns of the recording, at speed 1
+constexpr std::int64_t kMaxLate = 500'000'000;            // ns of the recording, at speed 1
 constexpr std::int64_t kSameMark = 1'000'000;             // ns
 
 }  // namespace
@@ -141,7 +141,7 @@ void ReplaySession::onStep(const ReplayStep& step) {
   pending_ = std::max(0, pending_ - 1);
   const qint64 now = now_.nsecsElapsed();
   // If the disk is too slow, the replay takes longer, but leaves nothing out.
-  const auto most = static_cast<double>(kMostLate) * std::max(1.0, clock_.speed());
+  const auto most = static_cast<double>(kMaxLate) * std::max(1.0, clock_.speed());
   const bool is_late =
       clock_.isPlaying() && static_cast<double>(clock_.position(now) - step.position) > most;
   if (is_late && !wanted_) clock_.seek(step.position, now);

@@ -8,7 +8,7 @@ namespace {
 
 // Samples of all numbers together. This is enough for one hour of one number at 1 kHz. No plot gets
 // a longer time at once.
-constexpr std::size_t kMostWaiting = std::size_t{1} << 22;
+constexpr std::size_t kMaxWaiting = std::size_t{1} << 22;
 
 }  // namespace
 
@@ -30,7 +30,7 @@ WantedColumns ReplaySignals::beginJump() {
   next_.clear();
   std::size_t taps = 0;
   for (const auto& [path, column] : columns()) taps += column.users.size();
-  const std::size_t most = kMostWaiting / std::max<std::size_t>(taps, 1);
+  const std::size_t most = kMaxWaiting / std::max<std::size_t>(taps, 1);
   WantedColumns wanted;
   for (const auto& [path, column] : columns()) {
     const auto next = std::make_shared<ColumnFeed>(most);

@@ -20,7 +20,7 @@ constexpr int kSide = 8;     // pixels on both sides of the line, so that the ha
 constexpr int kGroove = 4;   // height
 constexpr int kHandle = 12;  // diameter
 constexpr int kEventHeight = 6;
-constexpr std::int64_t kMostValues = 1'000'000'000;
+constexpr std::int64_t kMaxValues = 1'000'000'000;
 constexpr double kPage = 0.1;  // of the length
 
 }  // namespace
@@ -55,7 +55,7 @@ TimeSlider::TimeSlider(QWidget* parent) : QAbstractSlider(parent) {
 void TimeSlider::setRange(std::int64_t first, std::int64_t last) {
   first_ = first;
   last_ = std::max(first, last);
-  unit_ = std::max<std::int64_t>(1'000'000, (last_ - first_) / kMostValues + 1);
+  unit_ = std::max<std::int64_t>(1'000'000, (last_ - first_) / kMaxValues + 1);
   QAbstractSlider::setRange(0, static_cast<int>((last_ - first_) / unit_));
   findColumns();
 }

@@ -83,7 +83,7 @@ CatalogueStore::CatalogueStore(QObject* parent) : QObject(parent) {
 }
 
 void CatalogueStore::announce() {
-  const ChangedParts some = TakeSome(unannounced_, catalogue_, kMostAtOnce);
+  const ChangedParts some = TakeSome(unannounced_, catalogue_, kMaxAtOnce);
   if (!unannounced_.empty()) next_.start();
   Q_EMIT changed(catalogue_, some);
 }

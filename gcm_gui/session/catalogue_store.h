@@ -31,7 +31,7 @@ class CatalogueStore : public QObject {
  public:
   /// The maximum number of changed components that are announced in one step. A changed process
   /// counts as all its components. More changes are announced in several steps.
-  static constexpr std::size_t kMostAtOnce = 100;
+  static constexpr std::size_t kMaxAtOnce = 100;
 
   explicit CatalogueStore(QObject* parent = nullptr);
 

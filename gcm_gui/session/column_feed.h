@@ -25,9 +25,9 @@ class ColumnFeed final : public RowSink {
  public:
   /// The default of the maximum number of samples that are stored for each number until they are
   /// taken. Above it, the oldest samples are dropped and count as lost.
-  static constexpr std::size_t kMostWaiting = std::size_t{1} << 18;
+  static constexpr std::size_t kMaxWaiting = std::size_t{1} << 18;
 
-  explicit ColumnFeed(std::size_t most_waiting = kMostWaiting) : most_waiting_(most_waiting) {}
+  explicit ColumnFeed(std::size_t most_waiting = kMaxWaiting) : most_waiting_(most_waiting) {}
 
   /// Samples from one run of the source, between two restarts.
   struct Run {

@@ -131,7 +131,7 @@ void NetworkReports::drain() {
     lost += lost_before;
     waiting_.push_back(std::move(event));
   }
-  while (waiting_.size() > kMostAtOnce) {
+  while (waiting_.size() > kMaxAtOnce) {
     ++lost.by_path[waiting_.front().path];
     waiting_.pop_front();
   }

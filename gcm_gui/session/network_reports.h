@@ -22,7 +22,7 @@ class NetworkReports final : public SystemReports {
 
  public:
   /// The maximum number of events that are delivered at once. Further events count as lost.
-  static constexpr std::size_t kMostAtOnce = 1000;
+  static constexpr std::size_t kMaxAtOnce = 1000;
 
   /// `client` and `store` must outlive this object. `poster` posts calls to the GUI thread.
   NetworkReports(GcmClient& client, const CatalogueStore& store, std::shared_ptr<GuiPoster> poster,

@@ -12,7 +12,7 @@ namespace tendon::gui {
 /// The last states of a system, oldest first. Each change adds one state.
 class Snapshots {
  public:
-  static constexpr std::size_t kMost = 50;
+  static constexpr std::size_t kMax = 50;
 
   struct Snapshot {
     std::int64_t when = 0;  ///< ns since 1970
@@ -23,7 +23,7 @@ class Snapshots {
   void add(std::int64_t when, SystemFile system) {
     if (!all_.empty() && all_.back().system == system) return;
     all_.push_back({when, std::move(system)});
-    if (all_.size() > kMost) all_.pop_front();
+    if (all_.size() > kMax) all_.pop_front();
   }
   [[nodiscard]] const std::deque<Snapshot>& all() const { return all_; }
 

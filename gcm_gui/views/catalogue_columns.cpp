@@ -20,7 +20,7 @@ namespace {
 
 using Model = CatalogueModel;
 
-constexpr int kLeastName = 176;  // pixels; if there is less room, the columns scroll horizontally
+constexpr int kMinName = 176;  // pixels; if there is less room, the columns scroll horizontally
 constexpr int kNarrowestColumn = 24;  // minimum of saved widths
 constexpr int kWidestColumn = 2000;   // maximum of saved widths
 constexpr quint32 kStateVersion = 1;
@@ -92,7 +92,7 @@ void CatalogueColumns::fitName() {
   QHeaderView& header = *tree_.header();
   const int others = header.length() - header.sectionSize(Model::kName);
   header.setSectionResizeMode(Model::kName, QHeaderView::Fixed);
-  header.resizeSection(Model::kName, std::max(kLeastName, tree_.viewport()->width() - others));
+  header.resizeSection(Model::kName, std::max(kMinName, tree_.viewport()->width() - others));
 }
 
 bool CatalogueColumns::eventFilter(QObject* watched, QEvent* event) {

@@ -12,7 +12,7 @@ namespace tendon::gui {
 namespace {
 
 constexpr std::chrono::milliseconds kSettle{50};
-constexpr int kMostExpanded = 200;  // maximum number of rows that a filter expands by itself
+constexpr int kMaxExpanded = 200;  // maximum number of rows that a filter expands by itself
 
 }  // namespace
 
@@ -96,7 +96,7 @@ void CatalogueTree::applyFilter() {
   } else if (!filtered_) {
     filtered_ = own_;
   }
-  if (filter_.active() && filter_.matchCount() <= kMostExpanded) expandToDepth(3);
+  if (filter_.active() && filter_.matchCount() <= kMaxExpanded) expandToDepth(3);
   restore({}, 0, filter_.rowCount({}) - 1);
   showSelection();
   if (!filter_.active()) scrollTo(currentIndex());

@@ -14,10 +14,10 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kMostHeight = 240;
+constexpr int kMaxHeight = 240;
 constexpr double kOldOpacity = 0.45;
 // The maximum width and height in pixels; a larger picture is scaled down before it is stored.
-constexpr int kMostKept = 1920;
+constexpr int kMaxKept = 1920;
 
 QString Caption(const QString& name, const RawImage& picture) {
   const QString size =
@@ -66,8 +66,8 @@ std::optional<ImageView::PreparedImage> ImageView::Prepare(const std::optional<R
   if (!picture) return std::nullopt;
   auto image = Draw(*picture);
   if (!image) return PreparedImage{{}, QString::fromStdString(image.error().message)};
-  if (std::max(image->width(), image->height()) > kMostKept) {
-    *image = image->scaled(kMostKept, kMostKept, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+  if (std::max(image->width(), image->height()) > kMaxKept) {
+    *image = image->scaled(kMaxKept, kMaxKept, Qt::KeepAspectRatio, Qt::SmoothTransformation);
   }
   return PreparedImage{*image, Caption(name, *picture)};
 }
@@ -119,7 +119,7 @@ void ImageView::showWords() {
 /// enlarged.
 QSize ImageView::drawnSize() const {
   if (image_.isNull()) return {};
-  const QSize room(std::max(1, width() - 2 * kInset), kMostHeight);
+  const QSize room(std::max(1, width() - 2 * kInset), kMaxHeight);
   const bool is_small = image_.width() <= room.width() && image_.height() <= room.height();
   return is_small ? image_.size() : image_.size().scaled(room, Qt::KeepAspectRatio);
 }

@@ -228,10 +228,10 @@ Result<QImage> Draw(const RawImage& picture) {
     return Wrong(
         Words::tr("a picture of %1 pixels is empty: width and height must be above 0").arg(size));
   }
-  if (picture.width > kMostPixels || picture.height > kMostPixels / picture.width) {
+  if (picture.width > kMaxPixels || picture.height > kMaxPixels / picture.width) {
     return Wrong(Words::tr("a picture of %1 pixels is too large to be drawn: at most %2")
                      .arg(size)
-                     .arg(kMostPixels));
+                     .arg(kMaxPixels));
   }
   const std::uint64_t row = picture.width * known->bytes;
   const std::uint64_t step = picture.step == 0 ? row : picture.step;

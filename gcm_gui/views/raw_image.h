@@ -27,7 +27,7 @@ struct RawImage {
 };
 
 /// Larger pictures are not drawn.
-inline constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 25U;
+inline constexpr std::uint64_t kMaxPixels = std::uint64_t{1} << 25U;
 
 /// Returns true if values of this type are pictures.
 [[nodiscard]] bool DescribesImage(const Schema& schema);

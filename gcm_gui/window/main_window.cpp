@@ -70,14 +70,14 @@ constexpr QSize kWindow{1280, 800};
 constexpr int kCatalogueWidth = 280;
 constexpr int kInspectorWidth = 336;
 constexpr int kStripHeight = 124;
-constexpr int kLeastCatalogueWidth = 208;
-constexpr int kLeastCentreWidth = 480;
+constexpr int kMinCatalogueWidth = 208;
+constexpr int kMinCentreWidth = 480;
 // Wide enough for a form, so that the panel need not become wider.
-constexpr int kLeastInspectorWidth = 334;
-constexpr int kLeastStripHeight = 80;
+constexpr int kMinInspectorWidth = 334;
+constexpr int kMinStripHeight = 80;
 constexpr int kRoomToRead = 220;  // pixels; enough to read a log or a console
 constexpr int kPlotsHeight = 268;
-constexpr int kLeastPlotsHeight = 120;
+constexpr int kMinPlotsHeight = 120;
 constexpr std::chrono::seconds kSecond{1};
 
 }  // namespace
@@ -210,11 +210,11 @@ QWidget* MainWindow::buildRight() {
 void MainWindow::buildPanels(QSplitter& centre) {
   panels_ = new Panels(*this, centre);
   panels_->add(catalogue_, Words::tr("Catalogue"), Qt::LeftDockWidgetArea, kCatalogueWidth,
-               kLeastCatalogueWidth);
+               kMinCatalogueWidth);
   panels_->add(buildRight(), Words::tr("Inspector"), Qt::RightDockWidgetArea, kInspectorWidth,
-               kLeastInspectorWidth);
+               kMinInspectorWidth);
   panels_->add(strip_, Words::tr("Activity"), Qt::BottomDockWidgetArea, kStripHeight,
-               kLeastStripHeight);
+               kMinStripHeight);
   connect(panels_, &Panels::shown, this, &MainWindow::showPerspective);
 }
 
@@ -227,7 +227,7 @@ QSplitter* MainWindow::buildCentre() {
   centre_->addRight(notice_);
   plots_ = new PlotPanel;
   plots_->setAutoFillBackground(true);
-  plots_->setMinimumHeight(kLeastPlotsHeight);
+  plots_->setMinimumHeight(kMinPlotsHeight);
   overlay_ = new RecordingOverlay(*plots_, opener_->notes(), *this);
   binding_ = new PlotBinding(*plots_, parts_.source, overlay_->source(), catalogue_model_, this);
   ExceptionGuard::setName(*plots_, Words::tr("Plots"));
@@ -237,7 +237,7 @@ QSplitter* MainWindow::buildCentre() {
   auto* rows = new QSplitter(Qt::Vertical);
   rows->setObjectName(QStringLiteral("centreRows"));
   rows->setChildrenCollapsible(false);
-  rows->setMinimumWidth(kLeastCentreWidth);
+  rows->setMinimumWidth(kMinCentreWidth);
   rows->setHandleWidth(kGap);
   rows->addWidget(centre_);
   rows->addWidget(plots_);

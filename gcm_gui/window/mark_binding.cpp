@@ -62,7 +62,7 @@ void MarkBinding::follow() {
   }
   QStringList patterns;
   if (panel_.areMarksShown()) {
-    for (const QString& component : components_plotted_.mid(0, kMostListenedTo)) {
+    for (const QString& component : components_plotted_.mid(0, kMaxListenedTo)) {
       patterns << component + QStringLiteral("/*");
     }
   }

@@ -31,7 +31,7 @@ class MarkBinding : public QObject {
  public:
   /// The maximum number of components whose events are subscribed at once, in the order of
   /// plotting.
-  static constexpr qsizetype kMostListenedTo = 32;
+  static constexpr qsizetype kMaxListenedTo = 32;
   /// The minimum time between two marked events of the same path. An event that comes earlier is
   /// only counted in the next mark.
   static constexpr std::int64_t kEventPauseNs = 50'000'000;

@@ -84,10 +84,10 @@ void PlotBinding::plot(const QString& path) {
                                    "column or a value of a state table"));
     return;
   }
-  for (const CurveKey& key : keys.mid(0, kMostAtOnce)) panel_.addSignal(key.path, key.unit);
-  if (keys.size() > kMostAtOnce) {
+  for (const CurveKey& key : keys.mid(0, kMaxAtOnce)) panel_.addSignal(key.path, key.unit);
+  if (keys.size() > kMaxAtOnce) {
     Q_EMIT notice(Words::tr("The first %1 of %2 numbers are plotted; select fewer numbers")
-                      .arg(kMostAtOnce)
+                      .arg(kMaxAtOnce)
                       .arg(keys.size()));
   }
 }

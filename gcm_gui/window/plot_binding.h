@@ -20,7 +20,7 @@ class PlotBinding : public QObject {
 
  public:
   /// The maximum number of curves that are added to a plot at once.
-  static constexpr int kMostAtOnce = 16;
+  static constexpr int kMaxAtOnce = 16;
 
   PlotBinding(PlotPanel& panel, SignalSource& source, SignalSource& recordings,
               const CatalogueModel& model, QObject* parent = nullptr);

@@ -13,9 +13,9 @@ namespace tendon::benchmark {
 /// code that it is compared with.
 inline void KeepMemory() {
   constexpr int kForLargeAnswers = 64 << 20;
-  constexpr int kMost = 512 << 20;
+  constexpr int kMax = 512 << 20;
   mallopt(M_MMAP_THRESHOLD, kForLargeAnswers);
-  mallopt(M_TRIM_THRESHOLD, kMost);
+  mallopt(M_TRIM_THRESHOLD, kMax);
 }
 
 /// Returns a figure of a process (a pid or "self") from the file `status` in /proc, in bytes:

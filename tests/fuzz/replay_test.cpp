@@ -95,7 +95,7 @@ TEST_P(Replay, HandlesTheCorpus) {
 int Slowdown() { return tendon::test::IsSanitized() ? 5 : 1; }
 
 TEST_P(Replay, HandlesRandomMutationsOfTheCorpus) {
-  constexpr std::size_t kMost = 4096;  // bytes
+  constexpr std::size_t kMax = 4096;  // bytes
   const auto corpus = Corpus(GetParam().corpus);
   ASSERT_FALSE(corpus.empty());
   std::mt19937 random(35);
@@ -106,16 +106,16 @@ TEST_P(Replay, HandlesRandomMutationsOfTheCorpus) {
     for (auto changes = 1 + random() % 4; changes > 0; --changes) {
       Mutate(random, corpus[random() % corpus.size()], body);
     }
-    body.resize(std::min(body.size(), kMost));
+    body.resize(std::min(body.size(), kMax));
     GetParam().run(body);
   }
 }
 
 TEST_P(Replay, HandlesFilesTruncatedAtAnyByte) {
-  constexpr std::size_t kMostCuts = 300;
+  constexpr std::size_t kMaxCuts = 300;
   const auto step = static_cast<std::size_t>(Slowdown());
   for (const Body& body : Corpus(GetParam().corpus)) {
-    for (std::size_t size = 0; size < std::min(body.size(), kMostCuts); size += step) {
+    for (std::size_t size = 0; size < std::min(body.size(), kMaxCuts); size += step) {
       GetParam().run(std::span(body).first(size));
     }
   }

@@ -24,7 +24,7 @@ namespace {
 /// Decodes a body by a schema. The first two bytes are the length of the schema's text, which
 /// follows; the rest is the body.
 void DecodeBySchema(Bytes bytes) {
-  constexpr std::size_t kMostRead = 8;
+  constexpr std::size_t kMaxRead = 8;
   if (bytes.size() < 2) return;
   const std::size_t length = std::min(
       std::to_integer<std::size_t>(bytes[0]) + std::to_integer<std::size_t>(bytes[1]) * 256,
@@ -40,7 +40,7 @@ void DecodeBySchema(Bytes bytes) {
     Require(!again || tendon::ToJson(*schema, *again).ok(), "what was read prints");
   }
   const auto fields = tendon::NumericFields(*schema, body);
-  for (std::size_t i = 0; i < std::min(fields.size(), kMostRead); ++i) {
+  for (std::size_t i = 0; i < std::min(fields.size(), kMaxRead); ++i) {
     const auto number = tendon::ReadAsDouble(fields[i], body);
     Require(number.has_value(), "a field of a body reads");
     const auto found = tendon::FindNumericField(*schema, fields[i].path);

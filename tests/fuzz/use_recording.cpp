@@ -64,8 +64,8 @@ void ReplayRecording(Bytes bytes) {
   if (!reader) return;
   ReadItems(*reader);
   auto replay = tendon::recording::Replay::Open(std::move(reader), {}, {.rate = 1000.0});
-  constexpr std::size_t kMostProcesses = 2;  // each has six threads
-  if (!replay || (*replay)->processes().size() > kMostProcesses) return;
+  constexpr std::size_t kMaxProcesses = 2;  // each has six threads
+  if (!replay || (*replay)->processes().size() > kMaxProcesses) return;
   const auto network = std::make_shared<tendon::LoopbackNetwork>();
   const auto started =
       (*replay)->Start([&](const std::string& name) -> Result<std::unique_ptr<Process>> {

@@ -24,14 +24,14 @@ struct WrittenNumber {
 /// Parses a decimal number. Returns nothing if the word is no number, or can be read as two
 /// numbers.
 inline std::optional<WrittenNumber> WrittenNumberOf(const std::string& word) {
-  constexpr std::size_t kMostOfExponent = 15;  // digits: no type holds more
+  constexpr std::size_t kMaxOfExponent = 15;  // digits: no type holds more
   static const std::regex grammar(R"(([+-]?)(\d*)(?:\.(\d*))?(?:[eE]([+-]?)0*(\d*))?)");
   std::smatch parts;
   if (!std::regex_match(word, parts, grammar)) return std::nullopt;
   if (parts[2].length() + parts[3].length() == 0) return std::nullopt;
   WrittenNumber number{.is_negative = parts[1] == "-", .digits = parts[2].str() + parts[3].str()};
   if (parts[4].matched && parts[5].length() == 0 && !word.ends_with('0')) return std::nullopt;
-  const std::string exponent = parts[5].str().substr(0, kMostOfExponent);
+  const std::string exponent = parts[5].str().substr(0, kMaxOfExponent);
   number.power = exponent.empty() ? 0 : std::stoll(parts[4].str() + exponent);
   number.power -= parts[3].length();
   while (number.digits.ends_with('0')) {

@@ -9,14 +9,14 @@
 namespace tendon {
 namespace {
 
-constexpr std::size_t kMostListed = 8;
+constexpr std::size_t kMaxListed = 8;
 
 /// Returns "; did you mean 'arm'?" if a name is similar. Otherwise lists the names, unless there
 /// are many.
 std::string Hint(const std::string& name, const std::vector<std::string>& candidates) {
   if (candidates.empty()) return "; there is none";
   if (std::string near = DidYouMean(name, candidates); !near.empty()) return near;
-  if (candidates.size() > kMostListed) return {};
+  if (candidates.size() > kMaxListed) return {};
   std::string list = "; there is ";
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     list += (i == 0 ? "'" : ", '") + candidates[i] + "'";

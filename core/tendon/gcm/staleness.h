@@ -87,10 +87,10 @@ enum class StaleReason {
                                   double rate) {
   constexpr std::chrono::milliseconds kOnItsWay{500};
   constexpr std::chrono::duration<double> kLate{2};
-  constexpr double kMostPeriods = 5;
+  constexpr double kMaxPeriods = 5;
   if (why != StaleReason::kNone) return !age || *age > kOnItsWay;
   if (!age || rate <= 0) return false;
-  return *age > std::max(kLate, std::chrono::duration<double>(kMostPeriods / rate));
+  return *age > std::max(kLate, std::chrono::duration<double>(kMaxPeriods / rate));
 }
 
 /// Returns an age as text: "12 s", "3 min", "2 h", "5 d".

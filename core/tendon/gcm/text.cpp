@@ -42,8 +42,8 @@ OrderedJson ObjectOf(const std::string& configuration) {
 }
 
 std::string ValueOf(const OrderedJson& object, const std::string& key) {
-  constexpr std::size_t kMost = 80;
-  return object.contains(key) ? Printable(object.at(key).dump(), kMost) : "default";
+  constexpr std::size_t kMax = 80;
+  return object.contains(key) ? Printable(object.at(key).dump(), kMax) : "default";
 }
 
 }  // namespace

@@ -173,7 +173,7 @@ bool IceLink::DeliverDirect(std::span<const std::byte> frame, ReplySlot& slot) {
   if (limit == 0) return true;
   if (!ReadWholeFrame(frame, limit)) return false;
   if (!handler_) return true;
-  if (OnWay() >= kManyReturned) SendMarker();
+  if (OnWay() >= kMarkerThreshold) SendMarker();
   if (!MayReturn()) {
     handler_->OnFrame(frame);
     return true;

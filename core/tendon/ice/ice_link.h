@@ -46,7 +46,7 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   bool DeliverDirect(std::span<const std::byte> frame, ReplySlot& slot);
   /// Returns true if a reply may be sent as the response of its call: fewer than 4 MiB of these
   /// replies may be unsent.
-  [[nodiscard]] bool MayReturn() const { return OnWay() < kMostReturned; }
+  [[nodiscard]] bool MayReturn() const { return OnWay() < kMaxUnsentReplies; }
   /// Counts a reply of `size` bytes that was sent as the response of its call.
   void CountReturned(std::size_t size) { returned_.Add(size); }
   /// The calls with deferred replies. They are released when the link ends.
@@ -78,8 +78,8 @@ class IceLink final : public Link, public std::enable_shared_from_this<IceLink> 
   friend class Links;
 
   /// The limits for reply bytes that may be unsent; see DeliverDirect().
-  static constexpr std::size_t kMostReturned = std::size_t{4} << 20U;
-  static constexpr std::size_t kManyReturned = std::size_t{2} << 20U;
+  static constexpr std::size_t kMaxUnsentReplies = std::size_t{4} << 20U;
+  static constexpr std::size_t kMarkerThreshold = std::size_t{2} << 20U;
 
   [[nodiscard]] std::uint64_t OnWay() const { return returned_.value() - confirmed_.Get(); }
   Status Begin(const std::shared_ptr<Ice::ObjectPrx>& peer, const std::string& operation,

@@ -70,8 +70,8 @@ void RequiredInterface::AnnounceNone() {
 }
 
 void RequiredInterface::SetMailboxCapacity(std::size_t capacity) {
-  constexpr std::size_t kMost = std::size_t{1} << 24U;
-  if (capacity < 1 || capacity > kMost) {
+  constexpr std::size_t kMax = std::size_t{1} << 24U;
+  if (capacity < 1 || capacity > kMax) {
     throw ConfigurationError("mailbox capacity of '" + name_ + "' must be 1..16777216, got " +
                              std::to_string(capacity));
   }

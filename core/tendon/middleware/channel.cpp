@@ -325,7 +325,7 @@ bool Channel::IsWanted(const FrameHeader& header) {
 void Channel::HandleLarge(PartAssembly::Frame frame) {
   std::optional<LargeMessageInProgress> mark;
   std::optional<ProgressSender> sign;
-  if (frame.body.size() >= LargeMessageInProgress::kLeast) {
+  if (frame.body.size() >= LargeMessageInProgress::kMin) {
     mark.emplace();
     sign.emplace(peer_.name, [this] { SendTakenParts(); });
   }

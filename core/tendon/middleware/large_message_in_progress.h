@@ -22,7 +22,7 @@ class LargeMessageInProgress {
   ~LargeMessageInProgress();
 
   /// The size in bytes from which a message counts as large. Smaller messages need no object.
-  static constexpr std::size_t kLeast = std::size_t{4} << 20U;
+  static constexpr std::size_t kMin = std::size_t{4} << 20U;
   /// Shorter work is ignored: it does not excuse the silence of a peer.
   static constexpr std::chrono::milliseconds kShort{250};
   /// A large message excuses the silence of a peer for at most this time. A thread that handles a

@@ -46,8 +46,8 @@ void MakeRoom(Bytes& body, std::size_t more, std::size_t size) {
 }  // namespace
 
 Budget<>& PartAssembly::BudgetOfProcess() {
-  constexpr std::size_t kMost = std::size_t{512} << 20U;
-  static auto& budget = *new Budget<>(kMost);  // never destroyed, because threads may still use it
+  constexpr std::size_t kMax = std::size_t{512} << 20U;
+  static auto& budget = *new Budget<>(kMax);  // never destroyed, because threads may still use it
   return budget;
 }
 
@@ -60,7 +60,7 @@ PartAssembly::Progress PartAssembly::Add(std::uint32_t number, std::span<const s
   UnfinishedFrame& unfinished = found->second;
   const std::size_t left = unfinished.header.size - unfinished.come;
   const auto more = is_first ? part.subspan(FrameHeader::kSize) : part;
-  const std::size_t least = std::min(kLeastPartSize - (part.size() - more.size()), left);
+  const std::size_t least = std::min(kMinPartSize - (part.size() - more.size()), left);
   // Only the last part may be smaller than `least`. This limits the work per byte.
   if (more.size() > left || more.size() < least) return Progress::kMalformed;
   taken_ += part.size();

@@ -82,7 +82,7 @@ void PartSender::UpdatePartSize() {
   const double fitting = static_cast<double>(probe_->bytes) * (Seconds(kPartTime) / took);
   const bool is_through = taken_ >= probe_->end;
   const std::size_t most = is_through ? kPartSize : part_size();
-  const auto least = static_cast<double>(kLeastPartSize);
+  const auto least = static_cast<double>(kMinPartSize);
   part_size_.Set(static_cast<std::size_t>(std::clamp(fitting, least, static_cast<double>(most))));
   if (fitting < static_cast<double>(kMaxReturned)) {
     quick_until_.Set({});

@@ -29,7 +29,7 @@ inline constexpr Lane kOwnLane = ~Lane{0};
 /// The largest size of a part, which is the body of a frame of type kPart. The smallest size
 /// applies to all parts of a frame except the last.
 inline constexpr std::size_t kPartSize = kMaxPieceSize - FrameHeader::kSize;
-inline constexpr std::size_t kLeastPartSize = (std::size_t{16} << 10U) - FrameHeader::kSize;
+inline constexpr std::size_t kMinPartSize = (std::size_t{16} << 10U) - FrameHeader::kSize;
 
 /// The largest reply that may be sent whole, as the response to a direct request. A reply that is
 /// larger than a part is sent whole only if the link is fast.
@@ -115,7 +115,7 @@ class PartSender {
 
   const Clock& clock_;
   Flag is_busy_;  // true while lanes_ is not empty
-  Published<std::size_t> part_size_{kLeastPartSize};
+  Published<std::size_t> part_size_{kMinPartSize};
   Published<SteadyTime> quick_until_;
   mutable std::mutex mutex_;
   bool is_closed_ = false;

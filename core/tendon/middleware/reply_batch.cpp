@@ -21,8 +21,8 @@ ReplyBatch& BatchOfThisThread() {
 
 bool ReplyBatch::Add(std::uint64_t request, std::span<const std::byte> reply) {
   const std::size_t start = body_.size();
-  if (replies_ == kMostReplies || reply.size() > kMostBytes ||
-      start + kOverhead + reply.size() > kMostBytes) {
+  if (replies_ == kMaxReplies || reply.size() > kMaxBytes ||
+      start + kOverhead + reply.size() > kMaxBytes) {
     return false;
   }
   const auto size = static_cast<std::uint32_t>(reply.size());
@@ -54,10 +54,10 @@ std::optional<BatchedReply> TakeReply(std::span<const std::byte>& body) {
 }
 
 bool IsReplyBatch(std::span<const std::byte> body) {
-  if (body.size() > ReplyBatch::kMostBytes) return false;
+  if (body.size() > ReplyBatch::kMaxBytes) return false;
   std::size_t replies = 0;
   while (TakeReply(body)) ++replies;
-  return body.empty() && replies > 0 && replies <= ReplyBatch::kMostReplies;
+  return body.empty() && replies > 0 && replies <= ReplyBatch::kMaxReplies;
 }
 
 ReplyBatcher::ReplyBatcher() : batch_(BatchOfThisThread()) {

@@ -15,14 +15,14 @@ namespace tendon {
 /// size of the body is limited, because it limits the work of the reader. Not thread-safe.
 class ReplyBatch {
  public:
-  static constexpr std::size_t kMostReplies = 256;
+  static constexpr std::size_t kMaxReplies = 256;
   /// The largest size of the body. With its header, it always fits into one frame.
-  static constexpr std::size_t kMostBytes = (std::size_t{16} << 10U) - FrameHeader::kSize;
+  static constexpr std::size_t kMaxBytes = (std::size_t{16} << 10U) - FrameHeader::kSize;
   /// The bytes that each reply needs in addition to its own bytes.
   static constexpr std::size_t kOverhead = 12;
 
   /// Appends a reply. Returns false and changes nothing if there is no room. A reply of more
-  /// than kMostBytes - kOverhead bytes never fits.
+  /// than kMaxBytes - kOverhead bytes never fits.
   bool Add(std::uint64_t request, std::span<const std::byte> reply);
   /// Removes all replies, but keeps the capacity.
   void Clear();

@@ -39,15 +39,15 @@ Role GuardedHandler::RoleOf(const Channel& channel) const {
 
 std::optional<Error> GuardedHandler::RefusalOfLargeMessage(const Channel& channel,
                                                            const FrameHeader& header) {
-  constexpr std::uint32_t kMostOfViewers = std::uint32_t{1} << 20U;
+  constexpr std::uint32_t kMaxOfViewers = std::uint32_t{1} << 20U;
   const Right* const right = FindRight(static_cast<std::uint16_t>(header.type));
   if (right == nullptr || !Includes(RoleOf(channel), right->role)) {
     return Refusal(channel, header, {});
   }
-  if (right->role != Role::kViewer || header.size <= kMostOfViewers) return std::nullopt;
+  if (right->role != Role::kViewer || header.size <= kMaxOfViewers) return std::nullopt;
   return Error{ErrorCode::kInvalid,
                "'" + std::string(right->act) + "' accepts messages of at most " +
-                   std::to_string(kMostOfViewers) + " bytes, got " + std::to_string(header.size)};
+                   std::to_string(kMaxOfViewers) + " bytes, got " + std::to_string(header.size)};
 }
 
 /// Returns the refusal; empty if the message is allowed.

@@ -17,14 +17,14 @@ SchemaCache& Learned() {
 }  // namespace
 
 void ReplyWithSchemas(std::span<const std::byte> body, Responder& responder) {
-  constexpr std::size_t kMost = 1024;
+  constexpr std::size_t kMax = 1024;
   const auto wanted = DecodeBody<message::GetSchemas>(body);
   if (!wanted) return responder.Refuse(wanted.error());
-  if (wanted->fingerprints.size() > kMost) {
+  if (wanted->fingerprints.size() > kMax) {
     return responder.Refuse(
         {ErrorCode::kInvalid, std::to_string(wanted->fingerprints.size()) +
                                   " schemas are requested at once; ask for at most " +
-                                  std::to_string(kMost)});
+                                  std::to_string(kMax)});
   }
   message::Schemas schemas;
   for (const Fingerprint& fingerprint : wanted->fingerprints) {

@@ -84,7 +84,7 @@ struct Credit {
 struct EventsLost {
   /// The largest increase of a number from one report to the next. It is limited because the
   /// receiver counts the events one by one.
-  static constexpr std::uint64_t kMostAtOnce = 65536;
+  static constexpr std::uint64_t kMaxAtOnce = 65536;
 
   std::vector<std::uint64_t> lost;
 

@@ -31,7 +31,7 @@ class EventProxy final : public EventBase {
   /// events to the counts of the handlers. Called in the thread of Raise() or in one other thread.
   void SetLostThere(std::uint64_t lost) {
     const std::uint64_t before = lost_there_.Get();
-    const std::uint64_t most = counted_there_.value() + message::EventsLost::kMostAtOnce;
+    const std::uint64_t most = counted_there_.value() + message::EventsLost::kMaxAtOnce;
     lost_there_.Set(std::clamp(lost, before, std::max(before, most)));
   }
   /// Counts an event that has arrived but is not raised. May be called in the threads of

@@ -30,7 +30,7 @@ void LossReport::Report(SteadyTime now, SteadyTime& next) {
     earliest_ = now + kBetweenReports;
     message::EventsLost report = reported_;
     for (std::size_t i = 0; i < lost_.size(); ++i) {
-      report.lost[i] += std::min(lost_[i] - reported_.lost[i], message::EventsLost::kMostAtOnce);
+      report.lost[i] += std::min(lost_[i] - reported_.lost[i], message::EventsLost::kMaxAtOnce);
     }
     const Status sent = channel_->Notify(message::kEventsLost, handle_, report);
     if (sent != Status(Status::kQueueFull)) reported_ = std::move(report);

@@ -14,16 +14,16 @@ namespace {
 
 /// The longest time for which a read may be queued. The caller's deadline (by default 100 ms) is
 /// not known here.
-constexpr std::chrono::seconds kMostReadWait(2);
-constexpr std::size_t kMostReads = 64;
-constexpr std::size_t kMostReadBytes = std::size_t{64} << 20U;
+constexpr std::chrono::seconds kMaxReadWait(2);
+constexpr std::size_t kMaxReads = 64;
+constexpr std::size_t kMaxReadBytes = std::size_t{64} << 20U;
 
 /// The largest number of event bytes that may be queued for a connected peer. Further events are
 /// lost and counted.
-constexpr std::size_t kMostEventBytes = std::size_t{64} << 20U;
+constexpr std::size_t kMaxEventBytes = std::size_t{64} << 20U;
 /// The limit for a peer that only receives events. It is smaller, because there may be many such
 /// peers.
-constexpr std::size_t kMostHeardBytes = std::size_t{8} << 20U;
+constexpr std::size_t kMaxHeardBytes = std::size_t{8} << 20U;
 
 /// Writes the result of a read and the status as the reply. If the link has memory for the reply,
 /// writes directly into this memory.
@@ -86,7 +86,7 @@ RequiredInterfaceProxy::RequiredInterfaceProxy(std::shared_ptr<NetworkThread> th
       capacity_(open.capacity),
       outbox_(channel_, events == Events::kTimed ? message::kTimedEvents : message::kEvents,
               thread_->wakeup(), ToString(open.provided),
-              {.waiting_bytes = events == Events::kTimed ? kMostHeardBytes : kMostEventBytes}),
+              {.waiting_bytes = events == Events::kTimed ? kMaxHeardBytes : kMaxEventBytes}),
       loss_report_(channel_, handle_),
       interface_(open.description.name, &outbox_.inbox()),
       runs_component_(open.description.functions.size()) {
@@ -122,7 +122,7 @@ void RequiredInterfaceProxy::MakeExecutors(const ProvidedInterface& server,
   // The queue has room for the whole credit of the peer, with arguments of any size, and for one
   // call that has just ended.
   if (has_commands) commands_ = threads.commands.MakeExecutor(capacity_ + std::size_t{1});
-  if (has_reads) reads_ = threads.reads.MakeExecutor(kMostReads, kMostReadBytes);
+  if (has_reads) reads_ = threads.reads.MakeExecutor(kMaxReads, kMaxReadBytes);
   if (has_commands || has_reads) interface_.SetCallers(CallerThreads::kManyThreads);
 }
 
@@ -285,7 +285,7 @@ void RequiredInterfaceProxy::OnRead(std::size_t function, std::span<const std::b
 
 /// Returns true if the caller of a read that was queued at `since` has probably timed out.
 bool RequiredInterfaceProxy::IsStale(SteadyTime since) const {
-  const bool is_late = SteadyClock().Now() - since > kMostReadWait;
+  const bool is_late = SteadyClock().Now() - since > kMaxReadWait;
   return is_late || are_reads_dropped_.Get() || !channel_->is_open();
 }
 

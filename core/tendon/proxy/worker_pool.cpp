@@ -89,7 +89,7 @@ class WorkerPool::Pool {
       return false;
     }
     const std::size_t takers = idle_ + (taker == Taker::kThis ? 1 : 0);
-    if (ready_.size() > takers && threads_.size() < kMost) CallGuarded(name_, [this] { Start(); });
+    if (ready_.size() > takers && threads_.size() < kMax) CallGuarded(name_, [this] { Start(); });
     if (threads_.empty()) {
       ready_.pop_back();
       return false;

@@ -14,10 +14,10 @@ class SerialExecutor;
 
 /// A thread pool for calls from other processes that run code of a component in the calling thread.
 /// Such code may take long, so it must not run in a thread of the middleware. The pool has at most
-/// kMost threads. They are started when needed and end when they were idle for 10 s. Thread-safe.
+/// kMax threads. They are started when needed and end when they were idle for 10 s. Thread-safe.
 class WorkerPool {
  public:
-  static constexpr std::size_t kMost = 4;
+  static constexpr std::size_t kMax = 4;
 
   explicit WorkerPool(std::string name);
   WorkerPool(const WorkerPool&) = delete;

@@ -38,11 +38,11 @@ bool IsDescribed(const mcap::Reader& reader, const mcap::Channel& channel) {
 
 /// "json with a schema in jsonschema"
 std::string EncodingText(const mcap::Reader& reader, const mcap::Channel& channel) {
-  constexpr std::size_t kMost = 60;
+  constexpr std::size_t kMax = 60;
   const auto schema = reader.schemas().find(channel.schema_id);
-  std::string text = Quoted(channel.message_encoding, kMost);
+  std::string text = Quoted(channel.message_encoding, kMax);
   if (schema == reader.schemas().end()) return text + " without a schema";
-  return text + " with a schema in " + Quoted(schema->second.encoding, kMost);
+  return text + " with a schema in " + Quoted(schema->second.encoding, kMax);
 }
 
 bool HasTopic(const ChannelGroup& group, const std::string& topic) {
@@ -91,9 +91,9 @@ Result<ChannelMember> MemberOf(const mcap::Reader& reader, const mcap::Channel& 
   };
   const auto schema = text.empty() ? parsed() : Schema::Parse(text);
   if (!schema) {
-    constexpr std::size_t kMost = 200;
+    constexpr std::size_t kMax = 200;
     return Error{ErrorCode::kInvalid,
-                 "their type cannot be read: " + Printable(schema.error().message, kMost)};
+                 "their type cannot be read: " + Printable(schema.error().message, kMax)};
   }
   const std::string name =
       IsColumn(channel) ? channel.topic.substr(channel.topic.rfind('/') + 1) : "";
@@ -146,7 +146,7 @@ void CountLeftOut(const mcap::Reader& reader, const LeftOut& left_out, ExportRep
 
 Error TooManyColumns(const mcap::Reader& reader) {
   return {ErrorCode::kInvalid, "the chosen part of " + reader.name() + " has more than " +
-                                   std::to_string(kMostColumns) +
+                                   std::to_string(kMaxColumns) +
                                    " columns; choose a smaller part with --paths"};
 }
 

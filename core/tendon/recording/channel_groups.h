@@ -78,7 +78,7 @@ using LeftOut = std::map<mcap::ChannelId, std::uint64_t>;
 void CountLeftOut(const mcap::Reader& reader, const LeftOut& left_out, ExportReport& report);
 
 /// The maximum number of columns of an export. A hostile file could have more than fit into memory.
-constexpr std::size_t kMostColumns = 1'000'000;
+constexpr std::size_t kMaxColumns = 1'000'000;
 /// The error for a recording that has more columns.
 [[nodiscard]] Error TooManyColumns(const mcap::Reader& reader);
 

@@ -83,10 +83,10 @@ bool IsWhole(const Schema& schema, mcap::ByteView body) {
 class OpenFiles {
  public:
   /// The number of files that are open at once.
-  static constexpr std::size_t kMost = 64;
+  static constexpr std::size_t kMax = 64;
 
   void Add(const os::PartFile& part, std::unique_ptr<os::WritableFile> file) {
-    if (files_.size() == kMost) files_.erase(files_.begin());
+    if (files_.size() == kMax) files_.erase(files_.begin());
     files_.push_back({&part, std::move(file)});
   }
   /// Opens the part, which has `size` bytes, unless it is open. It stays open until the next call.
@@ -120,7 +120,7 @@ class OpenFiles {
 /// If too many files are open, adds what to do.
 Error WithWayOut(Error error) {
   if (error.message.ends_with(std::generic_category().message(EMFILE))) {
-    error.message += " (the export keeps up to " + std::to_string(OpenFiles::kMost) +
+    error.message += " (the export keeps up to " + std::to_string(OpenFiles::kMax) +
                      " files open: raise the limit with ulimit -n)";
   }
   return error;
@@ -278,7 +278,7 @@ Result<CsvTables> CsvTablesOf(const mcap::Reader& reader, const mcap::Query& que
     for (const ChannelMember& member : members) {
       made.push_back(CsvMemberOf(member));
       columns += made.back().numbers.size() + 1;
-      if (columns > kMostColumns) return TooManyColumns(reader);
+      if (columns > kMaxColumns) return TooManyColumns(reader);
     }
     return std::make_shared<CsvFile>(names.Take(FileNameOf(group.path), ".csv"), std::move(made),
                                      group.content);

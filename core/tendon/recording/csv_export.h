@@ -32,7 +32,7 @@ struct CsvReport : ExportReport {
 /// `stop` returns true, no file is left. Fails with kExists, and changes no file, if one of the
 /// files already exists, or if another export into the same folder is running on this computer.
 /// Fails with kInvalid if no channel of the recording describes its values, or if there are more
-/// than kMostColumns columns. Fails with kFailed if the disk is full or fails, or if a program on
+/// than kMaxColumns columns. Fails with kFailed if the disk is full or fails, or if a program on
 /// another computer writes to the same files.
 ///
 /// Thread safety: as for the reader. Cost: reads each chunk once; memory for one row of each file,

@@ -13,9 +13,9 @@ namespace tendon::recording {
 namespace {
 
 /// The maximum size in bytes of the message indexes that Spans() reads.
-constexpr std::uint64_t kMostIndexed = std::uint64_t{16} << 20U;
+constexpr std::uint64_t kMaxIndexed = std::uint64_t{16} << 20U;
 /// The number of chunks that are searched for the newest value of a column.
-constexpr std::size_t kMostSearched = 64;
+constexpr std::size_t kMaxSearched = 64;
 /// A day before the latest time that fits in a signed 64-bit number, so that sums of times fit,
 /// too.
 constexpr mcap::Timestamp kLatestTime =
@@ -308,7 +308,7 @@ void Playback::Past(const std::vector<std::string>& columns, mcap::Timestamp fro
   }
   if (missing.empty() || from == 0) return;
   Channels left = ChannelsOf(missing);
-  SearchBack(*reader_, BlocksBefore(left, from - 1), from - 1, left, kMostSearched,
+  SearchBack(*reader_, BlocksBefore(left, from - 1), from - 1, left, kMaxSearched,
              [&](mcap::MessageStream& piece) {
                std::map<std::string, OwnMessage> newest;
                while (const auto message = piece.Next()) {
@@ -342,7 +342,7 @@ std::vector<const mcap::MessageBlock*> Playback::BlocksBefore(const Channels& ch
 void Playback::Last(const Channels& channels, std::size_t most, const Handler& handler) {
   if (channels.empty()) return;
   std::vector<OwnMessage> found;
-  SearchBack(*reader_, BlocksBefore(channels, position_), position_, channels, kMostSearched,
+  SearchBack(*reader_, BlocksBefore(channels, position_), position_, channels, kMaxSearched,
              [&](mcap::MessageStream& piece) {
                std::vector<OwnMessage> here;
                while (const auto message = piece.Next()) {
@@ -407,7 +407,7 @@ std::vector<PlayedSpan> Playback::Spans(Kind kind) {
   for (const mcap::MessageBlock* block : blocks) size += block->index.message_index_length;
   for (const mcap::MessageBlock* block : blocks) {
     const PlayedSpan whole{block->index.message_start_time, block->index.message_end_time};
-    const bool is_indexed = size <= kMostIndexed && block->is_chunk;
+    const bool is_indexed = size <= kMaxIndexed && block->is_chunk;
     const auto indexes =
         is_indexed ? reader_->ReadMessageIndexes(*block)
                    : Result<std::vector<mcap::MessageIndex>>(Error{ErrorCode::kNotFound, {}});

@@ -439,9 +439,9 @@ Result<void> Recorder::Begin(SteadyTime start) {
 /// recording can be subtracted later. At most about 100 of them are kept.
 void Recorder::KeepLosses() {
   constexpr auto kShortest = 100ms;
-  constexpr int kMost = 100;
+  constexpr int kMax = 100;
   const SteadyTime now = SteadyClock().Now();
-  const auto pause = std::max<std::chrono::nanoseconds>(kShortest, options_.before / kMost);
+  const auto pause = std::max<std::chrono::nanoseconds>(kShortest, options_.before / kMax);
   if (!kept_losses_.empty() && now - kept_losses_.back().first < pause) return;
   kept_losses_.emplace_back(now, queue_->losses());
   // The longest delay until the recorder knows that a trigger has fired.

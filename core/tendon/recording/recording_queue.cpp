@@ -269,8 +269,8 @@ bool RecordingQueue::Push(RecordingEntry entry, std::size_t size) {
 }
 
 void RecordingQueue::Notice(std::string sentence) {
-  constexpr std::size_t kMost = 100;
-  if (notices_.size() == kMost || std::ranges::count(notices_, sentence) > 0) return;
+  constexpr std::size_t kMax = 100;
+  if (notices_.size() == kMax || std::ranges::count(notices_, sentence) > 0) return;
   notices_.push_back(std::move(sentence));
 }
 

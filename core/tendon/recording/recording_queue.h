@@ -31,9 +31,9 @@ namespace tendon::recording {
 class RecordingQueue final : public GcmListener,
                              public std::enable_shared_from_this<RecordingQueue> {
  public:
-  static constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
+  static constexpr std::size_t kMaxBytes = std::size_t{64} << 20U;
 
-  explicit RecordingQueue(std::size_t most_bytes = kMostBytes) : most_bytes_(most_bytes) {}
+  explicit RecordingQueue(std::size_t most_bytes = kMaxBytes) : most_bytes_(most_bytes) {}
 
   /// Returns the sink for the rows of this table.
   std::shared_ptr<RowSink> SinkOf(const TableSubscription& table);

@@ -184,12 +184,12 @@ Result<std::unique_ptr<RecordingReader>> RecordingReader::Open(mcap::Reader& rea
   std::unique_ptr<RecordingReader> items(new RecordingReader(reader, std::move(query)));
   items->ReadDescriptions();
   items->MakeLanes();
-  if (items->sources_.size() > kMostSources) {
+  if (items->sources_.size() > kMaxSources) {
     return Error{ErrorCode::kInvalid, "the chosen part of " + reader.name() + " has " +
                                           std::to_string(items->sources_.size()) +
                                           " state tables and interfaces with events or "
                                           "commands, more than " +
-                                          std::to_string(kMostSources) +
+                                          std::to_string(kMaxSources) +
                                           "; choose a smaller part with --paths"};
   }
   items->Count();

@@ -83,10 +83,10 @@ struct RecordedCounts {
 /// it.
 class RecordingReader {
  public:
-  static constexpr std::size_t kMostSources = 4096;
+  static constexpr std::size_t kMaxSources = 4096;
 
   /// Reads the messages that match; ignores the order in `query`. Fails with kInvalid if the part
-  /// contains no row, event or call that can be read, or more than kMostSources tables and
+  /// contains no row, event or call that can be read, or more than kMaxSources tables and
   /// interfaces.
   static Result<std::unique_ptr<RecordingReader>> Open(mcap::Reader& reader, mcap::Query query);
   RecordingReader(const RecordingReader&) = delete;

@@ -55,7 +55,7 @@ std::uint8_t RosLevelOf(LogLevel level) {
 
 /// The maximum number of channels of sources in one file, and therefore of schemas. A file can have
 /// 65,535 of each, and the recorder itself uses some.
-constexpr std::size_t kMostChannels = 65'000;
+constexpr std::size_t kMaxChannels = 65'000;
 
 std::string LossText(const LostRows& lost) {
   return std::to_string(lost.table) + " in the table, " + std::to_string(lost.network) +
@@ -215,7 +215,7 @@ Result<void> RecordingWriter::BeginNextFileIfDue() {
 /// A component that is restarted again and again uses up the channels of a file. A new file helps
 /// only if most channels belong to earlier runs.
 bool RecordingWriter::HasManyOldChannels() const {
-  if (channel_count_ <= kMostChannels / 2) return false;
+  if (channel_count_ <= kMaxChannels / 2) return false;
   std::size_t used = 0;
   for (const auto* const known : {&tables_, &events_, &commands_}) {
     for (const auto& [name, channels] : *known) used += channels.ids.size();
@@ -319,11 +319,11 @@ Result<RecordingWriter::Channels*> RecordingWriter::ChannelsOf(
 
 Result<void> RecordingWriter::AddChannels(Channels& channels, const Run& run) {
   const EntrySource* source = channels.source.get();
-  if (channel_count_ + source->members.size() > kMostChannels) {
+  if (channel_count_ + source->members.size() > kMaxChannels) {
     return Error{ErrorCode::kInvalid, files_.back().first.string() + " has no room for " +
                                           ToString(source->name) + ": it has " +
                                           std::to_string(channel_count_) + " channels of at most " +
-                                          std::to_string(kMostChannels) +
+                                          std::to_string(kMaxChannels) +
                                           "; a recording with a split begins another file"};
   }
   for (const EntryMember& member : source->members) {

@@ -18,10 +18,10 @@ using namespace std::chrono_literals;
 constexpr auto kBetweenPasses = 10ms;
 /// If a replay is later than this, it does not try to catch up, because a burst of rows could
 /// overwrite rows that nobody has read yet. The tables keep rows for one second.
-constexpr auto kMostLate = 100ms;
+constexpr auto kMaxLate = 100ms;
 
 // A recording may come from an untrusted source, so its use of this machine's resources is limited.
-constexpr std::size_t kMostTableBytes = std::size_t{1} << 30U;
+constexpr std::size_t kMaxTableBytes = std::size_t{1} << 30U;
 constexpr std::chrono::hours kLongest(24 * 365 * 10);  // so that no sum of times overflows
 
 /// Returns the memory that the state table of a source takes, in bytes.
@@ -71,9 +71,9 @@ Result<void> Replay::CheckSize() const {
   for (const RecordedSource& source : items_->sources()) {
     if (source.is_table && source.count > 0) bytes += TableBytes(source, PeriodOf(source));
   }
-  if (bytes > kMostTableBytes) {
+  if (bytes > kMaxTableBytes) {
     return refuse("needs " + std::to_string(bytes) + " bytes for its state tables, more than " +
-                  std::to_string(kMostTableBytes));
+                  std::to_string(kMaxTableBytes));
   }
   const auto& counts = items_->counts();
   const double seconds = static_cast<double>(counts.last_time - counts.first_time) / 1e9;
@@ -180,9 +180,9 @@ SteadyTime Replay::DueTime(mcap::Timestamp time) const {
 }
 
 std::optional<SteadyTime> Replay::Play(SteadyTime now) {
-  constexpr int kMost = 1000;
+  constexpr int kMax = 1000;
   if (!begin_) begin_ = now + options_.delay;
-  for (int i = 0; i < kMost; ++i) {
+  for (int i = 0; i < kMax; ++i) {
     if (!next_) next_ = items_->Next();
     if (!next_) {
       ++status_.passes;
@@ -194,7 +194,7 @@ std::optional<SteadyTime> Replay::Play(SteadyTime now) {
     }
     const SteadyTime due = DueTime(next_->time);
     if (due > now) return due;
-    if (now - due > kMostLate) {
+    if (now - due > kMaxLate) {
       status_.extended += now - due;
       *begin_ += now - due;
     }

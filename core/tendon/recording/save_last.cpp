@@ -64,11 +64,11 @@ class PastWriter {
   /// returns the reason. In this case, the missing records are taken from the GCM, as far as it has
   /// them.
   std::optional<Error> ReadLog(const std::string& process) {
-    constexpr int kMostPages = 1024;  // 128 MiB, if the process is not malicious
+    constexpr int kMaxPages = 1024;  // 128 MiB, if the process is not malicious
     std::vector<ReceivedLog>& received = received_log_[process];
     message::ReadLog wanted{.last = options_.last};
     std::uint64_t end = 0;
-    for (int pages = 0; pages < kMostPages; ++pages) {
+    for (int pages = 0; pages < kMaxPages; ++pages) {
       if (auto reason = WhyNotRead(process)) return reason;
       auto page = system_.ReadLog(process, wanted);
       if (!page) return page.error();

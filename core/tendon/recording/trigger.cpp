@@ -28,12 +28,12 @@ class Trigger::Matches {
   explicit Matches(std::function<void()> on_match) : on_match_(std::move(on_match)) {}
 
   void Add(const std::vector<SteadyTime>& times) {
-    constexpr std::size_t kMost = 4096;
+    constexpr std::size_t kMax = 4096;
     if (times.empty()) return;
     {
       const std::scoped_lock lock(mutex_);
       times_.insert(times_.end(), times.begin(), times.end());
-      while (times_.size() > kMost) times_.pop_front();
+      while (times_.size() > kMax) times_.pop_front();
     }
     on_match_();
   }

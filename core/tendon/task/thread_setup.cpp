@@ -9,11 +9,11 @@
 namespace tendon {
 namespace {
 
-constexpr std::uint64_t kMostStack = std::uint64_t{4} << 20;
+constexpr std::uint64_t kMaxStack = std::uint64_t{4} << 20;
 constexpr std::int32_t kHighestPriority = 99;
 constexpr std::int32_t kHighestProcessor = 1023;
-constexpr std::chrono::milliseconds kMostSlack(100);  // the longest allowed delay of a sleep
-constexpr std::chrono::seconds kMostSpin(1);
+constexpr std::chrono::milliseconds kMaxSlack(100);  // the longest allowed delay of a sleep
+constexpr std::chrono::seconds kMaxSpin(1);
 
 /// Returns a function that throws a ConfigurationError if its condition is false.
 auto RequireFor(const std::string& task) {
@@ -60,13 +60,13 @@ void CheckThreadRanges(const ThreadOptions& options, const std::string& task) {
     require(cpu >= 0 && cpu <= kHighestProcessor,
             "a processor must be 0..1023, got " + std::to_string(cpu));
   }
-  require(options.stack_bytes <= kMostStack,
+  require(options.stack_bytes <= kMaxStack,
           "stack_bytes (the part of the stack that is touched before the first cycle) must be at "
           "most 4194304, got " +
               std::to_string(options.stack_bytes));
-  require(options.timer_slack.count() >= 1 && options.timer_slack <= kMostSlack,
+  require(options.timer_slack.count() >= 1 && options.timer_slack <= kMaxSlack,
           "timer slack must be 1 ns..100 ms, got " + Nanoseconds(options.timer_slack));
-  require(options.spin.count() >= 0 && options.spin <= kMostSpin,
+  require(options.spin.count() >= 0 && options.spin <= kMaxSpin,
           "the time to spin must be 0..1 s, got " + Nanoseconds(options.spin));
 }
 

@@ -8,7 +8,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kMostOpaque = 0.68;
+constexpr double kMaxOpaque = 0.68;
 
 }  // namespace
 
@@ -33,7 +33,7 @@ void DimmingItem::setStrength(double strength) {
 
 void DimmingItem::paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget*) {
   painter->fillRect(option->exposedRect,
-                    Theme::instance().color(Token::kCanvas, kMostOpaque * strength_));
+                    Theme::instance().color(Token::kCanvas, kMaxOpaque * strength_));
 }
 
 }  // namespace tendon::gui

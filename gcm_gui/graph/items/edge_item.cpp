@@ -16,8 +16,8 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kLeastBend = 36;
-constexpr double kMostBend = 160;
+constexpr double kMinBend = 36;
+constexpr double kMaxBend = 160;
 constexpr double kClickWidth = 12;
 constexpr double kReasonWidth = 220;
 
@@ -41,8 +41,8 @@ QPainterPath EdgePath(const QPointF& from, const QPointF& to) {
   const double distance = std::abs(to.x() - from.x());
   // An edge that goes to the left bends more, so that it still leaves and enters the ports
   // horizontally.
-  const double wanted = to.x() > from.x() ? distance / 2 : distance / 3 + kLeastBend;
-  const QPointF bend(std::clamp(wanted, kLeastBend, kMostBend), 0);
+  const double wanted = to.x() > from.x() ? distance / 2 : distance / 3 + kMinBend;
+  const QPointF bend(std::clamp(wanted, kMinBend, kMaxBend), 0);
   QPainterPath path(from);
   path.cubicTo(from + bend, to - bend, to);
   return path;

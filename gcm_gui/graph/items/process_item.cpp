@@ -19,7 +19,7 @@ namespace {
 
 // The title at a small scale, in pixels.
 constexpr double kFarTitle = 20;
-constexpr double kLeastFarTitle = 64;
+constexpr double kMinFarTitle = 64;
 
 }  // namespace
 
@@ -68,7 +68,7 @@ void ProcessItem::paintFarTitle(QPainter& painter, double scale) const {
   painter.save();
   painter.translate(pos());
   painter.scale(1 / scale, 1 / scale);
-  const double most = std::max(size_.width() * scale, kLeastFarTitle);
+  const double most = std::max(size_.width() * scale, kMinFarTitle);
   const QString text = metrics.elidedText(title(), Qt::ElideRight, most - kNodeInset);
   const QRectF plate(0, 0, metrics.horizontalAdvance(text) + kNodeInset, kFarTitle);
   painter.setPen(Qt::NoPen);

@@ -12,7 +12,7 @@ namespace {
 
 /// If a required interface fits more providers than this, these possible connections do not affect
 /// the layout: they do not show where the client belongs.
-constexpr std::size_t kMostProviders = 3;
+constexpr std::size_t kMaxProviders = 3;
 
 QString ComponentPath(const InterfaceName& name) {
   return ToQString(name.process + '/' + name.component);
@@ -37,7 +37,7 @@ class ProviderIndex {
     if (it == by_member_.end()) return fitting;
     for (const auto& [name, provided] : it->second) {
       if (Compare(required, *provided).fits()) fitting.push_back(name);
-      if (fitting.size() > kMostProviders) return {};
+      if (fitting.size() > kMaxProviders) return {};
     }
     return fitting;
   }

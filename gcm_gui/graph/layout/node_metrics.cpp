@@ -10,7 +10,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kLeastWidth = 104;
+constexpr double kMinWidth = 104;
 constexpr double kTitleSlack = 96;  // room for " · lost 12 min"
 
 double WidestName(const std::vector<PortPicture>& ports, const QFontMetricsF& metrics) {
@@ -31,7 +31,7 @@ QSizeF SizeOf(const NodePicture& node) {
   const double between = left > 0 && right > 0 ? 2 * kNodeInset : 0;
   const double content = std::max(strong.horizontalAdvance(node.name) + 2 * kNodeInset,
                                   left + between + right + 2 * kPortInset);
-  const double width = std::max(kLeastWidth, content + kGrid);
+  const double width = std::max(kMinWidth, content + kGrid);
   const auto rows = static_cast<double>(std::max(node.required.size(), node.provided.size()));
   return {std::ceil(width / kGrid) * kGrid, kNodeHead + rows * kPortPitch + kNodeTail};
 }

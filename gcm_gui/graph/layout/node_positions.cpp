@@ -14,9 +14,9 @@
 namespace tendon::gui {
 namespace {
 
-constexpr std::size_t kMostSteps = 50;
+constexpr std::size_t kMaxSteps = 50;
 // The maximum number of positions, including positions of systems that were shown earlier.
-constexpr std::size_t kMostPlaces = 20000;
+constexpr std::size_t kMaxPlaces = 20000;
 constexpr double kFurthest = 1e6;  // a larger distance is a mistake in the file
 
 QByteArray MapText(const NodePositions::Map& places) {
@@ -29,7 +29,7 @@ NodePositions::Map PlacesIn(const QByteArray& text) {
   NodePositions::Map places;
   const QJsonObject all =
       QJsonDocument::fromJson(text).object().value(QStringLiteral("places")).toObject();
-  for (auto it = all.begin(); it != all.end() && places.size() < kMostPlaces; ++it) {
+  for (auto it = all.begin(); it != all.end() && places.size() < kMaxPlaces; ++it) {
     const QJsonArray numbers = it->toArray();
     const QPointF place(numbers.at(0).toDouble(kFurthest), numbers.at(1).toDouble(kFurthest));
     if (IsPlausiblePosition(place)) places.emplace(it.key(), place);
@@ -79,7 +79,7 @@ void NodePositions::begin(const QString& key) {
   const bool goes_on = is_newest_ && !key.isEmpty() && !steps_.empty() && steps_.back().key == key;
   is_newest_ = true;
   if (goes_on) return;
-  if (steps_.size() == kMostSteps) steps_.erase(steps_.begin());
+  if (steps_.size() == kMaxSteps) steps_.erase(steps_.begin());
   steps_.push_back({key, all_});
 }
 

@@ -12,7 +12,7 @@ namespace tendon::gui {
 namespace {
 
 constexpr double kCursorLayer = 40;  // above the curves
-constexpr std::size_t kMostLines = 8;
+constexpr std::size_t kMaxLines = 8;
 
 QString NameOf(Cursor cursor) { return cursor == Cursor::kA ? "A" : "B"; }
 
@@ -55,7 +55,7 @@ std::vector<CursorLines::Line> CursorLines::lines() const {
     const auto a = curve->numberAt(*cursors_.time(Cursor::kA));
     const auto b = curve->numberAt(*cursors_.time(Cursor::kB));
     if (!curve->isVisible() || !a || !b) continue;
-    if (lines.size() > kMostLines) break;
+    if (lines.size() > kMaxLines) break;
     const QString of =
         curve->isRecorded() ? QStringLiteral(" · ") + RecordingName(curve->path()) : QString();
     lines.push_back({ChangeText(*curve, *a, *b) + of, theme.curve(curve->colorIndex())});

@@ -6,13 +6,13 @@ namespace tendon::gui {
 namespace {
 
 constexpr std::uint64_t kKnown = 16;  // earlier samples from which the period is determined
-constexpr std::uint64_t kLeast = 4;
+constexpr std::uint64_t kMin = 4;
 constexpr double kLate = 0.5;  // periods
 
 }  // namespace
 
 bool IsLate(const SampleRing& samples, std::uint64_t index) {
-  if (index < samples.firstIndex() + kLeast + 1) return false;
+  if (index < samples.firstIndex() + kMin + 1) return false;
   const std::uint64_t before = index - 1;
   const std::uint64_t first = std::max(samples.firstIndex(), before - std::min(before, kKnown));
   const bool is_unbroken =

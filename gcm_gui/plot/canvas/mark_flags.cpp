@@ -21,7 +21,7 @@ constexpr double kHeight = 16;
 constexpr int kIconSize = 12;
 constexpr double kFlagSpace = 3;
 constexpr double kBackground = 0.82;
-constexpr int kMostFlagLines = 12;
+constexpr int kMaxFlagLines = 12;
 
 const char* IconOf(Mark::Kind kind) {
   switch (kind) {
@@ -97,7 +97,7 @@ QString MarkFlags::textAt(double x, const QwtScaleMap& x_map, const QRectF& canv
     if (x < flag.x - kFlagGrab || x >= flag.end) continue;
     QStringList lines;
     for (const Mark* mark : flag.marks) {
-      if (lines.size() < kMostFlagLines) lines << mark->text;
+      if (lines.size() < kMaxFlagLines) lines << mark->text;
     }
     const auto rest = static_cast<qsizetype>(flag.marks.size()) - lines.size();
     if (rest > 0) lines << Words::tr("and %1 more").arg(rest);
@@ -109,7 +109,7 @@ QString MarkFlags::textAt(double x, const QwtScaleMap& x_map, const QRectF& canv
 QString MarkFlags::textBetween(std::int64_t from_ns, std::int64_t to_ns) const {
   const auto [first, end] = track_.between(from_ns, to_ns);
   QStringList lines;
-  for (auto mark = end - std::min<std::ptrdiff_t>(end - first, kMostFlagLines); mark != end;
+  for (auto mark = end - std::min<std::ptrdiff_t>(end - first, kMaxFlagLines); mark != end;
        ++mark) {
     lines << mark->text;
   }

@@ -23,7 +23,7 @@ QColor AxisColor(const std::vector<UnitAxis>& axes, std::size_t index) {
 
 bool OuterLabels::show(const std::vector<UnitAxis>& axes, ValueScale scale) {
   const std::size_t first = std::min(PlotAxes::kOfQwt, axes.size());
-  const std::size_t count = std::min(PlotAxes::kMost, axes.size()) - first;
+  const std::size_t count = std::min(PlotAxes::kMax, axes.size()) - first;
   bool is_new = columns_.size() != count;
   columns_.resize(count);
   const QFontMetrics metrics(Theme::instance().small());

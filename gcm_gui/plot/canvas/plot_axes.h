@@ -27,7 +27,7 @@ class PlotAxes {
   static constexpr int kTop = 14;           ///< pixels above the canvas, for the units
   static constexpr int kSide = 46;          ///< width of the labels, or of a side without an axis
   static constexpr int kValueSteps = 7;     ///< maximum number of label steps
-  static constexpr std::size_t kMost = 4;   ///< maximum number of units that have an axis
+  static constexpr std::size_t kMax = 4;    ///< maximum number of units that have an axis
   static constexpr std::size_t kOfQwt = 2;  ///< the number of these that QwtPlot itself has
 
   /// Sets up the axes of `plot`, which must outlive this object.

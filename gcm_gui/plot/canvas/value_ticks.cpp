@@ -14,7 +14,7 @@ constexpr double kTickTolerance = 1e-9;
 constexpr double kLargestPlain = 1e6;  // larger numbers, and steps below kTiny, get an exponent
 constexpr double kTiny = 1e-5;
 constexpr int kPlainDecades = 5;  // decades above or below 1 without an exponent
-constexpr std::size_t kMostNames = 14;
+constexpr std::size_t kMaxNames = 14;
 
 int DecadeOf(double value) {
   return static_cast<int>(std::floor(std::log10(value) + kTickTolerance));
@@ -92,7 +92,7 @@ ValueTicks NamedTicks(const UnitAxis& axis) {
     const auto place = static_cast<double>(one.value);
     if (place >= axis.range.low && place <= axis.range.high) seen.push_back(&one);
   }
-  const std::size_t every = (seen.size() + kMostNames - 1) / kMostNames;
+  const std::size_t every = (seen.size() + kMaxNames - 1) / kMaxNames;
   std::set<QString> shorts;
   for (std::size_t i = 0; i < seen.size(); i += every) {
     const QString& name = seen[i]->name;
@@ -117,12 +117,12 @@ ValueTicks LinearTicks(const AxisRange& range, double step, int exponent) {
 double Cleaned(double value, double step) { return std::abs(value) < step * 1e-6 ? 0 : value; }
 
 QString StepText(double value, double step, int exponent) {
-  constexpr int kMostDigits = 17;
+  constexpr int kMaxDigits = 17;
   const double shown = Cleaned(value, step);
   const bool is_plain = exponent == 0 && std::abs(value) < kLargestPlain && step > kTiny;
   if (is_plain) return QString::number(shown, 'f', DecimalsOf(step));
   if (shown == 0 || !std::isfinite(shown)) return QString::number(shown);
-  const int digits = std::clamp(DecadeOf(std::abs(shown)) - DecadeOf(step) + 1, 1, kMostDigits);
+  const int digits = std::clamp(DecadeOf(std::abs(shown)) - DecadeOf(step) + 1, 1, kMaxDigits);
   if (exponent == 0) return QString::number(shown, 'g', digits);
   const QStringList parts = QString::number(shown, 'e', digits - 1).split('e');
   return WithExponent(parts.front(), parts.back().toInt() + exponent);

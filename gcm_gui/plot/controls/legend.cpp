@@ -95,7 +95,7 @@ int Legend::widest(const std::function<int(const LegendRow&)>& width) const {
 QString LegendValue(double value, const AxisRange& range) {
   constexpr double kLargestFixed = 1e7;
   constexpr int kFewDigits = 6;
-  constexpr int kMostDigits = 17;
+  constexpr int kMaxDigits = 17;
   constexpr int kTickSteps = 6;
   const double size = std::abs(value);
   const double span = range.span();
@@ -106,7 +106,7 @@ QString LegendValue(double value, const AxisRange& range) {
   if (size < kLargestFixed && span >= 1e-9) return QString::number(value, 'f', DecimalsOf(step));
   if (size == 0) return QStringLiteral("0");
   const int digits = static_cast<int>(std::floor(std::log10(size) - std::log10(step))) + 2;
-  return QString::number(value, 'g', std::clamp(digits, kFewDigits, kMostDigits));
+  return QString::number(value, 'g', std::clamp(digits, kFewDigits, kMaxDigits));
 }
 
 }  // namespace tendon::gui

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kOneRow = 18;
 // The minimum height of canvas and axis together. In a low plot, the legend is lower instead.
-constexpr int kLeastPlot = 110;
+constexpr int kMinPlot = 110;
 constexpr double kHighest = 0.4;  // fraction of the plot
 constexpr int kEdge = kInset;
 
@@ -43,7 +43,7 @@ void LegendArea::place() {
   const int width = plot_.width() - 2 * kEdge;
   legend_->setRoom(width - verticalScrollBar()->sizeHint().width());
   const int share = static_cast<int>(kHighest * plot_.height());
-  const int most = std::min(share, std::max(kOneRow, plot_.height() - kLeastPlot));
+  const int most = std::min(share, std::max(kOneRow, plot_.height() - kMinPlot));
   const int height = legend_->isHidden() ? 0 : std::min(legend_->height(), most);
   const QMargins sides = plot_.contentsMargins();
   plot_.setContentsMargins(sides.left(), PlotAxes::kTop, sides.right(), height + 2 * kGrid);

@@ -22,7 +22,7 @@ using std::chrono::minutes;
 using std::chrono::nanoseconds;
 using std::chrono::seconds;
 
-constexpr int kLeastTabs = 120;  // room for one tab and the scroll buttons
+constexpr int kMinTabs = 120;  // room for one tab and the scroll buttons
 
 // A tab bar that is not wider than its tabs; QTabBar itself always reserves room for scroll
 // buttons.
@@ -30,7 +30,7 @@ class TabBar final : public QTabBar {
  public:
   using QTabBar::QTabBar;
   [[nodiscard]] QSize minimumSizeHint() const override {
-    return {std::min(sizeHint().width(), kLeastTabs), kHeadHeight};
+    return {std::min(sizeHint().width(), kMinTabs), kHeadHeight};
   }
 };
 

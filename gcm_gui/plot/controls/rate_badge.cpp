@@ -12,7 +12,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr int kLeastWidth = 70;  // pixels; room for "… 12 lost"
+constexpr int kMinWidth = 70;  // pixels; room for "… 12 lost"
 
 QString Number(double hz) {
   if (hz >= 99.95) return QString::number(hz, 'f', 0);
@@ -87,7 +87,7 @@ void RateBadge::setFigures(const std::vector<SourceFigures>& figures) {
 }
 
 QSize RateBadge::minimumSizeHint() const {
-  return sizeHint().boundedTo({kLeastWidth, QWIDGETSIZE_MAX});
+  return sizeHint().boundedTo({kMinWidth, QWIDGETSIZE_MAX});
 }
 
 void RateBadge::paintEvent(QPaintEvent*) {

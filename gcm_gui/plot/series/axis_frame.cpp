@@ -36,7 +36,7 @@ bool IsRound(double base, double span) {
 // Formats a base. Shows all digits of an integer if they are readable. Other numbers are as short
 // as possible.
 QString BaseText(double base) {
-  constexpr int kMostZeros = 4;
+  constexpr int kMaxZeros = 4;
   constexpr double kIntegers = 1e20;  // larger than any 64-bit integer
   if (base != std::floor(base) || std::abs(base) >= kIntegers) {
     return QString::number(base, 'g', QLocale::FloatingPointShortest);
@@ -45,7 +45,7 @@ QString BaseText(double base) {
   QString front = digits;
   while (front.endsWith('0')) front.chop(1);
   const QString sign = base < 0 ? QStringLiteral("-") : QString();
-  if (digits.size() - front.size() <= kMostZeros) return sign + digits;
+  if (digits.size() - front.size() <= kMaxZeros) return sign + digits;
   const QString exponent = 'e' + QString::number(digits.size() - 1);
   if (front.size() > 1) front.insert(1, '.');
   return sign + front + exponent;

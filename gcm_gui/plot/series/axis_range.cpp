@@ -16,17 +16,17 @@ constexpr double kTolerance = 1e-9;
 
 // These limits are the same as in tendon/base/axis_ticks.h, which this library does not use. A test
 // compares them.
-constexpr double kAtRest = 1e-12;     // above the rounding errors of sums of numbers near 1
-constexpr double kRounding = 5e-14;   // relative; smaller than a change of the 13th digit
-constexpr double kLeastSpan = 1e-12;  // smallest span of an axis, relative to its values
+constexpr double kAtRest = 1e-12;    // above the rounding errors of sums of numbers near 1
+constexpr double kRounding = 5e-14;  // relative; smaller than a change of the 13th digit
+constexpr double kMinSpan = 1e-12;   // smallest span of an axis, relative to its values
 constexpr double kFlatDecades = 1e-6;
 constexpr AxisRange kDecades{.low = -324, .high = 309};  // the range of doubles
 
-constexpr double kLeastStep = 1e-300;
-constexpr double kMostPlace = 1e290;
+constexpr double kMinStep = 1e-300;
+constexpr double kMaxPlace = 1e290;
 // 2^49: leaves some digits of a double for fractions of a step.
 constexpr double kExactSteps = 562949953421312;
-constexpr std::size_t kMostTicks = 1000;
+constexpr std::size_t kMaxTicks = 1000;
 
 AxisRange WithAir(const AxisRange& data) {
   const double air = data.span() * kAir;
@@ -67,7 +67,7 @@ double SizeOf(const AxisRange& data, double base) {
 }
 
 double NiceStep(double span, int most) {
-  const double least = std::clamp(span / most, kLeastStep, kMostPlace);
+  const double least = std::clamp(span / most, kMinStep, kMaxPlace);
   const double power = std::pow(10, std::floor(std::log10(least)));
   for (const double factor : {1.0, 2.0, 5.0}) {
     if (factor * power >= least * (1 - kTolerance)) return factor * power;
@@ -116,7 +116,7 @@ AxisRange FittedStates(const AxisRange& data) {
 
 bool IsShowable(const AxisRange& range) {
   const double size = SizeOf(range, 0);
-  return size <= kMostPlace && range.span() >= kLeastStep && range.span() >= size * kLeastSpan;
+  return size <= kMaxPlace && range.span() >= kMinStep && range.span() >= size * kMinSpan;
 }
 
 std::vector<double> TicksOf(const AxisRange& range, double step) {
@@ -124,16 +124,16 @@ std::vector<double> TicksOf(const AxisRange& range, double step) {
   const double last = std::floor(range.high / step + kTolerance);
   const bool are_apart = std::abs(first) < kExactSteps && std::abs(last) < kExactSteps;
   if (!are_apart || last < first) return {};
-  const double count = std::min<double>(last - first + 1, kMostTicks);
+  const double count = std::min<double>(last - first + 1, kMaxTicks);
   std::vector<double> ticks(static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < ticks.size(); ++i) ticks[i] = (first + static_cast<double>(i)) * step;
   return ticks;
 }
 
 int DecimalsOf(double step) {
-  constexpr double kMost = 12;
+  constexpr double kMax = 12;
   if (!(step > 0)) return 0;
-  return static_cast<int>(std::clamp(std::ceil(-std::log10(step) - kTolerance), 0.0, kMost));
+  return static_cast<int>(std::clamp(std::ceil(-std::log10(step) - kTolerance), 0.0, kMax));
 }
 
 }  // namespace tendon::gui

@@ -15,7 +15,7 @@ constexpr double kDecadesAboveZero = 6;
 
 // A curve with values above both limits does not count when its axis is fitted.
 constexpr double kOrdinary = 1e12;
-constexpr double kMostTimes = 1e6;
+constexpr double kMaxTimes = 1e6;
 
 AxisRange United(const AxisRange& a, const AxisRange& b) {
   return {.low = std::min(a.low, b.low), .high = std::max(a.high, b.high)};
@@ -208,7 +208,7 @@ std::vector<CurveSet::Extremes> CurveSet::extremesOn(const UnitAxis& axis,
   }
   const auto is_beyond = [&](const Extremes& each) {
     const double size = SizeOf(each.data, axis.frame.base);
-    return size > kOrdinary && size > kMostTimes * ordinary;
+    return size > kOrdinary && size > kMaxTimes * ordinary;
   };
   if (std::all_of(all.begin(), all.end(), is_beyond)) return all;
   for (Extremes& each : all) each.is_beyond = is_beyond(each);
@@ -255,7 +255,7 @@ AxisRange CurveSet::chooseFrame(UnitAxis& axis, std::span<const SeenSlices> seen
   const bool has_base = fit_ != Fit::kSymmetric && !hasStates(axis);
   // Distances are exact only near the base, so a new base gives new distances. These may need
   // another base.
-  constexpr int kMostFrames = 3;
+  constexpr int kMaxFrames = 3;
   for (int i = 0;; ++i) {
     const std::vector<Extremes> all = extremesOn(axis, seen);
     AxisRange data = kNothing;
@@ -269,7 +269,7 @@ AxisRange CurveSet::chooseFrame(UnitAxis& axis, std::span<const SeenSlices> seen
       frame = FrameFor(axis.frame, withGrown(data, axis), axis.numbers);
       if (!has_base) frame.base = 0;
     }
-    if (frame != axis.frame && i < kMostFrames) {
+    if (frame != axis.frame && i < kMaxFrames) {
       setFrame(axis, frame);
       continue;
     }

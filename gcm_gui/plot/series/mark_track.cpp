@@ -13,7 +13,7 @@ bool IsBehind(std::int64_t time_ns, const Mark& mark) { return time_ns < mark.ti
 void MarkTrack::add(Mark mark) {
   const auto place = std::upper_bound(marks_.begin(), marks_.end(), mark.time_ns, IsBehind);
   marks_.insert(place, std::move(mark));
-  if (marks_.size() > kMost) marks_.pop_front();
+  if (marks_.size() > kMax) marks_.pop_front();
 }
 
 std::pair<MarkTrack::Iterator, MarkTrack::Iterator> MarkTrack::between(std::int64_t from_ns,

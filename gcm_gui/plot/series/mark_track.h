@@ -24,7 +24,7 @@ struct Mark {
 /// The newest marks for all plots, oldest first. GUI thread.
 class MarkTrack {
  public:
-  static constexpr std::size_t kMost = 4096;
+  static constexpr std::size_t kMax = 4096;
 
   using Iterator = std::deque<Mark>::const_iterator;
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kFirstCapacity = 1024;
 // Limits the memory for gaps; a signal that loses every other row would have very many.
-constexpr std::size_t kMostGaps = 16384;
+constexpr std::size_t kMaxGaps = 16384;
 // A shorter time without samples is no standstill: it may be the normal distance between the
 // samples of a slow source.
 constexpr std::int64_t kShortestStandstillNs = 250'000'000;
@@ -101,7 +101,7 @@ void SampleRing::addGap(Gap::Cause cause, const Sample& next, std::uint64_t lost
                    .lost = lost,
                    .from_ns = from,
                    .to_ns = std::max(from, next.time_ns)});
-  if (gaps_.size() > kMostGaps) forgetUntil(gaps_.front().index);
+  if (gaps_.size() > kMaxGaps) forgetUntil(gaps_.front().index);
 }
 
 void SampleRing::push(std::int64_t time_ns, std::uint64_t word) {

@@ -13,16 +13,16 @@ constexpr double kExactIntegers = 9007199254740992;  // 2^53
 // Returns a factor that scales distances of this size to about 1, so that their squares fit a
 // double.
 double UnitOfSize(double size) {
-  constexpr int kLeastExponent = -1000;
+  constexpr int kMinExponent = -1000;
   int exponent = 0;
   std::frexp(size, &exponent);
-  return std::ldexp(1, -std::max(exponent, kLeastExponent));
+  return std::ldexp(1, -std::max(exponent, kMinExponent));
 }
 
 // Undoes the scaling of UnitOfSize(). Rounding cannot make the result infinite.
 double FromUnit(double distance, double unit) {
-  constexpr double kMost = std::numeric_limits<double>::max();
-  return std::clamp(distance / unit, -kMost, kMost);
+  constexpr double kMax = std::numeric_limits<double>::max();
+  return std::clamp(distance / unit, -kMax, kMax);
 }
 
 // Returns the integer at this distance above `lowest`, with more digits than a double has.
@@ -106,7 +106,7 @@ double RateOf(const SampleRing& ring, std::int64_t from_ns, std::int64_t to_ns) 
 
 std::map<std::int64_t, std::uint64_t> OccurrencesOf(const SampleRing& ring, std::int64_t from_ns,
                                                     std::int64_t to_ns) {
-  constexpr std::size_t kMost = 64;
+  constexpr std::size_t kMax = 64;
   std::map<std::int64_t, std::uint64_t> occurrences;
   if (ring.kind() != ExactNumber::Kind::kSigned) return occurrences;
   const std::uint64_t end = ring.lowerBound(to_ns + 1);
@@ -115,7 +115,7 @@ std::map<std::int64_t, std::uint64_t> OccurrencesOf(const SampleRing& ring, std:
     const auto found = occurrences.find(value);
     if (found != occurrences.end()) {
       ++found->second;
-    } else if (occurrences.size() < kMost) {
+    } else if (occurrences.size() < kMax) {
       occurrences.emplace(value, 1);
     }
   }

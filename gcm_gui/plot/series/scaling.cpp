@@ -10,9 +10,9 @@ namespace tendon::gui {
 namespace {
 
 // Beyond these limits, the sum of value and offset would consist only of rounding errors.
-constexpr double kLeastFactor = 1e-12;
-constexpr double kMostFactor = 1e12;
-constexpr double kMostOffset = 1e15;
+constexpr double kMinFactor = 1e-12;
+constexpr double kMaxFactor = 1e12;
+constexpr double kMaxOffset = 1e15;
 
 }  // namespace
 
@@ -36,12 +36,12 @@ QString UnitOf(const QString& unit, const Scaling& scaling) {
 std::optional<QString> RefusalOf(const CurveLook& look) {
   const auto& [factor, offset] = look.scaling;
   if (factor == 0) return Words::tr("A scale of 0 would draw a flat line: choose another scale");
-  if (!(std::abs(factor) >= kLeastFactor && std::abs(factor) <= kMostFactor)) {
+  if (!(std::abs(factor) >= kMinFactor && std::abs(factor) <= kMaxFactor)) {
     return Words::tr("The scale must lie between %1 and %2, with either sign")
-        .arg(QString::number(kLeastFactor), QString::number(kMostFactor));
+        .arg(QString::number(kMinFactor), QString::number(kMaxFactor));
   }
-  if (!(std::abs(offset) <= kMostOffset)) {
-    return Words::tr("The offset must lie between -%1 and %1").arg(QString::number(kMostOffset));
+  if (!(std::abs(offset) <= kMaxOffset)) {
+    return Words::tr("The offset must lie between -%1 and %1").arg(QString::number(kMaxOffset));
   }
   if (look.axis.size() > kLongestAxis) {
     return Words::tr("The name of an axis has at most %1 letters").arg(kLongestAxis);

@@ -99,19 +99,18 @@ constexpr std::size_t kSmall = 100;
 /// which checks each byte.
 std::size_t VeryLarge() { return test::IsSanitized() ? 4 * kLarge : kMaxPayload; }
 
-constexpr std::size_t kMost = 1000 * kMaxPayload;
+constexpr std::size_t kMax = 1000 * kMaxPayload;
 
 /// An address range without accessible memory: reading a byte of it ends the program.
 class NobodysMemory {
  public:
   NobodysMemory()
-      : begin_(
-            mmap(nullptr, kMost, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0)) {
+      : begin_(mmap(nullptr, kMax, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0)) {
     EXPECT_NE(begin_, MAP_FAILED);
   }
   NobodysMemory(const NobodysMemory&) = delete;
   NobodysMemory& operator=(const NobodysMemory&) = delete;
-  ~NobodysMemory() { munmap(begin_, kMost); }
+  ~NobodysMemory() { munmap(begin_, kMax); }
 
   [[nodiscard]] std::span<const std::byte> First(std::size_t size) const {
     return {static_cast<const std::byte*>(begin_), size};
@@ -165,7 +164,7 @@ TEST_P(LargeMessageContract, OverTheLimitIsRefusedByTheSender) {
   const Takers takers;
   Connect(takers.server, takers.client);
   const std::size_t sizes[] = {kMaxBodySize + 1, kMaxPayload + kMaxPayload / 10, 10 * kMaxPayload,
-                               kMost};
+                               kMax};
   const NobodysMemory memory;
 
   for (const std::size_t size : sizes) {

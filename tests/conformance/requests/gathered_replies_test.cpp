@@ -61,7 +61,7 @@ void AskToKeep(Channel& channel, Oracle& oracle, Outcomes& outcomes, std::uint32
 TEST_P(ChannelContract, BatchedRepliesArriveOnceAndInOrder) {
   const auto server = std::make_shared<Oracle>();
   Connect(server, std::make_shared<Oracle>());
-  constexpr std::uint32_t kCount = 2 * ReplyBatch::kMostReplies + 44;
+  constexpr std::uint32_t kCount = 2 * ReplyBatch::kMaxReplies + 44;
   Outcomes outcomes;
   ASSERT_NO_FATAL_FAILURE(AskToKeep(*channel_, *server, outcomes, kCount));
 

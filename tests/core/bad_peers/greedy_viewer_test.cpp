@@ -64,8 +64,8 @@ using testing::HasSubstr;
 namespace message = tendon::message;
 
 constexpr auto kLong = 60s;
-constexpr std::size_t kMostSubscriptions = 2048;  // maximum for one viewer
-constexpr std::size_t kMostReadings = 32;  // maximum for one viewer, with all columns of a table
+constexpr std::size_t kMaxSubscriptions = 2048;  // maximum for one viewer
+constexpr std::size_t kMaxReadings = 32;  // maximum for one viewer, with all columns of a table
 
 /// Writes a row of two columns each millisecond. Clients can mirror its reads.
 class Meter final : public tendon::PeriodicTask {
@@ -243,7 +243,7 @@ TEST_P(GreedyViewer, MirroringACommandTwiceIsRefused) {
 
 TEST_P(GreedyViewer, LimitsTheNumberOfSubscriptions) {
   std::uint32_t last = 0;
-  for (std::size_t i = 0; i < kMostSubscriptions; ++i) {
+  for (std::size_t i = 0; i < kMaxSubscriptions; ++i) {
     const auto subscribed = greedy.Subscribe(WantingNewest());
     ASSERT_TRUE(subscribed.ok()) << "at " << i << ": " << subscribed.error().message;
     last = subscribed->handle;
@@ -262,7 +262,7 @@ TEST_P(GreedyViewer, LimitsTheNumberOfSubscriptions) {
 TEST_P(GreedyViewer, LimitsTheNumberOfReadingsPerColumn) {
   constexpr std::size_t kColumns = 2;
   std::uint32_t last = 0;
-  for (std::size_t i = 0; i < kMostReadings * kColumns; ++i) {
+  for (std::size_t i = 0; i < kMaxReadings * kColumns; ++i) {
     const auto subscribed = greedy.Subscribe(WantingEach(i));
     ASSERT_TRUE(subscribed.ok()) << "at " << i << ": " << subscribed.error().message;
     last = subscribed->handle;

@@ -91,13 +91,13 @@ class HostileListener : public NetworkTest {
 };
 
 TEST_P(HostileListener, AStoppedReaderHoldsABoundedShareOfLargeEvents) {
-  constexpr std::uint32_t kMostCapacity = 65536;
+  constexpr std::uint32_t kMaxCapacity = 65536;
   constexpr std::size_t kMebibyte = std::size_t{1} << 20U;
   // MiB that may wait for a slow receiver, plus the content of a link.
   constexpr int kShare = 8 + 32;
   const auto stuck = std::make_shared<StuckHandler>();
   const auto channel = Open(stuck);
-  ASSERT_TRUE(Listen(*channel, 1, kMostCapacity).ok());
+  ASSERT_TRUE(Listen(*channel, 1, kMaxCapacity).ok());
   std::unique_lock closed(stuck->gate);
 
   const std::vector<double> cloud(kMebibyte / sizeof(double));

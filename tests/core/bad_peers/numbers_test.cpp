@@ -16,7 +16,7 @@
 namespace tendon {
 namespace {
 
-constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint64_t kMax = std::numeric_limits<std::uint64_t>::max();
 
 /// Records the ticks of its rows, and the number of lost rows.
 class TickRecord final : public RowSink {
@@ -78,7 +78,7 @@ TEST_F(RowNumbers, CountsSkippedRowsAsLost) {
 }
 
 TEST_F(RowNumbers, IgnoresRowNumbersThatOverflow) {
-  Send(kMost, {kMost - 1}, kMost);
+  Send(kMax, {kMax - 1}, kMax);
 
   Send(0, {100}, 101);
   EXPECT_EQ(record_->ticks.size(), 1U);
@@ -106,7 +106,7 @@ TEST(JumpingNumbers, DeliversNoRecordTwiceAndCountsSkippedOnes) {
   EXPECT_EQ(TextsOf(feed.Take(Records(100, {"a", "b"}))), Texts{});
   EXPECT_EQ(TextsOf(feed.Take(Records(101, {"b", "c"}))), Texts{"c"});
   EXPECT_EQ(TextsOf(feed.Take(Records(0, {"z"}))), Texts{});
-  EXPECT_EQ(TextsOf(feed.Take(Records(kMost, {"x", "y"}))), Texts{});
+  EXPECT_EQ(TextsOf(feed.Take(Records(kMax, {"x", "y"}))), Texts{});
 
   const LogBatch next = feed.Take(Records(105, {"d"}));
   EXPECT_EQ(TextsOf(next), Texts{"d"});
@@ -127,7 +127,7 @@ TEST(JumpingNumbers, RefusesCatalogueChangesOutOfSequence) {
   const Catalogue before = catalogue;
 
   for (const std::uint64_t revision :
-       {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{2}, std::uint64_t{4}, kMost}) {
+       {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{2}, std::uint64_t{4}, kMax}) {
     EXPECT_FALSE(catalogue.Apply(change(revision))) << revision;
     EXPECT_EQ(catalogue, before) << revision;
   }
@@ -144,7 +144,7 @@ TEST(JumpingNumbers, IgnoresRepliesWithAnUnexpectedNumber) {
   }
   BlockingRequest answer(requests);
 
-  for (const std::uint64_t number : {std::uint64_t{0}, before, answer.number() + 1, kMost}) {
+  for (const std::uint64_t number : {std::uint64_t{0}, before, answer.number() + 1, kMax}) {
     EXPECT_FALSE(requests.Finish(number, Error{ErrorCode::kFailed, "a lie"})) << number;
   }
 
@@ -166,13 +166,13 @@ class Hole final : public Link {
 TEST(JumpingNumbers, RefusesAnImplausibleCountOfPartsTaken) {
   Hole link;
   PartSender sender;
-  const Bytes body(2 * kLeastPartSize);
+  const Bytes body(2 * kMinPartSize);
   ASSERT_TRUE(
       sender.Add(link, kCommonLane, {.size = static_cast<std::uint32_t>(body.size())}, body));
-  ASSERT_TRUE(sender.OnTaken(link, kLeastPartSize));
+  ASSERT_TRUE(sender.OnTaken(link, kMinPartSize));
 
-  EXPECT_FALSE(sender.OnTaken(link, kLeastPartSize - 1));
-  EXPECT_FALSE(sender.OnTaken(link, kMost));
+  EXPECT_FALSE(sender.OnTaken(link, kMinPartSize - 1));
+  EXPECT_FALSE(sender.OnTaken(link, kMax));
 
   EXPECT_TRUE(sender.OnTaken(link, FrameHeader::kSize + body.size()));
   EXPECT_EQ(sender.waiting(), 0U);

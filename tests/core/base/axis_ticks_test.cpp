@@ -17,7 +17,7 @@ namespace {
 
 using testing::ElementsAre;
 
-constexpr double kMost = std::numeric_limits<double>::max();
+constexpr double kMax = std::numeric_limits<double>::max();
 
 template <typename Number>
 std::vector<std::string> Labels(const AxisSpan<Number>& span, int most = 5) {
@@ -64,9 +64,9 @@ TEST(AxisTicks, SurroundAConstantValue) {
 }
 
 TEST(AxisTicks, AreFiniteForTheRangeOfAllDoubles) {
-  const AxisSpan<double> span = FittedSpan(-kMost, kMost, 5);
+  const AxisSpan<double> span = FittedSpan(-kMax, kMax, 5);
 
-  EXPECT_EQ(span, (AxisSpan<double>{.low = -kMost, .high = kMost}));
+  EXPECT_EQ(span, (AxisSpan<double>{.low = -kMax, .high = kMax}));
   EXPECT_THAT(Labels(span), ElementsAre("-1e+308", "0", "1e+308"));
 }
 
@@ -97,7 +97,7 @@ TEST(AxisPart, IsExactForNeighboursBeyondDoubles) {
 
   EXPECT_EQ(PartOf(span, kLast - 3), 0.25);
   EXPECT_EQ(PartOf(span, std::uint64_t{0}), 0.0);
-  EXPECT_EQ(PartOf(AxisSpan<double>{.low = -kMost, .high = kMost}, 0.0), 0.5);
+  EXPECT_EQ(PartOf(AxisSpan<double>{.low = -kMax, .high = kMax}, 0.0), 0.5);
   EXPECT_EQ(PartOf(AxisSpan<double>{.low = 1e15, .high = 1e15 + 8}, 1e15 + 2), 0.25);
 }
 

@@ -250,10 +250,10 @@ TEST(SystemFile, ALargeConfigurationIsRefusedWithItsPosition) {
     const std::string rest = R"({"gain":"","limits":[1,2]})";
     return Demo("0.5", "\"" + std::string(size - rest.size(), 'x') + "\"");
   };
-  constexpr std::size_t kMost = 65'536;
+  constexpr std::size_t kMax = 65'536;
 
-  EXPECT_EQ(ErrorOf(of_size(kMost)), "no error");
-  EXPECT_EQ(ErrorOf(of_size(kMost + 1)),
+  EXPECT_EQ(ErrorOf(of_size(kMax)), "no error");
+  EXPECT_EQ(ErrorOf(of_size(kMax + 1)),
             "line 8, column 9: processes[0].components[0].configuration: expected a configuration "
             "of at most 65536 bytes, got 65537");
 }

@@ -11,7 +11,7 @@ namespace {
 
 using conformance::kTestTimeout;
 
-constexpr std::size_t kMostGrowth = std::size_t{1} << 20U;
+constexpr std::size_t kMaxGrowth = std::size_t{1} << 20U;
 
 /// A connection without TLS.
 class PlainConnection {
@@ -69,7 +69,7 @@ class MutantsTest : public TlsTest {
 
     const int connections = SayMutants(mutants, count, connect);
 
-    EXPECT_TRUE(EventuallyTrue([&] { return conformance::MemoryInUse() < memory + kMostGrowth; }))
+    EXPECT_TRUE(EventuallyTrue([&] { return conformance::MemoryInUse() < memory + kMaxGrowth; }))
         << count << " mutants over " << connections
         << " connections: " << (conformance::MemoryInUse() - memory) / 1024
         << " KiB more than after the warm-up";

@@ -32,7 +32,7 @@ class DirectReplies : public testing::Test {
     network_->SetFaultInjector([this](const loopback::Frame& frame) {
       const auto header = ReadFrameHeader(frame.bytes);
       const std::scoped_lock lock(mutex_);
-      if (header->size >= kLeastPartSize) large_.insert(header->type);
+      if (header->size >= kMinPartSize) large_.insert(header->type);
       return loopback::kPass;
     });
     auto listener = server_.Listen(

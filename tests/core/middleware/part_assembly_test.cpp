@@ -72,7 +72,7 @@ TEST(PartAssembly, RefusesInvalidParts) {
 
   EXPECT_EQ(PartAssembly().Add(1, Bytes(10), whole), Progress::kMalformed);
   EXPECT_EQ(PartAssembly().Add(1, PartOf(foreign, 0), whole), Progress::kMalformed);
-  EXPECT_EQ(PartAssembly().Add(1, std::span(frame).first(kLeastPartSize - 1), whole),
+  EXPECT_EQ(PartAssembly().Add(1, std::span(frame).first(kMinPartSize - 1), whole),
             Progress::kMalformed);
   EXPECT_EQ(PartAssembly().Add(1, Bytes(), whole), Progress::kMalformed);
   for (const MessageType type : {MessageType::kPartsTaken, MessageType::kHello, MessageType::kProof,
@@ -88,14 +88,14 @@ TEST(PartAssembly, RefusesInvalidParts) {
 
 TEST(PartAssembly, AssemblesPartsOfAllSizes) {
   PartAssembly assembly;
-  const Bytes frame = FrameOfSize(4 * kLeastPartSize + 1);
+  const Bytes frame = FrameOfSize(4 * kMinPartSize + 1);
   const auto rest = std::span(frame);
   PartAssembly::Frame whole;
 
-  EXPECT_EQ(assembly.Add(1, rest.first(2 * kLeastPartSize), whole), Progress::kMoreToCome);
-  EXPECT_EQ(assembly.Add(1, rest.subspan(2 * kLeastPartSize, kLeastPartSize), whole),
+  EXPECT_EQ(assembly.Add(1, rest.first(2 * kMinPartSize), whole), Progress::kMoreToCome);
+  EXPECT_EQ(assembly.Add(1, rest.subspan(2 * kMinPartSize, kMinPartSize), whole),
             Progress::kMoreToCome);
-  EXPECT_EQ(assembly.Add(1, rest.subspan(3 * kLeastPartSize), whole), Progress::kWhole);
+  EXPECT_EQ(assembly.Add(1, rest.subspan(3 * kMinPartSize), whole), Progress::kWhole);
   EXPECT_EQ(whole.body, BodyOf(frame));
 }
 

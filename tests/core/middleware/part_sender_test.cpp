@@ -132,13 +132,13 @@ TEST_F(PartSenderTest, ResumesWhenTheLinkHasRoom) {
 TEST_F(PartSenderTest, StartsWithSmallParts) {
   PartSender unknown(clock);
   FakeLink fresh;
-  EXPECT_EQ(unknown.part_size(), kLeastPartSize);
+  EXPECT_EQ(unknown.part_size(), kMinPartSize);
 
   FrameHeader header;
   header.size = kMaxPieceSize;
   ASSERT_EQ(unknown.Add(fresh, 1, header, Bytes(kMaxPieceSize)), Status::kQueued);
 
-  EXPECT_THAT(fresh.sizes, testing::Each(kLeastPartSize));
+  EXPECT_THAT(fresh.sizes, testing::Each(kMinPartSize));
   EXPECT_EQ(fresh.sizes.size(), kAhead);
 }
 
@@ -158,7 +158,7 @@ TEST_F(PartSenderTest, SlowLinksGetSmallParts) {
 
 TEST_F(PartSenderTest, PartsGrowAgainOnAFasterLink) {
   TakeSlowly(std::size_t{4} << 20U, 1'000);
-  EXPECT_EQ(sender.part_size(), kLeastPartSize);
+  EXPECT_EQ(sender.part_size(), kMinPartSize);
 
   Forget();
   taken = 0;

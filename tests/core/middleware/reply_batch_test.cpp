@@ -53,17 +53,17 @@ TEST(ReplyBatch, HasAFixedLayout) {
 
 TEST(ReplyBatch, LimitsTheNumberOfReplies) {
   ReplyBatch batch;
-  for (std::uint64_t i = 1; i <= ReplyBatch::kMostReplies; ++i) EXPECT_TRUE(batch.Add(i, {}));
+  for (std::uint64_t i = 1; i <= ReplyBatch::kMaxReplies; ++i) EXPECT_TRUE(batch.Add(i, {}));
 
   EXPECT_FALSE(batch.Add(1000, {}));
-  EXPECT_EQ(batch.replies(), ReplyBatch::kMostReplies);
+  EXPECT_EQ(batch.replies(), ReplyBatch::kMaxReplies);
   EXPECT_TRUE(IsReplyBatch(batch.body()));
   batch.Clear();
   EXPECT_TRUE(batch.Add(1000, {}));
 }
 
 TEST(ReplyBatch, LimitsTheNumberOfBytes) {
-  constexpr std::size_t kLargest = ReplyBatch::kMostBytes - ReplyBatch::kOverhead;
+  constexpr std::size_t kLargest = ReplyBatch::kMaxBytes - ReplyBatch::kOverhead;
   ReplyBatch batch;
 
   EXPECT_FALSE(batch.Add(1, Bytes(kLargest + 1)));
@@ -91,8 +91,8 @@ TEST(ReplyBatch, RefusesFalseSizes) {
 }
 
 TEST(ReplyBatch, RefusesTooManyOrTooLargeReplies) {
-  EXPECT_FALSE(IsReplyBatch(Bytes((ReplyBatch::kMostReplies + 1) * ReplyBatch::kOverhead)));
-  Bytes large(ReplyBatch::kMostBytes + 1);
+  EXPECT_FALSE(IsReplyBatch(Bytes((ReplyBatch::kMaxReplies + 1) * ReplyBatch::kOverhead)));
+  Bytes large(ReplyBatch::kMaxBytes + 1);
   const auto size = static_cast<std::uint32_t>(large.size() - ReplyBatch::kOverhead);
   for (std::size_t i = 0; i < 4; ++i) large[8 + i] = static_cast<std::byte>(size >> (8 * i));
 
@@ -228,19 +228,19 @@ TEST_F(ReplyBatcherTest, EndsWithItsScope) {
 }
 
 TEST_F(ReplyBatcherTest, SendsAFullMessageAndContinues) {
-  Ask(*one_, ReplyBatch::kMostReplies + 1);
+  Ask(*one_, ReplyBatch::kMaxReplies + 1);
 
-  AnswerTogether(ReplyBatch::kMostReplies + 1);
+  AnswerTogether(ReplyBatch::kMaxReplies + 1);
 
   EXPECT_EQ(sent(), (Types{MessageType::kReplies, MessageType::kReply}));
-  EXPECT_TRUE(EventuallyTrue([&] { return answered() == ReplyBatch::kMostReplies + 1; }));
-  EXPECT_EQ(replies(), ReplyBatch::kMostReplies + 1);
+  EXPECT_TRUE(EventuallyTrue([&] { return answered() == ReplyBatch::kMaxReplies + 1; }));
+  EXPECT_EQ(replies(), ReplyBatch::kMaxReplies + 1);
 }
 
 TEST_F(ReplyBatcherTest, LimitsTheBytesOfAMessage) {
   Ask(*one_, 4);
 
-  AnswerTogether(4, ReplyBatch::kMostBytes / 3);
+  AnswerTogether(4, ReplyBatch::kMaxBytes / 3);
 
   EXPECT_EQ(sent(), (Types{MessageType::kReplies, MessageType::kReplies}));
   EXPECT_TRUE(EventuallyTrue([&] { return answered() == 4; }));
@@ -249,7 +249,7 @@ TEST_F(ReplyBatcherTest, LimitsTheBytesOfAMessage) {
 TEST_F(ReplyBatcherTest, SendsTooLargeRepliesUnbatched) {
   Ask(*one_, 2);
 
-  AnswerTogether(2, ReplyBatch::kMostBytes);
+  AnswerTogether(2, ReplyBatch::kMaxBytes);
 
   EXPECT_EQ(sent(), (Types{MessageType::kReply, MessageType::kReply}));
   EXPECT_TRUE(EventuallyTrue([&] { return answered() == 2; }));

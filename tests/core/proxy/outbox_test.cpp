@@ -12,7 +12,7 @@ namespace {
 
 /// The size of an argument of Load, and the number of bytes that may wait.
 constexpr std::size_t kLoad = 1000;
-constexpr std::uint64_t kMost = 3 * kLoad;
+constexpr std::uint64_t kMax = 3 * kLoad;
 
 /// An outbox with little room, and a command that uses it.
 class NarrowOutbox : public InterfaceProxies {
@@ -23,7 +23,7 @@ class NarrowOutbox : public InterfaceProxies {
   Status Post(std::size_t size) { return command->ExecuteEncoded(Bytes(size), nothing); }
 
   Wakeup<> wakeup;
-  Outbox outbox{channel, message::kCommands, wakeup, "server", {.waiting_bytes = kMost}};
+  Outbox outbox{channel, message::kCommands, wakeup, "server", {.waiting_bytes = kMax}};
   const QueuedOfferProxy offer{provided.description().commands[1], outbox, kServerHandle + 2};
   Mailbox& mailbox = outbox.inbox().Open(1000, {}, CallerThreads::kManyThreads);
   const std::unique_ptr<CommandBase> command = offer.Bind(&mailbox);

@@ -53,14 +53,14 @@ TEST(WorkerPool, RunsSeveralLinesInParallel) {
   WorkerPool threads("test");
   Barrier barrier;
   std::vector<std::shared_ptr<SerialExecutor>> executors;
-  for (std::size_t i = 0; i < WorkerPool::kMost; ++i)
+  for (std::size_t i = 0; i < WorkerPool::kMax; ++i)
     executors.push_back(threads.MakeExecutor(kMany));
 
   for (const auto& executor : executors)
     ASSERT_TRUE(executor->Post([&barrier] { barrier.Enter(); }));
 
   EXPECT_TRUE(
-      EventuallyTrue([&] { return barrier.entered() == static_cast<int>(WorkerPool::kMost); }));
+      EventuallyTrue([&] { return barrier.entered() == static_cast<int>(WorkerPool::kMax); }));
   barrier.Open();
   for (const auto& executor : executors) EXPECT_TRUE(executor->Drain(Later()));
 }
@@ -69,25 +69,25 @@ TEST(WorkerPool, LimitsItsThreads) {
   WorkerPool threads("test");
   Barrier barrier;
   std::vector<std::shared_ptr<SerialExecutor>> executors;
-  for (std::size_t i = 0; i <= WorkerPool::kMost; ++i) {
+  for (std::size_t i = 0; i <= WorkerPool::kMax; ++i) {
     executors.push_back(threads.MakeExecutor(kMany));
     ASSERT_TRUE(executors.back()->Post([&barrier] { barrier.Enter(); }));
   }
 
   EXPECT_TRUE(
-      EventuallyTrue([&] { return barrier.entered() == static_cast<int>(WorkerPool::kMost); }));
+      EventuallyTrue([&] { return barrier.entered() == static_cast<int>(WorkerPool::kMax); }));
   EXPECT_FALSE(executors.back()->Drain(SteadyClock().Now() + 20ms));
-  EXPECT_EQ(barrier.entered(), static_cast<int>(WorkerPool::kMost));
+  EXPECT_EQ(barrier.entered(), static_cast<int>(WorkerPool::kMax));
 
   barrier.Open();
   for (const auto& executor : executors) EXPECT_TRUE(executor->Drain(Later()));
-  EXPECT_EQ(barrier.entered(), static_cast<int>(WorkerPool::kMost) + 1);
+  EXPECT_EQ(barrier.entered(), static_cast<int>(WorkerPool::kMax) + 1);
 }
 
 TEST(WorkerPool, HungCallsOfOneKindDoNotBlockOthers) {
   Barrier barrier;
   CallExecutors sorts;
-  for (std::size_t i = 0; i < 2 * WorkerPool::kMost; ++i) {
+  for (std::size_t i = 0; i < 2 * WorkerPool::kMax; ++i) {
     ASSERT_TRUE(sorts.reads.MakeExecutor(kMany)->Post([&barrier] { barrier.Enter(); }));
   }
   const auto executor = sorts.commands.MakeExecutor(kMany);

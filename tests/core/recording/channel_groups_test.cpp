@@ -58,13 +58,13 @@ TEST(ChannelGroups, AnotherChoiceOfColumnsIsAGroupOfItsOwn) {
 }
 
 TEST(ChannelGroups, NumbersOfAHostileFileWrapAroundToSomeSourceTime) {
-  constexpr auto kLeast = std::numeric_limits<std::int64_t>::min();
-  constexpr auto kMost = std::numeric_limits<std::int64_t>::max();
+  constexpr auto kMin = std::numeric_limits<std::int64_t>::min();
+  constexpr auto kMax = std::numeric_limits<std::int64_t>::max();
 
   EXPECT_EQ(SourceTimeOf(900, 400), 500);
   EXPECT_EQ(SourceTimeOf(400, 900), -500);
-  EXPECT_EQ(SourceTimeOf(static_cast<mcap::Timestamp>(kMost), -1), kLeast);
-  EXPECT_EQ(SourceTimeOf(0, kLeast), kLeast);
+  EXPECT_EQ(SourceTimeOf(static_cast<mcap::Timestamp>(kMax), -1), kMin);
+  EXPECT_EQ(SourceTimeOf(0, kMin), kMin);
 }
 
 }  // namespace

@@ -119,7 +119,7 @@ class RecordedCommands : public testing::Test {
   }
 
   void StartRecorder(const std::string& file, RecorderOptions options,
-                     std::size_t most_waiting = RecordingQueue::kMostBytes) {
+                     std::size_t most_waiting = RecordingQueue::kMaxBytes) {
     queue_ = std::make_shared<RecordingQueue>(most_waiting);
     client_ = std::make_unique<GcmClient>(
         Node(), GcmClient::Options{.name = "gcm record", .address = gcm_->address()}, queue_);

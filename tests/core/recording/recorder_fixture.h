@@ -169,7 +169,7 @@ class RecorderTest : public testing::Test {
   }
   /// Waits until the catalogue has the running components of these processes.
   void StartRecorder(RecorderOptions options, const std::vector<std::string>& processes,
-                     std::size_t most_waiting = RecordingQueue::kMostBytes) {
+                     std::size_t most_waiting = RecordingQueue::kMaxBytes) {
     queue_ = std::make_shared<RecordingQueue>(most_waiting);
     client_ = std::make_unique<GcmClient>(
         Node(), GcmClient::Options{.name = "gcm record", .address = address_}, queue_);

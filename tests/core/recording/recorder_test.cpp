@@ -484,11 +484,11 @@ TEST_F(FailingDisk, APowerCutCostsASecondOfRowsAtMost) {
   ASSERT_TRUE(EventuallyTrue([&, before = syncs()] { return syncs() > before; }));
 
   const int cuts = test::IsSanitized() ? 3 : 10;
-  constexpr std::uint64_t kMostRows = 800;  // a row is a millisecond
+  constexpr std::uint64_t kMaxRows = 800;  // a row is a millisecond
   std::mt19937 random(27);
   std::size_t safe = 0;
   for (int cut = 0; cut < cuts; ++cut) {
-    const std::uint64_t rows = recorder_->status().counts.rows + random() % kMostRows;
+    const std::uint64_t rows = recorder_->status().counts.rows + random() % kMaxRows;
     SCOPED_TRACE("cut " + std::to_string(cut) + " of seed 27, after " + std::to_string(rows));
     ASSERT_TRUE(EventuallyRows(rows));
     std::unique_lock lock(disk_.gate);

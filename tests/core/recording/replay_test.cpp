@@ -619,7 +619,7 @@ TEST_F(RecordingReaderTest, AreInTheOrderOfTimeAndTicksGoOnAfterARestart) {
 
 TEST_F(RecordingReaderTest, MoreTablesThanAMachineHoldsAreRefused) {
   HandmadeRecording recording(Path("run.mcap"));
-  for (std::size_t i = 0; i <= RecordingReader::kMostSources; ++i) {
+  for (std::size_t i = 0; i <= RecordingReader::kMaxSources; ++i) {
     recording.AddColumn("robot/arm" + std::to_string(i) + "/state.Number", "1");
   }
   recording.Close();

@@ -128,12 +128,12 @@ TEST_F(StateTableTest, RefusesALengthOutOfRange) {
 }
 
 TEST_F(StateTableTest, RefusesAColumnThatExceedsTheRowLimit) {
-  constexpr std::size_t kMost = StateTable::kMaximumRowBytes;
-  EXPECT_THAT(Refusal([&] { table_.Add(report_, "Report", kMost + 1); }),
+  constexpr std::size_t kMax = StateTable::kMaximumRowBytes;
+  EXPECT_THAT(Refusal([&] { table_.Add(report_, "Report", kMax + 1); }),
               AllOf(HasSubstr("'Report'"), HasSubstr("smaller capacity")));
   EXPECT_THAT(Refusal([&] { table_.Add(report_, "Report", ~std::size_t{0}); }),
               HasSubstr("smaller capacity"));
-  table_.Add(report_, "Report", kMost);
+  table_.Add(report_, "Report", kMax);
   EXPECT_THAT(Refusal([&] { table_.Add(number_, "Number"); }), HasSubstr("'Number'"));
   EXPECT_EQ(table_.columns().size(), 1U);
 }

@@ -131,7 +131,7 @@ TEST(CurveFeed, LimitsTheNumberOfCurves) {
   CurveFeed feed = FeedOf({Joints("")});
   feed.OnSubscribed({tendon::SchemaOf<std::array<double, 100>>(), tendon::SchemaOf<std::string>()});
 
-  EXPECT_EQ(feed.curves().size(), CurveFeed::kMostCurves);
+  EXPECT_EQ(feed.curves().size(), CurveFeed::kMaxCurves);
   EXPECT_THAT(feed.notes(), ElementsAre(HasSubstr("robot/arm/state.Joints[16] and later numbers")));
 }
 

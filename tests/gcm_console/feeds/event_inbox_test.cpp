@@ -51,7 +51,7 @@ TEST_F(EventInboxTest, ALossKeepsItsPlaceBetweenEvents) {
 TEST_F(EventInboxTest, DroppedEventsCountAsLostBeforeTheOldestKept) {
   constexpr std::uint64_t kTooMany = 5;
   const std::uint64_t room =
-      std::min(kMostWaiting.elements, kMostWaiting.bytes / sizeof(EventInbox::Events::Entry));
+      std::min(kMaxWaiting.elements, kMaxWaiting.bytes / sizeof(EventInbox::Events::Entry));
   Raise(1);
   for (std::uint64_t i = 1; i < room + kTooMany; ++i) Raise(0);
   sink->OnEventsLost(1, 7);

@@ -57,9 +57,9 @@ TEST(QueryThrottle, AReturningConnectionIsNotQueriedSooner) {
 
 TEST(QueryThrottle, QueriesOfGoneConnectionsCountUntilAnswered) {
   QueryThrottle throttle;
-  const Names all = NamesOf(1, 2 * QueryThrottle::kMostOfOne);
-  const Names first(all.begin(), all.begin() + QueryThrottle::kMostOfOne);
-  const Names others(all.begin() + QueryThrottle::kMostOfOne, all.end());
+  const Names all = NamesOf(1, 2 * QueryThrottle::kMaxOfOne);
+  const Names first(all.begin(), all.begin() + QueryThrottle::kMaxOfOne);
+  const Names others(all.begin() + QueryThrottle::kMaxOfOne, all.end());
   const auto later = kStart + 10 * QueryThrottle::kBetween;
   ASSERT_EQ(throttle.Begin(first, kStart), first);
 
@@ -72,8 +72,8 @@ TEST(QueryThrottle, QueriesOfGoneConnectionsCountUntilAnswered) {
 
 TEST(QueryThrottle, ASilentProcessDelaysNoOther) {
   QueryThrottle throttle;
-  const Names silent = NamesOf(1, 2 * QueryThrottle::kMostOfOne);
-  ASSERT_EQ(throttle.Begin(silent, kStart).size(), QueryThrottle::kMostOfOne);
+  const Names silent = NamesOf(1, 2 * QueryThrottle::kMaxOfOne);
+  ASSERT_EQ(throttle.Begin(silent, kStart).size(), QueryThrottle::kMaxOfOne);
   Names all = silent;
   all.emplace_back("p2", "user", "Arm");
 
@@ -85,7 +85,7 @@ TEST(QueryThrottle, QueriesAllInTurnBeyondTheLimit) {
   const Names all = NamesOf(20, 5);
 
   const Names first = throttle.Begin(all, kStart);
-  EXPECT_EQ(first.size(), QueryThrottle::kMostAtOnce);
+  EXPECT_EQ(first.size(), QueryThrottle::kMaxAtOnce);
   EXPECT_EQ(throttle.Begin(all, kStart), Names()) << "none has answered";
   EndAll(throttle, first);
   const Names second = throttle.Begin(all, kStart + QueryThrottle::kBetween);

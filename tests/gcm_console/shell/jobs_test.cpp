@@ -20,7 +20,7 @@ TEST(JobLines, AreWholeLinesAndCountDroppedOnes) {
   EXPECT_EQ(lines.Take(), "one\ntwo\n");
 
   out << "ee\n";
-  for (std::size_t i = 0; i <= console::JobLines::kMost; ++i) out << i << '\n';
+  for (std::size_t i = 0; i <= console::JobLines::kMax; ++i) out << i << '\n';
 
   const std::string all = lines.Take();
   EXPECT_THAT(all, testing::StartsWith("three\n0\n1\n"));

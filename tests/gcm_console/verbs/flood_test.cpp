@@ -79,8 +79,8 @@ class FloodTest : public SystemFixture {
     return EventuallyTrue([&] { return NewestTick() >= before + rows; });
   }
 
-  static constexpr std::uint64_t kMostMemory = 220 << 10U;  // kB; gcm needs about 120 MB
-  static constexpr std::uint64_t kMoreThanFits = 45;        // number of rows of 6.2 MB
+  static constexpr std::uint64_t kMaxMemory = 220 << 10U;  // kB; gcm needs about 120 MB
+  static constexpr std::uint64_t kMoreThanFits = 45;       // number of rows of 6.2 MB
   static constexpr std::ptrdiff_t kPixels = std::ptrdiff_t{3} * 1920 * 1080;
   const std::string fifo = (home.path() / "fifo").string();
   std::unique_ptr<Program> room;
@@ -93,7 +93,7 @@ TEST_F(FloodTest, AViewerWithBlockedOutputUsesBoundedMemory) {
 
   ASSERT_TRUE(EventuallyMoreRows(kMoreThanFits));
 
-  EXPECT_LT(PeakMemory(watch->pid()), kMostMemory);
+  EXPECT_LT(PeakMemory(watch->pid()), kMaxMemory);
   watch->Signal(SIGINT);
   EXPECT_EQ(watch->Wait(), program::kInterrupted) << "it ends although its output is stuck";
   EXPECT_THAT(watch->err(), ContainsRegex("gcm: [0-9]+ rows?, [1-9][0-9]* lost \\("));
@@ -181,7 +181,7 @@ TEST_F(FloodTest, LatestCountsNoLosses) {
   ASSERT_TRUE(EventuallyTrue([&] { return !ReadSome().empty(); })) << watch->err();
   ASSERT_TRUE(EventuallyMoreRows(kMoreThanFits));
 
-  EXPECT_LT(PeakMemory(watch->pid()), kMostMemory);
+  EXPECT_LT(PeakMemory(watch->pid()), kMaxMemory);
   watch->Signal(SIGINT);
   EXPECT_EQ(watch->Wait(), program::kInterrupted);
   EXPECT_THAT(watch->err(), ContainsRegex("gcm: [0-9]+ rows?, 0 lost"));

@@ -103,7 +103,7 @@ TEST_F(LookTest, StatusLimitsItsQueriesToOneProcess) {
     for (std::size_t at = 0; (at = out.find(" is pending for ", at)) != out.npos; ++at) ++count;
     return count;
   };
-  const std::size_t most = console::QueryThrottle::kMostOfOne;
+  const std::size_t most = console::QueryThrottle::kMaxOfOne;
   for (std::size_t i = 0; i <= most; ++i) {
     const std::string component = "desk/waiting_" + std::to_string(i);
     ASSERT_EQ(Gcm({"create", "Teleoperation", component}).exit_code, program::kOk);

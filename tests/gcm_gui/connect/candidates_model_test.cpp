@@ -73,7 +73,7 @@ TEST_F(CandidatesModelTest, OnlyCountsUnrelatedInterfaces) {
 
 TEST_F(CandidatesModelTest, LimitsTheListAndFindsTheRestByFilter) {
   const ComponentDescription arm = *system_.catalogue().FindComponent("robot", "controller");
-  constexpr int kCount = 2 * static_cast<int>(CandidatesModel::kMostShown);
+  constexpr int kCount = 2 * static_cast<int>(CandidatesModel::kMaxShown);
   for (int i = 0; i < kCount; ++i) {
     ComponentDescription copy = arm;
     copy.name = "copy_" + std::to_string(1000 + i);
@@ -82,7 +82,7 @@ TEST_F(CandidatesModelTest, LimitsTheListAndFindsTheRestByFilter) {
   store_.apply(system_.TakeChanges());
   mode_.start(kRobotPort);
 
-  const int rest = static_cast<int>(CandidatesModel::kMostShown);
+  const int rest = static_cast<int>(CandidatesModel::kMaxShown);
   EXPECT_TRUE(Name(rest).endsWith(" more: type a part of the name to find one"))
       << Name(rest).toStdString();
   model_.setFilter("copy_1190/control");

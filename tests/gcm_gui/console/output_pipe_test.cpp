@@ -28,13 +28,13 @@ TEST(OutputPipe, WakesTheReaderOnceUntilItReads) {
 TEST(OutputPipe, LongOutputIsReadInParts) {
   int wakes = 0;
   OutputPipe pipe([&] { ++wakes; });
-  const std::string text(3 * OutputPipe::kMostTaken, 'x');
+  const std::string text(3 * OutputPipe::kMaxTaken, 'x');
   pipe.write(OutputPipe::Kind::kOut, text);
 
   std::string taken;
   for (int i = 0; i < wakes; ++i) {
     for (const auto& piece : pipe.take()) {
-      EXPECT_LE(piece.text.size(), OutputPipe::kMostTaken);
+      EXPECT_LE(piece.text.size(), OutputPipe::kMaxTaken);
       taken += piece.text;
     }
   }
@@ -47,12 +47,12 @@ TEST(OutputPipe, AWriterFarAheadWaitsForTheReader) {
   std::atomic<bool> is_done = false;
   std::thread writer([&] {
     for (int i = 0; i < 4; ++i) {
-      pipe.write(OutputPipe::Kind::kOut, std::string(OutputPipe::kMostWaiting, 'x'));
+      pipe.write(OutputPipe::Kind::kOut, std::string(OutputPipe::kMaxWaiting, 'x'));
     }
     is_done = true;
   });
   std::size_t taken = 0;
-  while (taken < 4 * OutputPipe::kMostWaiting) {
+  while (taken < 4 * OutputPipe::kMaxWaiting) {
     for (const auto& piece : pipe.take()) taken += piece.text.size();
   }
   writer.join();
@@ -62,7 +62,7 @@ TEST(OutputPipe, AWriterFarAheadWaitsForTheReader) {
 
 TEST(OutputPipe, ClosingReleasesAWaitingWriter) {
   OutputPipe pipe([] {});
-  ASSERT_TRUE(pipe.write(OutputPipe::Kind::kOut, std::string(OutputPipe::kMostWaiting, 'x')));
+  ASSERT_TRUE(pipe.write(OutputPipe::Kind::kOut, std::string(OutputPipe::kMaxWaiting, 'x')));
   PipeStream out(pipe, OutputPipe::Kind::kOut);
   std::thread writer([&] { out << "more" << std::flush; });
   pipe.close();

@@ -43,7 +43,7 @@ TEST_F(EdgeHealthTest, QueriesOnlyVisibleConnections) {
 
 TEST_F(EdgeHealthTest, LimitsConcurrentQueriesAndVisitsAll) {
   See(20);
-  const auto most = static_cast<qsizetype>(EdgeHealth::kMostAtOnce);
+  const auto most = static_cast<qsizetype>(EdgeHealth::kMaxAtOnce);
 
   health_.look();
   health_.look();

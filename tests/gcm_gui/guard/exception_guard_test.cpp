@@ -22,7 +22,7 @@ extern "C" int __lsan_is_turned_off() { return 1; }  // NOLINT(bugprone-reserved
 namespace tendon::gui {
 namespace {
 
-constexpr int kMostWait = 120'000;  // ms; bounds a test that fails
+constexpr int kMaxWait = 120'000;  // ms; bounds a test that fails
 
 /// Two views side by side in a window.
 class ExceptionGuardTest : public ::testing::Test {
@@ -37,7 +37,7 @@ class ExceptionGuardTest : public ::testing::Test {
     ExceptionGuard::setName(*right_, "Right");
     window_.resize(400, 300);
     window_.show();
-    EXPECT_TRUE(QTest::qWaitForWindowExposed(&window_, kMostWait));
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(&window_, kMaxWait));
   }
   ~ExceptionGuardTest() override {
     for (QWidget* view : {left_, right_}) ExceptionGuard::instance().showAgain(*view);
@@ -50,7 +50,7 @@ class ExceptionGuardTest : public ::testing::Test {
     return all;
   }
   static bool WaitForFault(const QString& view) {
-    return QTest::qWaitFor([&] { return !FaultsOf(view).isEmpty(); }, kMostWait);
+    return QTest::qWaitFor([&] { return !FaultsOf(view).isEmpty(); }, kMaxWait);
   }
 
   QWidget window_;
@@ -99,7 +99,7 @@ TEST_F(ExceptionGuardTest, CountsRepeatedFaultsAsOne) {
   for (int i = 0; i < kTimes; ++i) {
     ExceptionGuard::run(right_, ViewWork::kHandling, [] { throw std::runtime_error("again"); });
   }
-  EXPECT_TRUE(changed.wait(kMostWait));
+  EXPECT_TRUE(changed.wait(kMaxWait));
 
   ASSERT_EQ(FaultsOf("Right").size(), 1);
   EXPECT_EQ(FaultsOf("Right")[0].count, std::uint64_t{kTimes});
@@ -114,8 +114,7 @@ TEST_F(ExceptionGuardTest, CoversAViewThatThrowsUntilTheUserRetries) {
   Bomb bomb(*left_, QEvent::Paint, [] { throw std::runtime_error("no picture"); });
   left_->update();
 
-  ASSERT_TRUE(
-      QTest::qWaitFor([&] { return left_->findChild<ViewCover*>() != nullptr; }, kMostWait));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return left_->findChild<ViewCover*>() != nullptr; }, kMaxWait));
   const auto* cover = left_->findChild<ViewCover*>();
   EXPECT_EQ(cover->geometry(), left_->rect());
   EXPECT_TRUE(FaultsOf("Left")[0].is_covered);
@@ -130,8 +129,7 @@ TEST_F(ExceptionGuardTest, CoversAViewThatThrowsUntilTheUserRetries) {
 
   EXPECT_GT(bomb.events(), before);
   EXPECT_TRUE(FaultsOf("Left").isEmpty());
-  EXPECT_TRUE(
-      QTest::qWaitFor([&] { return left_->findChild<ViewCover*>() == nullptr; }, kMostWait));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return left_->findChild<ViewCover*>() == nullptr; }, kMaxWait));
 }
 
 TEST_F(ExceptionGuardTest, AnAbandonedPainterDoesNotBlockOtherViews) {
@@ -175,7 +173,7 @@ TEST_F(ExceptionGuardTest, AThrowingReceiverDoesNotStopASignal) {
   QObject::connect(&sender, &QTimer::timeout, &window_, [&] { ++heard; });
   sender.start(0);
 
-  EXPECT_TRUE(QTest::qWaitFor([&] { return heard > 2; }, kMostWait));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return heard > 2; }, kMaxWait));
   ASSERT_EQ(FaultsOf("Thrower").size(), 1);
   EXPECT_GE(FaultsOf("Thrower")[0].count, 3U);
 }

@@ -309,12 +309,12 @@ TEST(AnyNumber, TicksOfAnyZoomedRangeDiffer) {
 }
 
 TEST(AnyNumber, NeighboursAtIntegerLimitsHaveDifferentRows) {
-  constexpr std::int64_t kMostSigned = std::numeric_limits<std::int64_t>::max();
+  constexpr std::int64_t kMaxSigned = std::numeric_limits<std::int64_t>::max();
   constexpr std::uint64_t kLargest = std::numeric_limits<std::uint64_t>::max();
   for (const auto& [low, high] :
-       {std::pair(ExactNumber::Signed(kMostSigned - 1), ExactNumber::Signed(kMostSigned)),
+       {std::pair(ExactNumber::Signed(kMaxSigned - 1), ExactNumber::Signed(kMaxSigned)),
         std::pair(ExactNumber::Unsigned(kLargest - 1), ExactNumber::Unsigned(kLargest)),
-        std::pair(ExactNumber::Signed(-kMostSigned - 1), ExactNumber::Signed(-kMostSigned))}) {
+        std::pair(ExactNumber::Signed(-kMaxSigned - 1), ExactNumber::Signed(-kMaxSigned))}) {
     CurveSet set;
     Curve& curve = set.add({"p/a/state.x", ""});
     curve.append(RowsOf({low, high, low, high}));

@@ -77,12 +77,12 @@ TEST(SharedTimeAxis, ANewStepClearsTheForwardHistory) {
 
 TEST(SharedTimeAxis, RemembersABoundedNumberOfSteps) {
   SharedTimeAxis axis;
-  for (std::size_t i = 0; i < 2 * SharedTimeAxis::kMostSteps; ++i) axis.remember(Gesture::kOnce);
+  for (std::size_t i = 0; i < 2 * SharedTimeAxis::kMaxSteps; ++i) axis.remember(Gesture::kOnce);
 
   std::size_t steps = 0;
   for (; axis.hasFormer(); ++steps) axis.goBack();
 
-  EXPECT_EQ(steps, SharedTimeAxis::kMostSteps);
+  EXPECT_EQ(steps, SharedTimeAxis::kMaxSteps);
 }
 
 TEST(SharedTimeAxis, GoingBackIgnoresPlotsThatLeft) {

@@ -265,7 +265,7 @@ TEST_F(LiveSignalsTest, CountsLostRowsByPlace) {
   batch.lost.table = 7;
   batch.lost.network = 2;
   Sink().OnRows(batch);
-  SendRows(Sink(), 1, 0, ColumnFeed::kMostWaiting + 5);
+  SendRows(Sink(), 1, 0, ColumnFeed::kMaxWaiting + 5);
 
   EXPECT_EQ(live_.losses(first_), (RowLosses{.table = 7, .network = 2, .viewer = 5}));
   EXPECT_EQ(live_.losses(second_), live_.losses(first_)) << "of the same column";
@@ -275,15 +275,15 @@ TEST_F(LiveSignalsTest, CountsLostRowsByPlace) {
 TEST_F(LiveSignalsTest, DropsTheOldestOfTooManyWaitingRows) {
   live_.subscribe(first_);
   Sink().OnSubscribed({PositionSchema()});
-  SendRows(Sink(), 1, 0, ColumnFeed::kMostWaiting);
-  SendRows(Sink(), 1, ColumnFeed::kMostWaiting, 5);
+  SendRows(Sink(), 1, 0, ColumnFeed::kMaxWaiting);
+  SendRows(Sink(), 1, ColumnFeed::kMaxWaiting, 5);
 
   live_.drain();
 
   const auto& rows = rows_[first_];
-  ASSERT_EQ(rows.size(), ColumnFeed::kMostWaiting);
+  ASSERT_EQ(rows.size(), ColumnFeed::kMaxWaiting);
   EXPECT_EQ(rows.front().tick, 5U);
-  EXPECT_EQ(rows.back().tick, ColumnFeed::kMostWaiting + 4);
+  EXPECT_EQ(rows.back().tick, ColumnFeed::kMaxWaiting + 4);
 }
 
 TEST_F(LiveSignalsTest, SubscribingDoesNotWaitForABatch) {

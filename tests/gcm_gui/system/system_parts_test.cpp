@@ -69,7 +69,7 @@ TEST(Snapshots, KeepsTheLastFiftyStates) {
     snapshots.add(i + 1000, system);
   }
 
-  EXPECT_EQ(snapshots.all().size(), Snapshots::kMost);
+  EXPECT_EQ(snapshots.all().size(), Snapshots::kMax);
   EXPECT_EQ(snapshots.all().front().system.name, "10");
   EXPECT_EQ(snapshots.all().back().when, 59);
 }

@@ -137,7 +137,7 @@ TEST_F(MarkBindingTest, HiddenMarksNeedNoEventSubscription) {
 TEST_F(MarkBindingTest, LimitsTheNumberOfEventSubscriptions) {
   for (int i = 0; i < 40; ++i) panel_.addSignal(QString("robot/c%1/state.x").arg(i), "rad");
 
-  EXPECT_EQ(reports_.listened().size(), MarkBinding::kMostListenedTo);
+  EXPECT_EQ(reports_.listened().size(), MarkBinding::kMaxListenedTo);
 }
 
 TEST_F(MarkBindingTest, CombinesFrequentEventsIntoOneMark) {

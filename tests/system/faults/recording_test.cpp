@@ -43,7 +43,7 @@ class RecordingFaults : public FaultTest {
   /// Starts this many recordings, and kills each of them after some samples.
   std::vector<KilledRecording> KillSome(int count) {
     constexpr std::array kCompressions{"none", "lz4", "zstd"};
-    constexpr std::uint64_t kMostSamples = 2500;  // one sample is a millisecond
+    constexpr std::uint64_t kMaxSamples = 2500;  // one sample is a millisecond
     std::vector<KilledRecording> all(static_cast<std::size_t>(count));
     for (KilledRecording& one : all) {
       one.file = home_.path() / ("run" + std::to_string(files_++) + ".mcap");
@@ -60,7 +60,7 @@ class RecordingFaults : public FaultTest {
     const std::uint64_t now = newest_->number();
     for (KilledRecording& one : all) {
       one.begin = now;
-      one.moment = now + random_() % kMostSamples;
+      one.moment = now + random_() % kMaxSamples;
     }
     std::ranges::sort(all, {}, &KilledRecording::moment);
     for (KilledRecording& one : all) {

@@ -113,8 +113,8 @@ class Transitions : public FaultTest {
   /// Returns true if another round is needed: fewer than `rounds` were made, or the machine stalled
   /// in all rounds.
   bool GoesOn(int round, int rounds) const {
-    constexpr int kMostRounds = 5;
-    return round < rounds || (judged_ == 0 && round < kMostRounds);
+    constexpr int kMaxRounds = 5;
+    return round < rounds || (judged_ == 0 && round < kMaxRounds);
   }
   void ExpectNoLeap(const std::string& what, const Peak& peak, const Peak& gentle) {
     // On an overloaded machine, the cycles of the arm are late: it falls behind its leader, then

@@ -18,7 +18,7 @@ namespace {
 
 using WaitClock = std::chrono::steady_clock;
 
-constexpr std::size_t kMostOutput = 65536;
+constexpr std::size_t kMaxOutput = 65536;
 
 /// The attributes of a new child process. The child receives every signal, even those that its
 /// parent blocks or ignores.
@@ -98,7 +98,7 @@ bool ReadAll(int descriptor, WaitClock::time_point deadline, std::string& out) {
     const ssize_t size = read(descriptor, part.data(), part.size());
     if (size < 0 && errno == EINTR) continue;
     if (size <= 0) return true;
-    if (out.size() < kMostOutput) out.append(part.data(), static_cast<std::size_t>(size));
+    if (out.size() < kMaxOutput) out.append(part.data(), static_cast<std::size_t>(size));
   }
 }
 

@@ -36,9 +36,9 @@ bool WriteAll(int descriptor, std::string_view text) {
 
 /// Follows symbolic links and returns their target, which may be missing.
 Result<fs::path> TargetOf(const fs::path& file) {
-  constexpr int kMostLinks = 40;
+  constexpr int kMaxLinks = 40;
   fs::path target = file;
-  for (int links = 0; links < kMostLinks; ++links) {
+  for (int links = 0; links < kMaxLinks; ++links) {
     std::error_code reason;
     if (!fs::is_symlink(fs::symlink_status(target, reason))) return target;
     const fs::path next = fs::read_symlink(target, reason);
@@ -73,10 +73,10 @@ class NextFile {
 
  private:
   int Make(const fs::path& target, mode_t mode) {
-    constexpr int kMostTries = 100;  // killed processes may have left files
+    constexpr int kMaxTries = 100;  // killed processes may have left files
     const std::string begin = ".saving-" + std::to_string(getpid()) + "-";
     int made = -1;
-    for (int i = 0; i < kMostTries && made < 0; ++i) {
+    for (int i = 0; i < kMaxTries && made < 0; ++i) {
       path_ = target.parent_path() / (begin + std::to_string(i));
       made = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
       if (made < 0 && errno != EEXIST) break;
@@ -189,8 +189,8 @@ Result<void> CheckWritable(const fs::path& file) {
 
 Result<std::string> ReadUnchanged(const fs::path& file,
                                   const std::function<Result<std::string>()>& read) {
-  constexpr int kMostTries = 10;
-  for (int i = 0; i < kMostTries; ++i) {
+  constexpr int kMaxTries = 10;
+  for (int i = 0; i < kMaxTries; ++i) {
     const Stamp before = StampOf(file);
     auto text = read();
     if (StampOf(file) == before) return text;

@@ -92,8 +92,8 @@ Result<std::array<std::uint64_t, 2>> ReadBytes(
 Result<FileContent> ReadContent(const fs::path& file,
                                 const std::function<Result<void>(std::span<const std::byte>)>& take,
                                 const std::function<Result<void>()>& begin) {
-  constexpr int kMostTries = 10;
-  for (int i = 0; i < kMostTries; ++i) {
+  constexpr int kMaxTries = 10;
+  for (int i = 0; i < kMaxTries; ++i) {
     if (begin) {
       if (auto begun = begin(); !begun) return begun.error();
     }

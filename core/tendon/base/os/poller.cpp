@@ -43,11 +43,11 @@ void Poller::Remove(const Socket& socket) {
 }
 
 std::span<const Poller::Event> Poller::Wait(std::chrono::milliseconds timeout) {
-  constexpr int kMost = 64;
-  std::array<epoll_event, kMost> ready{};
+  constexpr int kMax = 64;
+  std::array<epoll_event, kMax> ready{};
   events_.clear();
   const int count =
-      epoll_wait(poll_.descriptor(), ready.data(), kMost, static_cast<int>(timeout.count()));
+      epoll_wait(poll_.descriptor(), ready.data(), kMax, static_cast<int>(timeout.count()));
   for (int i = 0; i < count; ++i) {
     const epoll_event& event = ready[static_cast<std::size_t>(i)];
     if (event.data.u64 == kWakeKey) {

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostPartsAtOnce = 8;
+constexpr std::size_t kMaxPartsAtOnce = 8;
 
 std::string SystemReason() { return std::generic_category().message(errno); }
 
@@ -73,7 +73,7 @@ class PosixWritableFile final : public WritableFile {
                        std::span<const std::span<const std::byte>> parts) override {
     std::size_t done = 0;  // bytes of parts.front() that are written
     while (!parts.empty()) {
-      std::array<iovec, kMostPartsAtOnce> pieces{};
+      std::array<iovec, kMaxPartsAtOnce> pieces{};
       const std::size_t count = std::min(parts.size(), pieces.size());
       for (std::size_t i = 0; i < count; ++i) {
         const auto part = parts[i].subspan(i == 0 ? done : 0);
@@ -135,9 +135,9 @@ class PosixWritableFile final : public WritableFile {
 /// reader that checks it at this moment holds it for a few microseconds, on a busy machine for
 /// longer. Network shares may have no locks; their files are not locked.
 bool LockForWriting(int file) {
-  constexpr int kMostTries = 100;
+  constexpr int kMaxTries = 100;
   constexpr std::chrono::milliseconds kPause(1);
-  for (int i = 0; i < kMostTries; ++i) {
+  for (int i = 0; i < kMaxTries; ++i) {
     if (flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return true;
     std::this_thread::sleep_for(kPause);
   }

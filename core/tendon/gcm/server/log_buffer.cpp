@@ -8,7 +8,7 @@
 namespace tendon::server {
 namespace {
 
-constexpr std::uint64_t kMostInBatch = 256;
+constexpr std::uint64_t kMaxInBatch = 256;
 
 message::LogRecord MissingRecords(const std::string& process, std::uint64_t count) {
   return {.time = WallTime(),
@@ -65,7 +65,7 @@ void LogBuffer::Send(Watcher& watcher, Batch& batch) const {
 }
 
 LogBuffer::Batch LogBuffer::BatchFrom(std::uint64_t number) const {
-  const std::uint64_t end = std::min(end_, number + kMostInBatch);
+  const std::uint64_t end = std::min(end_, number + kMaxInBatch);
   const auto from = records_.begin() + static_cast<std::ptrdiff_t>(number - first_);
   const auto to = records_.begin() + static_cast<std::ptrdiff_t>(end - first_);
   return {number, end, EncodeBody(message::LogRecords{number, {from, to}})};

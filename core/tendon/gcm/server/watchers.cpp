@@ -41,7 +41,7 @@ void Watchers::Pump(Watcher& watcher, Batch& batch) const {
       watcher.most = std::max<std::size_t>(watcher.most / 2, 1);
       return;
     }
-    watcher.most = std::min(2 * watcher.most, kMostInBatch);
+    watcher.most = std::min(2 * watcher.most, kMaxInBatch);
     watcher.revision = batch.last;
   }
 }

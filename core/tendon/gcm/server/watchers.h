@@ -30,13 +30,13 @@ class Watchers {
   void Pump();
 
  private:
-  static constexpr std::size_t kMostInBatch = 256;
+  static constexpr std::size_t kMaxInBatch = 256;
 
   struct Watcher {
     std::shared_ptr<Channel> channel;
     std::uint64_t revision = 0;  ///< the last revision that was sent
     /// The largest number of changes in one batch; smaller while the link is full.
-    std::size_t most = kMostInBatch;
+    std::size_t most = kMaxInBatch;
   };
   /// An encoded frame, which can be sent to several watchers.
   struct Batch {

@@ -44,17 +44,17 @@ std::string Reachable(std::string address) {
 
 /// Returns the last lines of a file, at most 400 bytes.
 std::string EndOf(const fs::path& file) {
-  constexpr std::streamoff kMost = 400;
+  constexpr std::streamoff kMax = 400;
   std::ifstream stream(file, std::ios::binary | std::ios::ate);
   if (!stream) return {};
   const std::streamoff size = stream.tellg();
   if (size <= 0) return {};
-  stream.seekg(std::max<std::streamoff>(0, size - kMost));
-  std::string text(static_cast<std::size_t>(std::min(size, kMost)), '\0');
+  stream.seekg(std::max<std::streamoff>(0, size - kMax));
+  std::string text(static_cast<std::size_t>(std::min(size, kMax)), '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(stream.gcount()));
   while (text.ends_with('\n')) text.pop_back();
-  const std::size_t line = size > kMost ? text.find('\n') : text.npos;
+  const std::size_t line = size > kMax ? text.find('\n') : text.npos;
   if (line != text.npos) text.erase(0, line + 1);
   std::string lines;
   for (const char letter : text)

@@ -7,7 +7,7 @@ std::optional<std::chrono::milliseconds> RestartSchedule::PauseAfter(SteadyTime 
   if (now - begin >= kLongEnough) backoff_.Reset();
   while (!failures_.empty() && now - failures_.front() >= kLongEnough) failures_.pop_front();
   failures_.push_back(now);
-  if (failures_.size() >= kMostFailures) return std::nullopt;
+  if (failures_.size() >= kMaxFailures) return std::nullopt;
   return backoff_.Next();
 }
 

@@ -17,7 +17,7 @@ class RestartSchedule {
   static constexpr std::chrono::milliseconds kFirstPause{500};
   static constexpr std::chrono::milliseconds kLongestPause{10'000};
   static constexpr std::chrono::minutes kLongEnough{1};
-  static constexpr std::size_t kMostFailures = 5;
+  static constexpr std::size_t kMaxFailures = 5;
 
   /// Called when a process that has run since `begin` has failed at `now`. Returns the pause before
   /// the restart. Returns nothing if the process should not be restarted.

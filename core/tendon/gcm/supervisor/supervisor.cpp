@@ -293,7 +293,7 @@ void Supervisor::ScheduleRestart(const std::string& process, Child& child, const
   if (!pause) {
     return Drop(process,
                 how + "; it is not restarted, because it has failed " +
-                    std::to_string(RestartSchedule::kMostFailures) +
+                    std::to_string(RestartSchedule::kMaxFailures) +
                     " times within a minute; to start it when the fault is repaired: gcm apply");
   }
   Report(process, how + "; it is restarted in " + Milliseconds(*pause));

@@ -22,11 +22,11 @@ Leaders LeadersOf(const std::vector<SystemFile::Component>& components) {
 /// Describes a cycle: the part of `chain` from `first` to the end. The last component of the chain
 /// runs after `first`.
 std::string RingText(const std::vector<std::string>& chain, const std::string& first) {
-  constexpr std::ptrdiff_t kMostNames = 20;
+  constexpr std::ptrdiff_t kMaxNames = 20;
   const auto begin = std::find(chain.begin(), chain.end(), first);
   std::string text = "'" + first + "' runs after ";
   for (auto one = begin + 1; one < chain.end(); ++one) {
-    if (one - begin == kMostNames) {
+    if (one - begin == kMaxNames) {
       text += "... (" + std::to_string(chain.end() - one) + " more), which runs after ";
       break;
     }

@@ -245,9 +245,9 @@ std::string RestBehindNumber(std::string_view text) {
 }
 
 /// Returns the digits of an integer that may be written with a point or an exponent ("1.50e2").
-/// Returns nothing if the number is not an integer. No type has more than `kMost` digits.
+/// Returns nothing if the number is not an integer. No type has more than `kMax` digits.
 std::optional<std::string> IntegerDigits(const Spelling& number, bool& is_too_long) {
-  constexpr int kMost = 40;
+  constexpr int kMax = 40;
   std::string digits = number.whole + number.fraction;
   const std::size_t first = digits.find_first_not_of('0');
   if (first == digits.npos) return "0";
@@ -260,7 +260,7 @@ std::optional<std::string> IntegerDigits(const Spelling& number, bool& is_too_lo
   std::int64_t places = exponent - static_cast<std::int64_t>(number.fraction.size());
   for (; places < 0 && digits.ends_with('0'); ++places) digits.pop_back();
   if (places < 0) return std::nullopt;
-  is_too_long = static_cast<std::int64_t>(digits.size() - first) + places > kMost;
+  is_too_long = static_cast<std::int64_t>(digits.size() - first) + places > kMax;
   if (is_too_long) return std::nullopt;
   return digits.substr(first) + std::string(static_cast<std::size_t>(places), '0');
 }

@@ -10,9 +10,9 @@
 namespace tendon {
 namespace {
 
-constexpr std::size_t kMostText = std::size_t{1} << 20;  // as Schema::Parse()
-constexpr std::size_t kMostLevels = 64;                  // likewise
-constexpr std::size_t kMostInMessage = 100;              // bytes of a text in a message
+constexpr std::size_t kMaxRosText = std::size_t{1} << 20;  // as Schema::Parse()
+constexpr std::size_t kMaxRosLevels = 64;                  // likewise
+constexpr std::size_t kMaxInMessage = 100;                 // bytes of a text in a message
 constexpr std::string_view kSpaces = " \t\r";
 
 std::string_view WithoutSpaces(std::string_view text) {
@@ -99,7 +99,7 @@ class RosParser {
     if (const auto known = parsed_.find(name); known != parsed_.end()) return known->second;
     const auto definition = definitions_.find(name);
     if (definition == definitions_.end()) return Mistake(name, "the definition is missing");
-    if (level == kMostLevels) return Mistake(name, "more than 64 levels");
+    if (level == kMaxRosLevels) return Mistake(name, "more than 64 levels");
     if (!open_.insert(name).second) return Mistake(name, "the message contains itself");
     std::vector<Schema::Field> fields;
     std::size_t size = 0;
@@ -110,7 +110,7 @@ class RosParser {
       at = end + 1;
       if (line.empty() || line.front() == '#') continue;
       if (auto read = Field(name, line, level, fields, size); !read) return read.error();
-      if (size > kMostText) return Mistake(name, "the type has more than 1 MiB of text");
+      if (size > kMaxRosText) return Mistake(name, "the type has more than 1 MiB of text");
     }
     open_.erase(name);
     std::string type_name = name;
@@ -125,7 +125,7 @@ class RosParser {
   Result<void> Field(const std::string& owner, std::string_view line, std::size_t level,
                      std::vector<Schema::Field>& fields, std::size_t& size) {
     const std::size_t type_end = line.find_first_of(kSpaces);
-    if (type_end == line.npos) return Mistake(owner, Quoted(line, kMostInMessage) + " is no field");
+    if (type_end == line.npos) return Mistake(owner, Quoted(line, kMaxInMessage) + " is no field");
     const std::string_view type = line.substr(0, type_end);
     const std::string_view rest = WithoutSpaces(line.substr(type_end));
     const std::string_view name = rest.substr(0, rest.find_first_of(" \t=#"));
@@ -144,7 +144,7 @@ class RosParser {
     auto element = Item(owner, type.substr(0, bracket), level);
     if (!element || bracket == type.npos) return element;
     std::string_view length = type.substr(bracket + 1);
-    if (!length.ends_with(']')) return Mistake(owner, Quoted(type, kMostInMessage) + " is no type");
+    if (!length.ends_with(']')) return Mistake(owner, Quoted(type, kMaxInMessage) + " is no type");
     length.remove_suffix(1);
     const bool is_bounded = length.starts_with("<=");
     if (length.empty() || is_bounded) {
@@ -153,7 +153,7 @@ class RosParser {
     std::uint32_t count = 0;
     const auto [end, code] = std::from_chars(length.begin(), length.end(), count);
     if (code != std::errc{} || end != length.end()) {
-      return Mistake(owner, Quoted(type, kMostInMessage) + " is no type");
+      return Mistake(owner, Quoted(type, kMaxInMessage) + " is no type");
     }
     return Parsed{Schema::Array(std::move(element->schema), count), element->size};
   }
@@ -166,7 +166,7 @@ class RosParser {
     }
     const std::string found = Resolve(owner, name);
     if (!found.empty()) return Message(found, level + 1);
-    return Mistake(owner, "the definition of " + Quoted(name, kMostInMessage) + " is missing");
+    return Mistake(owner, "the definition of " + Quoted(name, kMaxInMessage) + " is missing");
   }
 
   /// A name without a package means the message in the same package or, if there is none, the only
@@ -186,7 +186,7 @@ class RosParser {
   }
 
   static Error Mistake(const std::string& message, const std::string& what) {
-    return {ErrorCode::kInvalid, "message " + Quoted(message, kMostInMessage) + ": " + what};
+    return {ErrorCode::kInvalid, "message " + Quoted(message, kMaxInMessage) + ": " + what};
   }
 
   const std::string root_;
@@ -198,7 +198,7 @@ class RosParser {
 }  // namespace
 
 Result<Schema> ParseRosMessage(std::string_view name, std::string_view text) {
-  if (text.size() > kMostText) {
+  if (text.size() > kMaxRosText) {
     return Error{ErrorCode::kInvalid, "the message definition has " + std::to_string(text.size()) +
                                           " bytes of text; at most 1048576 are read"};
   }

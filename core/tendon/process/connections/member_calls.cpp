@@ -197,14 +197,14 @@ Result<std::shared_ptr<MemberCalls::Target>> MemberCalls::Make(const message::Ca
 std::shared_ptr<SerialExecutor> MemberCalls::ExecutorFor(const Offer& offer,
                                                          const ProvidedInterface& provided,
                                                          const message::CallMember& call) {
-  constexpr std::size_t kMostCalls = 64;
-  constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
+  constexpr std::size_t kMaxCalls = 64;
+  constexpr std::size_t kMaxBytes = std::size_t{64} << 20U;
   if (!offer.RunsInCaller(provided.inbox() != nullptr)) return nullptr;
   if (!CanBeAwaited(offer.description().signature.kind)) {
-    return context_.calls->reads.MakeExecutor(kMostCalls, kMostBytes);
+    return context_.calls->reads.MakeExecutor(kMaxCalls, kMaxBytes);
   }
   auto& executor = commands_[{call.component, call.interface}];
-  if (!executor) executor = context_.calls->commands.MakeExecutor(kMostCalls, kMostBytes);
+  if (!executor) executor = context_.calls->commands.MakeExecutor(kMaxCalls, kMaxBytes);
   return executor;
 }
 

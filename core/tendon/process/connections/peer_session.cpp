@@ -138,9 +138,9 @@ void PeerSession::Post(
     return responder.Refuse(
         {ErrorCode::kFailed,
          "process '" + services_.context.name + "' keeps at most " +
-             std::to_string(RequestQuota::kMostTasks) +
+             std::to_string(RequestQuota::kMaxTasks) +
              " waiting requests of one peer, with at most " +
-             std::to_string(RequestQuota::kMostBytes) +
+             std::to_string(RequestQuota::kMaxBytes) +
              " bytes in total: send fewer requests at once, or wait for replies"});
   }
   auto wanted = DecodeBody<Wanted>(body);
@@ -232,7 +232,7 @@ void PeerSession::Mirror(const SharedChannel& channel, Body body, Responder resp
 
 std::shared_ptr<RequestQuota::Reservation> RequestQuota::Reserve(std::size_t bytes) {
   const std::scoped_lock lock(mutex_);
-  if (tasks_ == kMostTasks || bytes > kMostBytes - bytes_) return nullptr;
+  if (tasks_ == kMaxTasks || bytes > kMaxBytes - bytes_) return nullptr;
   auto reservation = std::make_shared<Reservation>(shared_from_this(), bytes);
   ++tasks_;
   bytes_ += bytes;

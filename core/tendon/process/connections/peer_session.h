@@ -32,9 +32,9 @@ struct Services {
 class RequestQuota : public std::enable_shared_from_this<RequestQuota> {
  public:
   /// Maximum number of waiting requests: four times the subscriptions that a viewer may have.
-  static constexpr std::size_t kMostTasks = 8192;
+  static constexpr std::size_t kMaxTasks = 8192;
   /// Maximum size of all waiting messages together, in bytes. It also limits a single message.
-  static constexpr std::size_t kMostBytes = std::size_t{8} << 20U;
+  static constexpr std::size_t kMaxBytes = std::size_t{8} << 20U;
 
   /// Counts one waiting request while it exists.
   class Reservation {

@@ -126,8 +126,8 @@ void RemoteConnections::ReportPending(ConnectionId id, std::uint64_t attempt) {
 
 void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>& link) {
   // The limits of the executor's queue: the events of a few messages.
-  constexpr std::size_t kMostEvents = 4096;
-  constexpr std::size_t kMostEventBytes = std::size_t{64} << 20U;
+  constexpr std::size_t kMaxEvents = 4096;
+  constexpr std::size_t kMaxEventBytes = std::size_t{64} << 20U;
   InterfaceRequest wanted;
   Attempt attempt{.id = id, .number = 0, .link = link, .handle = 0};
   {
@@ -147,7 +147,7 @@ void RemoteConnections::Request(ConnectionId id, const std::shared_ptr<PeerLink>
               .read_deadline = (*required)->read_deadline(),
               .mirrored = (*required)->mirrored(),
               .executor = (*required)->handles_in_raiser()
-                              ? context_.calls->events.MakeExecutor(kMostEvents, kMostEventBytes)
+                              ? context_.calls->events.MakeExecutor(kMaxEvents, kMaxEventBytes)
                               : nullptr};
     wanted.open.handle = link->handles().Reserve(wanted.open.description.event_handlers.size());
     entry.link = link;

@@ -16,7 +16,7 @@ namespace tendon {
 namespace {
 
 constexpr std::chrono::milliseconds kReplyTimeout(400);  // the opener waits this long
-constexpr std::size_t kMostTypes = 8;
+constexpr std::size_t kMaxTypes = 8;
 
 /// Adds the types of incompatible `members` that this process does not know to `unknown`.
 void AddUnknown(const std::vector<MemberDescription>& members, const Compatibility& compatibility,
@@ -27,7 +27,7 @@ void AddUnknown(const std::vector<MemberDescription>& members, const Compatibili
                                      [&](const auto& one) { return one.name == mismatch.member; });
     if (member == members.end()) continue;
     for (const Fingerprint& type : {member->signature.in, member->signature.out}) {
-      if (unknown.size() < kMostTypes && !FindSchema(type)) unknown.push_back(type);
+      if (unknown.size() < kMaxTypes && !FindSchema(type)) unknown.push_back(type);
     }
   }
 }
@@ -110,8 +110,8 @@ Result<void> ServedConnections::CheckListeners(const Client& client, Use use) co
     ++all;
     if (entry.client.get() == &client) ++own;
   }
-  if (own < kMostListenersOfOne && all < kMostListeners) return {};
-  const bool is_own = own >= kMostListenersOfOne;
+  if (own < kMaxListenersOfOne && all < kMaxListeners) return {};
+  const bool is_own = own >= kMaxListenersOfOne;
   return Error{ErrorCode::kFailed,
                "process '" + context_.name + "' has " + std::to_string(is_own ? own : all) +
                    " listeners to its events and commands" + (is_own ? " from this client" : "") +
@@ -162,15 +162,15 @@ Result<ServedConnections::Entry> ServedConnections::Make(const std::shared_ptr<C
 /// Limits the memory that another process can request from this process.
 Result<void> ServedConnections::CheckSize(const message::OpenInterface& open, Use use,
                                           std::size_t bytes) {
-  constexpr std::size_t kMostCalls = 65536;
+  constexpr std::size_t kMaxCalls = 65536;
   // There may be many listeners. Each may have the largest mailbox for events.
   const std::size_t most_mib = use == Use::kEventsOnly ? 8 : 64;
-  if (open.capacity <= kMostCalls && bytes <= most_mib << 20U) return {};
+  if (open.capacity <= kMaxCalls && bytes <= most_mib << 20U) return {};
   return Error{ErrorCode::kInvalid,
                ToString(open.required) + " requests a mailbox for " +
                    std::to_string(open.capacity) + " calls at " + ToString(open.provided) +
                    ", but a client in another process is allowed at most " +
-                   std::to_string(kMostCalls) + " calls and " + std::to_string(most_mib) +
+                   std::to_string(kMaxCalls) + " calls and " + std::to_string(most_mib) +
                    " MiB: set a smaller mailbox capacity"};
 }
 

@@ -39,8 +39,8 @@ class ServedConnections {
   /// may be a viewer. The number of these connections is limited, for each client and in total.
   /// Closing one of them does not wait until the client has received all events.
   enum class Use { kAll, kEventsOnly };
-  static constexpr std::ptrdiff_t kMostListenersOfOne = 128;
-  static constexpr std::ptrdiff_t kMostListeners = 512;
+  static constexpr std::ptrdiff_t kMaxListenersOfOne = 128;
+  static constexpr std::ptrdiff_t kMaxListeners = 512;
 
   /// Makes the connection. Replies before it sends other messages of the connection. Refusals:
   /// kNotFound with a suggestion, kIncompatible with the first difference, kInvalid for a mailbox

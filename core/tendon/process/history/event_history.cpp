@@ -14,10 +14,10 @@ namespace {
 constexpr std::size_t kSizeBytes = 8;  // in a slot, before the value
 constexpr std::size_t kQueueBytes = std::size_t{40} << 10U;
 constexpr std::size_t kFewestSlots = 8;
-constexpr std::size_t kMostSlots = 128;
+constexpr std::size_t kMaxSlots = 128;
 
 std::size_t CapacityFor(std::size_t slot) {
-  return std::clamp(std::bit_floor(kQueueBytes / slot), kFewestSlots, kMostSlots);
+  return std::clamp(std::bit_floor(kQueueBytes / slot), kFewestSlots, kMaxSlots);
 }
 
 bool HasFixedSize(const Schema& schema) {

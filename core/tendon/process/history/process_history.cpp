@@ -14,7 +14,7 @@ using std::chrono::nanoseconds;
 
 constexpr nanoseconds kShortestGap = std::chrono::milliseconds(2);
 constexpr nanoseconds kLongestGap = std::chrono::milliseconds(250);
-constexpr std::size_t kMostReplyBytes = std::size_t{128} << 10U;
+constexpr std::size_t kMaxReplyBytes = std::size_t{128} << 10U;
 
 std::int64_t InNanoseconds(SteadyTime time) { return nanoseconds(time.time_since_epoch()).count(); }
 
@@ -162,9 +162,9 @@ std::chrono::nanoseconds ProcessHistory::Gather() {
 /// a table may be written faster than it is copied. If a component is added or removed meanwhile,
 /// some tables may be left for the next call.
 bool ProcessHistory::GatherTables(SteadyTime now) {
-  constexpr int kMostParts = 64;
+  constexpr int kMaxParts = 64;
   bool has_more = true;
-  for (int part = 0; part < kMostParts && has_more && !is_stopping_.Get(); ++part) {
+  for (int part = 0; part < kMaxParts && has_more && !is_stopping_.Get(); ++part) {
     has_more = false;
     for (std::size_t i = 0;; ++i) {
       const std::scoped_lock lock(mutex_);
@@ -234,7 +234,7 @@ Result<message::ReadEventsReply> ProcessHistory::ReadEvents(const message::ReadE
   std::size_t bytes = 0;
   std::optional<HistoryRecord> record = cursor.Next();
   reply.next = is_first ? (record ? record->number : reply.end) : std::min(wanted.first, reply.end);
-  for (; record && bytes < kMostReplyBytes; record = cursor.Next()) {
+  for (; record && bytes < kMaxReplyBytes; record = cursor.Next()) {
     reply.lost += record->number - std::exchange(reply.next, record->number + 1);
     reply.past.push_back({.event = record->tag,
                           .time = record->time,
@@ -258,7 +258,7 @@ Result<message::ReadLogReply> ProcessHistory::ReadLog(const message::ReadLog& wa
   reply.next = reply.end;
   std::size_t bytes = 0;
   while (const auto record = cursor.Next()) {
-    if (bytes >= kMostReplyBytes) {
+    if (bytes >= kMaxReplyBytes) {
       reply.next = record->number;
       break;
     }

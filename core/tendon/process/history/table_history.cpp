@@ -18,14 +18,14 @@ TableHistory::TableHistory(std::string component, const StateTable& table, Histo
       looked_at_tick_(first_tick_) {}
 
 bool TableHistory::Gather(SteadyTime now) {
-  constexpr std::size_t kMostBytes = std::size_t{64} << 10U;
+  constexpr std::size_t kMaxBytes = std::size_t{64} << 10U;
   if (!rows_) {
     if (table_.next_tick() == first_tick_) return false;
     rows_.emplace(table_, first_tick_);
   }
   const std::uint64_t end = rows_->Begin();
   std::size_t bytes = 0;
-  while (rows_->next_tick() < end && bytes < kMostBytes) {
+  while (rows_->next_tick() < end && bytes < kMaxBytes) {
     const std::uint64_t tick = rows_->next_tick();
     std::int64_t time = 0;
     if (!rows_->Read(time)) continue;

@@ -50,7 +50,7 @@ bool LogForwarder::Work(SteadyTime now, SteadyTime& next) {
 void LogForwarder::Send(SteadyTime now) {
   while (true) {
     if (unsent_.empty()) {
-      const auto records = queue_.Take(kMostInBatch, std::exchange(now, SteadyTime{}));
+      const auto records = queue_.Take(kMaxInBatch, std::exchange(now, SteadyTime{}));
       if (records.empty()) return;
       unsent_ = EncodeBody(message::LogRecords{sent_, records});
       sent_ += records.size();

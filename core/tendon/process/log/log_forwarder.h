@@ -19,7 +19,7 @@ namespace tendon {
 class LogForwarder final : private NetworkJob {
  public:
   static constexpr std::chrono::milliseconds kBetweenBatches{20};
-  static constexpr std::size_t kMostInBatch = 256;  ///< plus one record about lost records
+  static constexpr std::size_t kMaxInBatch = 256;  ///< plus one record about lost records
 
   explicit LogForwarder(std::shared_ptr<NetworkThread> network);
   ~LogForwarder() override;

@@ -34,14 +34,14 @@ std::vector<LogLimiter::SuppressedCount> LogLimiter::TakeSuppressed(SteadyTime n
 
 LogLimiter::Bucket& LogLimiter::BucketOf(std::string_view source, SteadyTime now) {
   if (const auto found = buckets_.find(source); found != buckets_.end()) return found->second;
-  if (buckets_.size() >= kMostSources && now >= next_sweep_) {
+  if (buckets_.size() >= kMaxSources && now >= next_sweep_) {
     std::erase_if(buckets_, [now](const auto& one) {
       // This bucket equals a new bucket.
       return one.second.due <= now && one.second.suppressed == 0;
     });
     next_sweep_ = now + kUntilReport;
   }
-  const bool has_room = buckets_.size() < kMostSources;
+  const bool has_room = buckets_.size() < kMaxSources;
   return buckets_[std::string(has_room ? source : kOthers)];
 }
 

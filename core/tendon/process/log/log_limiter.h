@@ -27,7 +27,7 @@ class LogLimiter {
   };
   /// The maximum number of sources with their own bucket. Further sources share the bucket kOthers
   /// until the bucket of a silent source is freed.
-  static constexpr std::size_t kMostSources = 256;
+  static constexpr std::size_t kMaxSources = 256;
   static constexpr std::string_view kOthers = "others";
   /// Source names are compared up to this many bytes.
   static constexpr std::size_t kLongestSource = 64;

@@ -92,8 +92,8 @@ bool RowStream::Wants(std::int64_t time) {
 
 bool RowStream::is_full() const {
   // With one more row, a batch still fits into one piece.
-  constexpr std::size_t kMostBytes = std::size_t{128} << 10U;
-  return rows_.delivery == RowDelivery::kAll && batch_.size() >= kMostBytes;
+  constexpr std::size_t kMaxBytes = std::size_t{128} << 10U;
+  return rows_.delivery == RowDelivery::kAll && batch_.size() >= kMaxBytes;
 }
 
 void RowStream::Send(std::uint64_t lost, std::uint64_t next_tick) {

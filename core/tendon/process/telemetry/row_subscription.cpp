@@ -117,12 +117,12 @@ void RowSubscription::ReadStamps(const RowBatchReader& reader) {
 }
 
 std::chrono::nanoseconds RowSubscription::Correction(const ClockOffset& clock) {
-  constexpr std::chrono::seconds kMost(1);  // a larger step back is a jump, not a correction
+  constexpr std::chrono::seconds kMax(1);  // a larger step back is a jump, not a correction
   if (times_.empty()) return {};
   const auto time_at = [](std::int64_t time) { return SteadyTime(std::chrono::nanoseconds(time)); };
   const SteadyTime first = time_at(times_.front());
   std::chrono::nanoseconds offset = clock.SlewedAt(first);
-  if (newest_ && first - offset < *newest_ && *newest_ - (first - offset) < kMost) {
+  if (newest_ && first - offset < *newest_ && *newest_ - (first - offset) < kMax) {
     offset = first - *newest_;
   }
   newest_ = time_at(times_.back()) - offset;

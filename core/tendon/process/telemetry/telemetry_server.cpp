@@ -37,7 +37,7 @@ message::MirroredColumn NewestOf(const StateTable& table, std::size_t column) {
 void AcknowledgementQueue::Add(const std::shared_ptr<Channel>& channel, std::uint32_t handle) {
   std::unique_lock lock(mutex_);
   auto& handles = acknowledgements_[channel];
-  if (handles.size() < kMostOfOneViewer || handles.contains(handle)) {
+  if (handles.size() < kMaxOfOneViewer || handles.contains(handle)) {
     handles.insert(handle);
     has_some_.Set(true);
     return;
@@ -84,7 +84,7 @@ void TelemetryServer::Subscribe(const std::shared_ptr<Channel>& channel,
 }
 
 void TelemetryServer::ReadRows(const message::ReadRows& wanted, Responder& responder) const {
-  constexpr std::size_t kMostBytes = std::size_t{128} << 10U;
+  constexpr std::size_t kMaxBytes = std::size_t{128} << 10U;
   const auto structure = context_.process.LockStructure();
   const auto source = LookUp(message::Subscribe{
       .component = wanted.component, .table = wanted.table, .columns = wanted.columns, .rows = {}});
@@ -110,7 +110,7 @@ void TelemetryServer::ReadRows(const message::ReadRows& wanted, Responder& respo
   reply.subscribed.first_tick = tick;
   RowBatchWriter batch(CellSizes(table, source->columns));
   std::uint64_t lost = 0;
-  while (tick < reply.end_tick && batch.size() < kMostBytes) {
+  while (tick < reply.end_tick && batch.size() < kMaxBytes) {
     const std::uint64_t found = rows.Read(tick, reply.end_tick);
     lost += found - std::exchange(tick, found);
     if (tick == reply.end_tick) break;
@@ -163,11 +163,11 @@ Result<void> TelemetryServer::HasRoomFor(const Source& source, const message::Su
                                          const Channel& viewer) const {
   std::size_t count = 0;
   for (const TableFeed& feed : feeds_) count += feed.SubscriptionsOf(viewer);
-  if (count >= kMostSubscriptions) {
+  if (count >= kMaxSubscriptions) {
     return Error{
         ErrorCode::kFailed,
         "process '" + context_.name + "' allows a viewer at most " +
-            std::to_string(kMostSubscriptions) + " subscriptions, and " + viewer.peer().name +
+            std::to_string(kMaxSubscriptions) + " subscriptions, and " + viewer.peer().name +
             " already has that many: end some of these subscriptions, or request several " +
             "columns of a table in one subscription"};
   }
@@ -175,7 +175,7 @@ Result<void> TelemetryServer::HasRoomFor(const Source& source, const message::Su
       std::ranges::find_if(feeds_, [&](const TableFeed& one) { return one.IsOf(*source.table); });
   if (feed == feeds_.end()) return {};
   const std::size_t cells = feed->CellsFor(viewer, source.columns, wanted.rows);
-  const std::size_t most = kMostReadings * std::max<std::size_t>(1, source.table->columns().size());
+  const std::size_t most = kMaxReadings * std::max<std::size_t>(1, source.table->columns().size());
   if (cells <= most) return {};
   return Error{ErrorCode::kFailed,
                "the subscriptions of " + viewer.peer().name + " to " + context_.name + "/" +

@@ -26,7 +26,7 @@ class AcknowledgementQueue {
  public:
   /// The maximum number of waiting acknowledgements of one viewer. It is twice the maximum number
   /// of subscriptions, because some subscriptions may just have ended.
-  static constexpr std::size_t kMostOfOneViewer = 4096;
+  static constexpr std::size_t kMaxOfOneViewer = 4096;
 
   /// Adds an acknowledgement. Closes the channel of a viewer that exceeds the limit.
   void Add(const std::shared_ptr<Channel>& channel, std::uint32_t handle);
@@ -49,14 +49,14 @@ class TelemetryServer final : public NetworkJob {
   ~TelemetryServer() override;
 
   /// The limits of one viewer, which is identified by its channel. They prevent a viewer from
-  /// displacing other viewers. kMostSubscriptions limits the number of its subscriptions.
-  /// kMostReadings limits the number of cells read per row of each table, as a multiple of the
+  /// displacing other viewers. kMaxSubscriptions limits the number of its subscriptions.
+  /// kMaxReadings limits the number of cells read per row of each table, as a multiple of the
   /// number of columns. Cells for several subscriptions to the same columns and rows are read once.
   /// The number of mirrors is not limited, because mirrors need the role of an operator.
   ///
   /// There is no common limit for all viewers, because a few viewers could exhaust it.
-  static constexpr std::size_t kMostSubscriptions = 2048;
-  static constexpr std::size_t kMostReadings = 32;
+  static constexpr std::size_t kMaxSubscriptions = 2048;
+  static constexpr std::size_t kMaxReadings = 32;
 
   /// Adds a subscription. Replies before the first row is sent. If the reply cannot be sent, does
   /// not add the subscription. Refusals: kNotFound with a suggestion; kInvalid for a period below

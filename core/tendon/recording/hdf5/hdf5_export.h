@@ -35,7 +35,7 @@ struct Hdf5Report : ExportReport {
 ///
 /// Writes `file`.part, which gets its final name when it is complete; after an error, or if `stop`
 /// returns true, there is no file. Fails with kExists if `file` exists already, with kInvalid if no
-/// channel describes its values or there are more than kMostColumns datasets, and with kNotFound if
+/// channel describes its values or there are more than kMaxColumns datasets, and with kNotFound if
 /// Tendon was built without HDF5.
 ///
 /// HDF5 and the 30 libraries that it needs are loaded at the first call, not with the program.

@@ -205,8 +205,8 @@ class Dataset {
   }
 
   void EndRow() {
-    constexpr std::size_t kMostText = std::size_t{1} << 20U;  // bytes
-    if (++rows_ - written_ == chunk_rows_ || text_size_ > kMostText) Write();
+    constexpr std::size_t kMaxText = std::size_t{1} << 20U;  // bytes
+    if (++rows_ - written_ == chunk_rows_ || text_size_ > kMaxText) Write();
   }
   /// Drops the numbers that were added since the last EndRow().
   void DropRow() {
@@ -301,7 +301,7 @@ class Column {
   Node Add(const Schema& schema, const std::string& path, const std::string& unit,
            const std::vector<hsize_t>& axes) {
     Node node{schema, nullptr, {}};
-    constexpr std::size_t kMostAxes = H5S_MAX_RANK - 1;
+    constexpr std::size_t kMaxAxes = H5S_MAX_RANK - 1;
     switch (schema.kind()) {
       case Schema::Kind::kStructure:
         for (const Schema::Field& field : schema.fields()) {
@@ -312,7 +312,7 @@ class Column {
       case Schema::Kind::kArray: {
         std::vector<hsize_t> inner = axes;
         inner.push_back(schema.length());
-        if (inner.size() > kMostAxes) throw Hdf5Failure{path + " has more than 31 axes"};
+        if (inner.size() > kMaxAxes) throw Hdf5Failure{path + " has more than 31 axes"};
         node.parts.push_back(Add(schema.element(), path, unit, inner));
         break;
       }
@@ -526,7 +526,7 @@ Result<Hdf5Tables> Hdf5TablesOf(const mcap::Reader& reader, const mcap::Query& q
           const std::vector<ChannelMember>& members) -> Result<std::shared_ptr<Table>> {
     for (const ChannelMember& member : members) {
       columns += DatasetsOf(member.schema);
-      if (columns > kMostColumns) return TooManyColumns(reader);
+      if (columns > kMaxColumns) return TooManyColumns(reader);
     }
     return std::make_shared<Table>(names.Take(GroupNameOf(group.path)), group.content, members);
   };

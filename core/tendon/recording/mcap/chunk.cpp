@@ -21,9 +21,9 @@ std::string HexText(std::uint32_t number) {
 }
 
 void Problems::Add(std::uint64_t offset, std::string sentence) {
-  constexpr std::size_t kMost = 100;
+  constexpr std::size_t kMax = 100;
   ++count_;
-  if (first_.size() < kMost) first_.push_back({offset, std::move(sentence)});
+  if (first_.size() < kMax) first_.push_back({offset, std::move(sentence)});
 }
 
 void Problems::Add(const Problems& others) {
@@ -67,8 +67,8 @@ Result<RecordHead> BufferedFile::HeadAt(std::uint64_t offset) {
 }
 
 Result<ChunkPlace> FindChunk(BufferedFile& file, std::uint64_t offset) {
-  constexpr std::size_t kMostFields = 128;  // the names of compressions are short
-  const auto bytes = file.UpTo(offset, kMostFields);
+  constexpr std::size_t kMaxFields = 128;  // the names of compressions are short
+  const auto bytes = file.UpTo(offset, kMaxFields);
   if (!bytes) return bytes.error();
   const RecordHead head = ParseRecordHead(*bytes);
   if (bytes->size() < kRecordHeadSize || head.opcode != Opcode::kChunk) {

@@ -289,9 +289,9 @@ void CountContents(const Contents& contents, Statistics& statistics) {
 }
 
 void ReadHeader(BufferedFile& file, Contents& contents, Problems& problems) {
-  constexpr std::uint64_t kMostHeader = std::uint64_t{1} << 20U;
+  constexpr std::uint64_t kMaxHeader = std::uint64_t{1} << 20U;
   const auto head = file.HeadAt(kMagicSize);
-  if (head && head->opcode == Opcode::kHeader && head->length <= kMostHeader &&
+  if (head && head->opcode == Opcode::kHeader && head->length <= kMaxHeader &&
       file.size() - kMagicSize - kRecordHeadSize >= head->length) {
     const auto content =
         file.At(kMagicSize + kRecordHeadSize, static_cast<std::size_t>(head->length));

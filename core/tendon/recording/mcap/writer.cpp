@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kSmallestChunk = std::size_t{4} << 10U;
 constexpr std::size_t kLargestChunk = std::size_t{64} << 20U;
-constexpr std::size_t kMostIds = 65'535;
+constexpr std::size_t kMaxIds = 65'535;
 constexpr std::size_t kMessageIndexEntrySize = 16;                      // bytes in the file
 constexpr std::size_t kMessageIndexHeadSize = kRecordHeadSize + 2 + 4;  // channel, size of list
 constexpr std::size_t kChunkIndexHeadSize = kRecordHeadSize + 72;       // without its lists
@@ -119,7 +119,7 @@ Result<SchemaId> Writer::AddSchema(const std::string& name, const std::string& e
       return Invalid("schema '" + name.substr(0, 100) + "' has " + std::to_string(size) +
                      " bytes, more than " + std::to_string(kLargestText));
     }
-    if (schemas_.size() == kMostIds) {
+    if (schemas_.size() == kMaxIds) {
       return Invalid("cannot add schema '" + name +
                      "': a file has at most 65,535 schemas; begin another file");
     }
@@ -145,7 +145,7 @@ Result<ChannelId> Writer::AddChannel(SchemaId schema, const std::string& topic,
       return Invalid("cannot add channel '" + topic + "': schema " + std::to_string(schema) +
                      " is unknown; add this schema first");
     }
-    if (channels_.size() == kMostIds) {
+    if (channels_.size() == kMaxIds) {
       return Invalid("cannot add channel '" + topic +
                      "': a file has at most 65,535 channels; begin another file");
     }

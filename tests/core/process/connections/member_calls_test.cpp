@@ -89,7 +89,7 @@ TEST_P(MemberCall, ReturnsTheStatusOfAnUnexecutedCall) {
 }
 
 TEST_P(MemberCall, OfAHungMethodDoesNotBlockOthers) {
-  constexpr int kMost = 64;
+  constexpr int kMax = 64;
   std::unique_lock closed(plant->gate);
   std::atomic<int> answered = 0;
   std::atomic<int> refused = 0;
@@ -102,7 +102,7 @@ TEST_P(MemberCall, OfAHungMethodDoesNotBlockOthers) {
   ask();
   ASSERT_TRUE(EventuallyTrue([&] { return plant->asked == 1; }));
 
-  for (int i = 0; i < kMost; ++i) ask();
+  for (int i = 0; i < kMax; ++i) ask();
 
   EXPECT_TRUE(EventuallyTrue([&] { return refused == 1; })) << "as many wait as may";
   EXPECT_TRUE(EventuallyTrue(
@@ -111,7 +111,7 @@ TEST_P(MemberCall, OfAHungMethodDoesNotBlockOthers) {
   EXPECT_EQ(answered, 0);
 
   closed.unlock();
-  EXPECT_TRUE(EventuallyTrue([&] { return answered == kMost; }));
+  EXPECT_TRUE(EventuallyTrue([&] { return answered == kMax; }));
   EXPECT_EQ(refused, 1);
 }
 

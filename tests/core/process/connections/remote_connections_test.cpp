@@ -61,7 +61,7 @@ TEST_P(RemoteConnections, CarriesEveryKindOfCommandAndEvent) {
 
 TEST_P(RemoteConnections, ExecutesEachAcceptedCommandOnceAndInOrderUnderLoad) {
   constexpr std::uint64_t kMoves = 20'000;
-  constexpr std::uint64_t kMostUnderWay = 500;  // their events fit into the operator's mailbox
+  constexpr std::uint64_t kMaxUnderWay = 500;  // their events fit into the operator's mailbox
   StartRobot();
   StartDesk(1024);
   Connect();
@@ -69,7 +69,7 @@ TEST_P(RemoteConnections, ExecutesEachAcceptedCommandOnceAndInOrderUnderLoad) {
   std::uint64_t sent = 0;
   const bool all_arrived = EventuallyTrue(
       [&] {
-        while (sent < kMoves && sent - user->moved.size() < kMostUnderWay &&
+        while (sent < kMoves && sent - user->moved.size() < kMaxUnderWay &&
                user->move_to({.number = sent})) {
           ++sent;
         }

@@ -57,7 +57,7 @@ TEST_P(SlowRead, BlocksNothingElseOnItsConnection) {
 
 TEST_P(SlowRead, FromMoreCallersThanThreadsBlocksNobodyElse) {
   std::vector<Operator*> callers;
-  for (std::size_t i = 0; i < tendon::WorkerPool::kMost + 2; ++i) {
+  for (std::size_t i = 0; i < tendon::WorkerPool::kMax + 2; ++i) {
     const std::string name = "caller" + std::to_string(i);
     callers.push_back(&desk->Add<Operator>(name, 8));
     ASSERT_TRUE(desk->Connect(InterfaceName("desk", name, "Robot"), kControl).ok());
@@ -67,7 +67,7 @@ TEST_P(SlowRead, FromMoreCallersThanThreadsBlocksNobodyElse) {
 
   for (Operator* const caller : callers) AskInVain(*caller);
 
-  EXPECT_TRUE(EventuallyTrue([&] { return plant->asked == int{tendon::WorkerPool::kMost}; }));
+  EXPECT_TRUE(EventuallyTrue([&] { return plant->asked == int{tendon::WorkerPool::kMax}; }));
   for (Operator* const caller : callers) ExpectAllElseIsServed(*caller);
   ExpectAllElseIsServed(*user);
 }

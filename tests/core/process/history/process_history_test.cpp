@@ -79,8 +79,8 @@ TEST(ProcessHistory, KeepsRowsThatTheirTableHasOverwritten) {
     for (; (tick = reader.Read(tick, end)) < end; ++tick) ++rows;
     return rows;
   };
-  constexpr std::uint64_t kMostInTable = 2 * Counting::kRows;
-  ASSERT_TRUE(EventuallyTrue([&] { return count() > kMostInTable; }));
+  constexpr std::uint64_t kMaxInTable = 2 * Counting::kRows;
+  ASSERT_TRUE(EventuallyTrue([&] { return count() > kMaxInTable; }));
   ASSERT_TRUE(manager.StopAll());
 
   EXPECT_GT(table.oldest_tick(), 0U);

@@ -98,7 +98,7 @@ TEST_F(LogLimiterTest, ReportsAllSuppressionAtTheEnd) {
 }
 
 TEST_F(LogLimiterTest, CombinesExcessSources) {
-  for (std::size_t i = 0; i < LogLimiter::kMostSources; ++i) {
+  for (std::size_t i = 0; i < LogLimiter::kMaxSources; ++i) {
     ASSERT_TRUE(Admits("source " + std::to_string(i)));
   }
   int admitted = 0;
@@ -111,7 +111,7 @@ TEST_F(LogLimiterTest, CombinesExcessSources) {
 }
 
 TEST_F(LogLimiterTest, ReusesTheBucketsOfSilentSources) {
-  for (std::size_t i = 0; i < LogLimiter::kMostSources; ++i) Admits(std::to_string(i));
+  for (std::size_t i = 0; i < LogLimiter::kMaxSources; ++i) Admits(std::to_string(i));
 
   clock.Advance(1h);
 

@@ -27,14 +27,14 @@ TEST(AcknowledgementQueue, ClosesOnlyChannelsThatAcknowledgeTooMuch) {
   AcknowledgementQueue box;
   box.Add(modest.channel, 1);
 
-  for (std::uint32_t handle = 0; handle <= AcknowledgementQueue::kMostOfOneViewer; ++handle) {
+  for (std::uint32_t handle = 0; handle <= AcknowledgementQueue::kMaxOfOneViewer; ++handle) {
     EXPECT_TRUE(greedy.channel->is_open());
     box.Add(greedy.channel, handle);
   }
 
   EXPECT_FALSE(greedy.channel->is_open());
   EXPECT_TRUE(modest.channel->is_open());
-  EXPECT_EQ(box.TakeAll().at(greedy.channel).size(), AcknowledgementQueue::kMostOfOneViewer);
+  EXPECT_EQ(box.TakeAll().at(greedy.channel).size(), AcknowledgementQueue::kMaxOfOneViewer);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 namespace tendon::gui {
 namespace {
 
-constexpr double kMostReal = std::numeric_limits<double>::max();
+constexpr double kMaxReal = std::numeric_limits<double>::max();
 
 AxisFrame FrameOf(double low, double high, NumberKind numbers = NumberKind::kReal) {
   return FrameFor({}, {.low = low, .high = high}, numbers);
@@ -48,9 +48,9 @@ TEST(AxisFrame, DropsItsBaseForSpreadValues) {
 }
 
 TEST(AxisFrame, HugeValuesGetAPowerOfTen) {
-  const AxisFrame frame = FrameOf(-kMostReal, kMostReal);
+  const AxisFrame frame = FrameOf(-kMaxReal, kMaxReal);
 
-  EXPECT_NEAR(frame.placeOf(kMostReal, ValueScale::kLinear), 1.797e8, 1e5);
+  EXPECT_NEAR(frame.placeOf(kMaxReal, ValueScale::kLinear), 1.797e8, 1e5);
   EXPECT_EQ(frame.base, 0);
 }
 

@@ -8,9 +8,9 @@ TEST(MarkTrack, KeepsTheNewestMarksInOrder) {
   MarkTrack track;
   track.add({.time_ns = 5, .label = "b"});
   track.add({.time_ns = 3, .label = "a"});
-  for (std::size_t i = 1; i < MarkTrack::kMost; ++i) track.add({.time_ns = 10, .label = "c"});
+  for (std::size_t i = 1; i < MarkTrack::kMax; ++i) track.add({.time_ns = 10, .label = "c"});
 
-  ASSERT_EQ(track.all().size(), MarkTrack::kMost);
+  ASSERT_EQ(track.all().size(), MarkTrack::kMax);
   EXPECT_EQ(track.all().front().label, "b");
 }
 
