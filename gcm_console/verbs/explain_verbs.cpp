@@ -1,6 +1,6 @@
 #include <gcm_console/output/table.h>
+#include <gcm_console/verbs/connection_checks.h>
 #include <gcm_console/verbs/verb.h>
-#include <gcm_console/verbs/wire_checks.h>
 #include <tendon/gcm/diagnosis.h>
 
 #include <CLI/CLI.hpp>
@@ -103,12 +103,12 @@ std::vector<tendon::ConnectionFlaw> AskForFlaws(Context& context, const Interfac
 
 Result<tendon::ConnectionCounts> Served(Context& context, const Diagnosis& diagnosis) {
   return context.Ask<tendon::ConnectionCounts>([&](tendon::GcmClient& client, auto handler) {
-    client.GetProviderCounts(diagnosis.wire, handler);
+    client.GetProviderCounts(diagnosis.ends, handler);
   });
 }
 
 void Print(const Diagnosis& diagnosis, std::ostream& out) {
-  out << ToString(diagnosis.wire.required) << " -> " << ToString(diagnosis.wire.provided) << '\n';
+  out << ToString(diagnosis.ends.required) << " -> " << ToString(diagnosis.ends.provided) << '\n';
   int number = 0;
   for (const DiagnosisStep& step : diagnosis.steps) {
     const char* verdict = step.verdict == DiagnosisStep::Verdict::kGood  ? "ok  "
@@ -120,8 +120,8 @@ void Print(const Diagnosis& diagnosis, std::ostream& out) {
   }
   for (const std::string& line : LeftoverTexts(diagnosis)) out << "  " << Plain(line) << '\n';
   if (diagnosis.failure || diagnosis.is_connected) return;
-  out << "  next: gcm connect " << ToString(diagnosis.wire.required) << ' '
-      << ToString(diagnosis.wire.provided) << '\n';
+  out << "  next: gcm connect " << ToString(diagnosis.ends.required) << ' '
+      << ToString(diagnosis.ends.provided) << '\n';
 }
 
 const char* WordOf(tendon::ConnectionRemnant::Verdict verdict) {
@@ -144,8 +144,8 @@ ordered_json DiagnosisJson(const Diagnosis& diagnosis) {
     remnants.push_back(
         {{"process", one.process}, {"left", WordOf(one.verdict)}, {"text", one.text}});
   }
-  return {{"required", ToString(diagnosis.wire.required)},
-          {"provided", ToString(diagnosis.wire.provided)},
+  return {{"required", ToString(diagnosis.ends.required)},
+          {"provided", ToString(diagnosis.ends.provided)},
           {"connected", diagnosis.is_connected},
           {"kept", IsKept(diagnosis)},
           {"steps", std::move(steps)},

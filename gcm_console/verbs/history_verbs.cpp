@@ -27,8 +27,8 @@ using tendon::message::HistoryEntry;
 ordered_json StepJson(const HistoryEntry& step) {
   ordered_json json = {{"id", step.id}, {"verb", step.verb}};
   if (step.lifecycle.process.empty()) {
-    json["required"] = ToString(step.wire.required);
-    json["provided"] = ToString(step.wire.provided);
+    json["required"] = ToString(step.ends.required);
+    json["provided"] = ToString(step.ends.provided);
   } else if (step.lifecycle.component.empty()) {
     json["process"] = step.lifecycle.process;
   } else {

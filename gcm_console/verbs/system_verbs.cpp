@@ -1,7 +1,7 @@
 #include <gcm_console/output/table.h>
+#include <gcm_console/verbs/connection_checks.h>
 #include <gcm_console/verbs/queries.h>
 #include <gcm_console/verbs/verb.h>
-#include <gcm_console/verbs/wire_checks.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/base/text.h>
 #include <tendon/gcm/lifecycle/class_check.h>

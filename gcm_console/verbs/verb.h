@@ -33,32 +33,32 @@ struct Verb {
 };
 
 // The verbs of each subject.
-std::vector<Verb> LookVerbs();       // ls tree
-std::vector<Verb> ShowVerbs();       // show
-std::vector<Verb> FindVerbs();       // status find graph
-std::vector<Verb> TopVerbs();        // top
-std::vector<Verb> PlotVerbs();       // plot
-std::vector<Verb> DoctorVerbs();     // doctor
-std::vector<Verb> DataVerbs();       // get watch
-std::vector<Verb> EventVerbs();      // events
-std::vector<Verb> RateVerbs();       // hz
-std::vector<Verb> ActVerbs();        // call
-std::vector<Verb> ClassVerbs();      // load classes create configure
-std::vector<Verb> SetVerbs();        // set
-std::vector<Verb> LifecycleVerbs();  // start suspend stop restart rm
-std::vector<Verb> WireVerbs();       // connect disconnect
-std::vector<Verb> ExplainVerbs();    // candidates explain
-std::vector<Verb> HistoryVerbs();    // undo history
-std::vector<Verb> SystemVerbs();     // save import diff plan apply
-std::vector<Verb> LogVerbs();        // log log-level
-std::vector<Verb> RecordVerbs();     // record
-std::vector<Verb> PastVerbs();       // save-last
-std::vector<Verb> FileVerbs();       // info recover cut export
-std::vector<Verb> ReplayVerbs();     // replay
-std::vector<Verb> CertVerbs();       // cert
-std::vector<Verb> ServeVerbs();      // serve broker
-std::vector<Verb> ShellVerbs();      // shell run
-std::vector<Verb> MetaVerbs();       // help version completion
+std::vector<Verb> LookVerbs();        // ls tree
+std::vector<Verb> ShowVerbs();        // show
+std::vector<Verb> FindVerbs();        // status find graph
+std::vector<Verb> TopVerbs();         // top
+std::vector<Verb> PlotVerbs();        // plot
+std::vector<Verb> DoctorVerbs();      // doctor
+std::vector<Verb> DataVerbs();        // get watch
+std::vector<Verb> EventVerbs();       // events
+std::vector<Verb> RateVerbs();        // hz
+std::vector<Verb> ActVerbs();         // call
+std::vector<Verb> ClassVerbs();       // load classes create configure
+std::vector<Verb> SetVerbs();         // set
+std::vector<Verb> LifecycleVerbs();   // start suspend stop restart rm
+std::vector<Verb> ConnectionVerbs();  // connect disconnect
+std::vector<Verb> ExplainVerbs();     // candidates explain
+std::vector<Verb> HistoryVerbs();     // undo history
+std::vector<Verb> SystemVerbs();      // save import diff plan apply
+std::vector<Verb> LogVerbs();         // log log-level
+std::vector<Verb> RecordVerbs();      // record
+std::vector<Verb> PastVerbs();        // save-last
+std::vector<Verb> FileVerbs();        // info recover cut export
+std::vector<Verb> ReplayVerbs();      // replay
+std::vector<Verb> CertVerbs();        // cert
+std::vector<Verb> ServeVerbs();       // serve broker
+std::vector<Verb> ShellVerbs();       // shell run
+std::vector<Verb> MetaVerbs();        // help version completion
 
 /// Returns the table of all verbs. The program, its help, its manual pages, the completion and the
 /// shell use this table.

@@ -12,32 +12,32 @@ struct Group {
 
 /// All verbs, in the order in which `gcm help` lists them.
 constexpr Group kGroups[] = {
-    {"look", &FindVerbs},       //
-    {"look", &LookVerbs},       //
-    {"look", &ShowVerbs},       //
-    {"look", &TopVerbs},        //
-    {"data", &DataVerbs},       //
-    {"data", &EventVerbs},      //
-    {"data", &RateVerbs},       //
-    {"data", &PlotVerbs},       //
-    {"data", &LogVerbs},        //
-    {"act", &ActVerbs},         //
-    {"act", &ClassVerbs},       //
-    {"act", &SetVerbs},         //
-    {"act", &LifecycleVerbs},   //
-    {"wire", &WireVerbs},       //
-    {"wire", &ExplainVerbs},    //
-    {"config", &SystemVerbs},   //
-    {"config", &HistoryVerbs},  //
-    {"record", &RecordVerbs},   //
-    {"record", &PastVerbs},     //
-    {"record", &FileVerbs},     //
-    {"record", &ReplayVerbs},   //
-    {"security", &CertVerbs},   //
-    {"meta", &ServeVerbs},      //
-    {"meta", &DoctorVerbs},     //
-    {"meta", &ShellVerbs},      //
-    {"meta", &MetaVerbs},       //
+    {"look", &FindVerbs},        //
+    {"look", &LookVerbs},        //
+    {"look", &ShowVerbs},        //
+    {"look", &TopVerbs},         //
+    {"data", &DataVerbs},        //
+    {"data", &EventVerbs},       //
+    {"data", &RateVerbs},        //
+    {"data", &PlotVerbs},        //
+    {"data", &LogVerbs},         //
+    {"act", &ActVerbs},          //
+    {"act", &ClassVerbs},        //
+    {"act", &SetVerbs},          //
+    {"act", &LifecycleVerbs},    //
+    {"wire", &ConnectionVerbs},  //
+    {"wire", &ExplainVerbs},     //
+    {"config", &SystemVerbs},    //
+    {"config", &HistoryVerbs},   //
+    {"record", &RecordVerbs},    //
+    {"record", &PastVerbs},      //
+    {"record", &FileVerbs},      //
+    {"record", &ReplayVerbs},    //
+    {"security", &CertVerbs},    //
+    {"meta", &ServeVerbs},       //
+    {"meta", &DoctorVerbs},      //
+    {"meta", &ShellVerbs},       //
+    {"meta", &MetaVerbs},        //
 };
 
 }  // namespace

@@ -107,7 +107,7 @@ void ConnectMode::pick(const PortName& port) {
   const PortCandidate* candidate = find(port);
   if (candidate == nullptr) return;
   if (!candidate->fits()) return refuse(*candidate);
-  const auto [required, provided] = wireTo(port);
+  const auto [required, provided] = endsTo(port);
   leave();
   actions_.connectOrReplace(required, provided);
   Q_EMIT picked(required, provided);
@@ -117,16 +117,16 @@ void ConnectMode::refuse(const PortCandidate& candidate) {
   const QString obstacle = candidate.present ? QStringLiteral(" ") : Words::tr(" does not fit: ");
   const QString reason =
       ToQString(candidate.port.name) + obstacle + candidate.reasons().join(QStringLiteral("; "));
-  const message::Wire wire = wireTo(candidate.port);
+  const message::ConnectionEnds ends = endsTo(candidate.port);
   const bool is_meant = !candidate.present && candidate.looksAlike();
   Q_EMIT notice(reason);
-  if (is_meant) Q_EMIT mismatchPicked(wire, reason);
+  if (is_meant) Q_EMIT mismatchPicked(ends, reason);
 }
 
-message::Wire ConnectMode::wireTo(const PortName& port) const {
+message::ConnectionEnds ConnectMode::endsTo(const PortName& port) const {
   const bool from_required = chosen_->side == Side::kRequired;
-  return from_required ? message::Wire{chosen_->name, port.name}
-                       : message::Wire{port.name, chosen_->name};
+  return from_required ? message::ConnectionEnds{chosen_->name, port.name}
+                       : message::ConnectionEnds{port.name, chosen_->name};
 }
 
 void ConnectMode::pickNumber(int number) {

@@ -76,7 +76,7 @@ class ConnectMode : public QObject {
   void picked(const tendon::InterfaceName& required, const tendon::InterfaceName& provided);
   /// Emitted when the user has picked a similar port that does not fit. No request was sent;
   /// `reason` says why the port does not fit.
-  void mismatchPicked(const tendon::message::Wire& wire, const QString& reason);
+  void mismatchPicked(const tendon::message::ConnectionEnds& ends, const QString& reason);
   /// Emitted with one sentence for the user.
   void notice(const QString& text);
 
@@ -84,7 +84,7 @@ class ConnectMode : public QObject {
   void follow();
   void refuse(const PortCandidate& candidate);
   /// Returns the connection between the chosen port and `port`.
-  [[nodiscard]] message::Wire wireTo(const PortName& port) const;
+  [[nodiscard]] message::ConnectionEnds endsTo(const PortName& port) const;
   void rank();
   /// Adds a candidate for each port of one side. `describe` sets whether and how it fits.
   template <typename Ports, typename Describe>

@@ -29,7 +29,7 @@ DiagnosisBinding::DiagnosisBinding(DiagnosisCard& card, const CatalogueStore& st
   connect(&store, &CatalogueStore::changed, this, Guarded(this, &DiagnosisBinding::follow));
   connect(&store, &CatalogueStore::typesLearned, this, Guarded(this, &DiagnosisBinding::check));
   connect(&refusals_, &RefusedConnections::changed, this, &DiagnosisBinding::check);
-  connect(&card, &DiagnosisCard::closed, this, [this] { wire_.reset(); });
+  connect(&card, &DiagnosisCard::closed, this, [this] { ends_.reset(); });
   connect(&card, &DiagnosisCard::retryRequested, this, &DiagnosisBinding::retry);
   connect(&card, &DiagnosisCard::notice, this, &DiagnosisBinding::notice);
 }
@@ -47,8 +47,8 @@ void DiagnosisBinding::open(const QString& path) {
                   Words::tr(" is not connected, and no available interface resembles it"));
     return;
   }
-  wire_ = message::Wire{*required, *provided};
-  card_.begin(*wire_);
+  ends_ = message::ConnectionEnds{*required, *provided};
+  card_.begin(*ends_);
   check();
 }
 
@@ -63,42 +63,44 @@ bool DiagnosisBinding::openProblem(const QString& path) {
 }
 
 void DiagnosisBinding::check() {
-  if (!wire_) return;
+  if (!ends_) return;
   ask_again_ = is_asking_;
   if (std::exchange(is_asking_, true)) return;
-  checks_.diagnose(*wire_, [self = QPointer(this), wire = *wire_](const auto& diagnosis) {
-    if (self != nullptr) self->onDiagnosis(wire, diagnosis);
+  checks_.diagnose(*ends_, [self = QPointer(this), ends = *ends_](const auto& diagnosis) {
+    if (self != nullptr) self->onDiagnosis(ends, diagnosis);
   });
 }
 
-void DiagnosisBinding::onDiagnosis(const message::Wire& wire, const Result<Diagnosis>& diagnosis) {
+void DiagnosisBinding::onDiagnosis(const message::ConnectionEnds& ends,
+                                   const Result<Diagnosis>& diagnosis) {
   is_asking_ = false;
-  if (wire_ == wire) show(wire, diagnosis);
-  if (wire_ != wire || std::exchange(ask_again_, false)) check();
+  if (ends_ == ends) show(ends, diagnosis);
+  if (ends_ != ends || std::exchange(ask_again_, false)) check();
 }
 
-void DiagnosisBinding::show(const message::Wire& wire, const Result<Diagnosis>& diagnosis) {
+void DiagnosisBinding::show(const message::ConnectionEnds& ends,
+                            const Result<Diagnosis>& diagnosis) {
   if (!diagnosis) return card_.showMessage(ToQString(diagnosis.error().message));
   DiagnosisReport report{*diagnosis, std::nullopt, {}};
-  const auto* refused = refusals_.find(wire.required);
-  if (refused != nullptr && refused->provided == wire.provided) report.refusal = *refused;
+  const auto* refused = refusals_.find(ends.required);
+  if (refused != nullptr && refused->provided == ends.provided) report.refusal = *refused;
   const Catalogue& catalogue = store_.catalogue();
   const bool is_tried = report.refusal || diagnosis->is_connected;
   if (is_tried && diagnosis->failure) {
     for (const auto& line : LeftoverTexts(*diagnosis)) report.leftovers.append(ToQString(line));
   }
-  card_.show(report, catalogue.FindRequired(wire.required), catalogue.FindProvided(wire.provided));
+  card_.show(report, catalogue.FindRequired(ends.required), catalogue.FindProvided(ends.provided));
 }
 
 void DiagnosisBinding::retry() {
-  if (wire_) actions_.connectOrReplace(wire_->required, wire_->provided);
+  if (ends_) actions_.connectOrReplace(ends_->required, ends_->provided);
 }
 
 void DiagnosisBinding::follow(const Catalogue& catalogue, const ChangedParts& touched) {
   refusals_.update(catalogue);
-  if (!wire_) return;
+  if (!ends_) return;
   const auto is_about_it = [this](const ChangedPart& part) {
-    return part.process == wire_->required.process || part.process == wire_->provided.process;
+    return part.process == ends_->required.process || part.process == ends_->provided.process;
   };
   if (std::ranges::any_of(touched, is_about_it)) check();
 }

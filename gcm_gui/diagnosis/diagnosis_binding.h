@@ -37,8 +37,8 @@ class DiagnosisBinding : public QObject {
 
  private:
   void check();
-  void onDiagnosis(const message::Wire& wire, const Result<Diagnosis>& diagnosis);
-  void show(const message::Wire& wire, const Result<Diagnosis>& diagnosis);
+  void onDiagnosis(const message::ConnectionEnds& ends, const Result<Diagnosis>& diagnosis);
+  void show(const message::ConnectionEnds& ends, const Result<Diagnosis>& diagnosis);
   void retry();
   void follow(const Catalogue& catalogue, const ChangedParts& touched);
 
@@ -47,7 +47,7 @@ class DiagnosisBinding : public QObject {
   ConnectionChecks& checks_;
   SystemActions& actions_;
   RefusedConnections refusals_;
-  std::optional<message::Wire> wire_;  // of the open card
+  std::optional<message::ConnectionEnds> ends_;  // of the open card
   bool is_asking_ = false;
   bool ask_again_ = false;  // a process has changed during the check
 };

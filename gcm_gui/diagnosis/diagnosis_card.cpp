@@ -63,12 +63,12 @@ void DiagnosisCard::buildHead() {
   addToHead(copy_);
 }
 
-void DiagnosisCard::begin(const message::Wire& wire) {
-  const bool other = wire != report_.diagnosis.wire;
-  report_.diagnosis.wire = wire;
-  title_->setText(ShortInterfaceName(wire.required) + QStringLiteral(" → ") +
-                  ShortInterfaceName(wire.provided));
-  title_->setToolTip(ToQString(ToString(wire.required) + " → " + ToString(wire.provided)));
+void DiagnosisCard::begin(const message::ConnectionEnds& ends) {
+  const bool other = ends != report_.diagnosis.ends;
+  report_.diagnosis.ends = ends;
+  title_->setText(ShortInterfaceName(ends.required) + QStringLiteral(" → ") +
+                  ShortInterfaceName(ends.provided));
+  title_->setToolTip(ToQString(ToString(ends.required) + " → " + ToString(ends.provided)));
   setAccessibleName(Words::tr("Why? ") + title_->toolTip());
   if (other || isHidden()) {
     showMessage(Words::tr("checking …"));

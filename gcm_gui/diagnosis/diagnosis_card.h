@@ -19,7 +19,7 @@ class DiagnosisCard : public OverlayCard {
   explicit DiagnosisCard(QWidget& place);
 
   /// Called when the check begins: shows the two interfaces, but no steps yet.
-  void begin(const message::Wire& wire);
+  void begin(const message::ConnectionEnds& ends);
   /// Shows the result of the check. `required` or `provided` is null if that interface does not
   /// exist.
   void show(const DiagnosisReport& report, const RequiredDescription* required,

@@ -41,12 +41,12 @@ QString DiagnosisReport::history() const {
 
 QString DiagnosisReport::command() const {
   return QStringLiteral("gcm explain %1 %2")
-      .arg(Name(diagnosis.wire.required), Name(diagnosis.wire.provided));
+      .arg(Name(diagnosis.ends.required), Name(diagnosis.ends.provided));
 }
 
 QString DiagnosisReport::text() const {
-  const message::Wire& wire = diagnosis.wire;
-  QStringList lines{Name(wire.required) + QStringLiteral(" -> ") + Name(wire.provided) +
+  const message::ConnectionEnds& ends = diagnosis.ends;
+  QStringList lines{Name(ends.required) + QStringLiteral(" -> ") + Name(ends.provided) +
                     QStringLiteral(": ") + verdict()};
   if (refusal) lines.append(QStringLiteral("  ") + history());
   int number = 0;

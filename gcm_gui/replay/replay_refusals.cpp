@@ -73,8 +73,8 @@ void ReplayRefusals::readValue(const std::string& /*path*/, ValueHandler handler
   });
 }
 
-void ReplayRefusals::diagnose(const message::Wire& wire, DiagnosisHandler handler) {
-  const Result<Diagnosis> diagnosis = Diagnose(store_.catalogue(), wire);
+void ReplayRefusals::diagnose(const message::ConnectionEnds& ends, DiagnosisHandler handler) {
+  const Result<Diagnosis> diagnosis = Diagnose(store_.catalogue(), ends);
   QTimer::singleShot(0, this, [handler = std::move(handler), diagnosis] { handler(diagnosis); });
 }
 

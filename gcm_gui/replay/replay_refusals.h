@@ -46,7 +46,7 @@ class ReplayRefusals final : public QObject,
                    ResultHandler handler) override;
   void readValue(const std::string& path, ValueHandler handler) override;
 
-  void diagnose(const message::Wire& wire, DiagnosisHandler handler) override;
+  void diagnose(const message::ConnectionEnds& ends, DiagnosisHandler handler) override;
 
   void carryOut(Plan plan, AfterError after_error, Progress progress, Done done) override;
   // Functions of PlanRunner. No plan is ever executed.

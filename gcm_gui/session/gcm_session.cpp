@@ -39,8 +39,8 @@ Action ActionOf(const message::HistoryEntry& step) {
   action.verb = step.verb == "connect"   ? Action::Verb::kConnect
                 : step.verb == "replace" ? Action::Verb::kReplace
                                          : Action::Verb::kDisconnect;
-  action.required = step.wire.required;
-  action.provided = step.wire.provided;
+  action.required = step.ends.required;
+  action.provided = step.ends.provided;
   return action;
 }
 
@@ -286,9 +286,9 @@ void GcmSession::failCallsToLostProcesses() {
   for (const auto& [id, error] : lost) finishCall(id, error);
 }
 
-void GcmSession::diagnose(const message::Wire& wire, DiagnosisHandler handler) {
+void GcmSession::diagnose(const message::ConnectionEnds& ends, DiagnosisHandler handler) {
   const Catalogue& catalogue = store_.catalogue();
-  const Result<Diagnosis> diagnosis = Diagnose(catalogue, wire);
+  const Result<Diagnosis> diagnosis = Diagnose(catalogue, ends);
   if (!diagnosis) return poster_->post([handler, diagnosis] { handler(diagnosis); });
   const auto report = [this, poster = poster_, handler](Diagnosis complete,
                                                         const Result<ConnectionCounts>& served) {
@@ -299,12 +299,12 @@ void GcmSession::diagnose(const message::Wire& wire, DiagnosisHandler handler) {
     });
   };
   if (diagnosis->failure) {
-    const auto* provider = catalogue.FindProcess(wire.provided.process);
+    const auto* provider = catalogue.FindProcess(ends.provided.process);
     const auto present = provider != nullptr ? RequirePresent(provider->process) : Result<void>();
     if (diagnosis->is_connected) return report(*diagnosis, ConnectionCounts());
     if (!present) return report(*diagnosis, present.error());
     return client_->GetProviderCounts(
-        wire, [report, diagnosis](const auto& served) { report(*diagnosis, served); });
+        ends, [report, diagnosis](const auto& served) { report(*diagnosis, served); });
   }
   const auto start = std::chrono::steady_clock::now();
   const auto on_reply = [report, diagnosis, start](const auto& result) {
@@ -318,7 +318,7 @@ void GcmSession::diagnose(const message::Wire& wire, DiagnosisHandler handler) {
     report(complete, answers ? Result<ConnectionCounts>(ConnectionCounts()) : result.error());
   };
   // The process itself answers this request, without a thread of the component.
-  client_->GetFill(wire.provided.process, wire.provided.component, on_reply);
+  client_->GetFill(ends.provided.process, ends.provided.component, on_reply);
 }
 
 }  // namespace tendon::gui

@@ -61,7 +61,7 @@ class GcmSession : public QObject,
                    ResultHandler handler) override;
   void readValue(const std::string& path, ValueHandler handler) override;
 
-  void diagnose(const message::Wire& wire, DiagnosisHandler handler) override;
+  void diagnose(const message::ConnectionEnds& ends, DiagnosisHandler handler) override;
 
  private:
   class Listener;

@@ -79,7 +79,7 @@ class ConnectionChecks {
 
   /// Makes the seven checks of `gcm explain`, up to the first failure. One check asks the
   /// provider's process, which may take as long as any other request. Fails like Diagnose().
-  virtual void diagnose(const message::Wire& wire, DiagnosisHandler handler) = 0;
+  virtual void diagnose(const message::ConnectionEnds& ends, DiagnosisHandler handler) = 0;
 };
 
 }  // namespace tendon::gui

@@ -360,11 +360,12 @@ void MainWindow::connectWhy() {
   why_ = new DiagnosisBinding(*why_card_, parts_.store, parts_.checks, parts_.actions, this);
   connect(&parts_.activity, &ActivityModel::finished, &why_->refusals(),
           Guarded(&why_->refusals(), &RefusedConnections::onActionFinished));
-  connect(&mode_, &ConnectMode::mismatchPicked, &parts_.activity,
-          [&activity = parts_.activity](const message::Wire& wire, const QString& reason) {
-            activity.finish(activity.begin({.required = wire.required, .provided = wire.provided}),
-                            0.0, reason);
-          });
+  connect(
+      &mode_, &ConnectMode::mismatchPicked, &parts_.activity,
+      [&activity = parts_.activity](const message::ConnectionEnds& ends, const QString& reason) {
+        activity.finish(activity.begin({.required = ends.required, .provided = ends.provided}), 0.0,
+                        reason);
+      });
   connect(&why_->refusals(), &RefusedConnections::changed, scene_,
           [this] { scene_->showRefused(why_->refusals().all()); });
   connect(graph_, &GraphView::whyRequested, why_, &DiagnosisBinding::open);

@@ -28,7 +28,7 @@ TEST(PythonPackage, SchemasMatchTheMessages) {
       TextsOf<Error, message::Greeting, message::Challenge, message::Proof,  // middleware
               message::GetSchemas, message::Schemas, message::CallMember, message::CallMemberReply,
               message::Subscribe, message::SubscribeReply, message::RowsHeader,  // process
-              message::Wire, ConnectionDescription,                              // membership
+              message::ConnectionEnds, ConnectionDescription,                    // membership
               message::CatalogueSnapshot, message::Changes>();                   // gcm
   std::ofstream(TENDON_PYTHON_MESSAGES_BUILT) << texts;
 

@@ -332,12 +332,13 @@ void GcmClient::Connect(const InterfaceName& required, const InterfaceName& prov
                         ConnectHandler handler, WhenConnected when_connected) {
   const bool may_replace = when_connected == WhenConnected::kReplace;
   implementation_->link().Request<ConnectionDescription>(
-      may_replace ? message::kReplace : message::kConnect, message::Wire{required, provided},
-      implementation_->Guarded(std::move(handler)), may_replace ? kReplaceTimeouts : 1);
+      may_replace ? message::kReplace : message::kConnect,
+      message::ConnectionEnds{required, provided}, implementation_->Guarded(std::move(handler)),
+      may_replace ? kReplaceTimeouts : 1);
 }
 
 void GcmClient::Disconnect(const InterfaceName& required, DoneHandler handler) {
-  implementation_->link().Request<None>(message::kDisconnect, message::Wire{required, {}},
+  implementation_->link().Request<None>(message::kDisconnect, message::ConnectionEnds{required, {}},
                                         [done = implementation_->Guarded(std::move(handler))](
                                             const auto& reply) { done(Ignored(reply)); });
 }
@@ -424,11 +425,11 @@ void GcmClient::GetCounts(const InterfaceName& required,
       });
 }
 
-void GcmClient::GetProviderCounts(const message::Wire& wire,
+void GcmClient::GetProviderCounts(const message::ConnectionEnds& ends,
                                   std::function<void(Result<ConnectionCounts>)> handler) {
   implementation_->timer().Post(
-      [this, wire, done = implementation_->GuardedOfProcess(std::move(handler))] {
-        implementation_->requests().GetProviderCounts(wire, done);
+      [this, ends, done = implementation_->GuardedOfProcess(std::move(handler))] {
+        implementation_->requests().GetProviderCounts(ends, done);
       });
 }
 
@@ -457,7 +458,7 @@ void GcmClient::ReadLog(const std::string& process, const message::ReadLog& want
 }
 
 void GcmClient::Forget(const std::string& process, DoneHandler handler) {
-  implementation_->link().Request<None>(message::kForget, message::Forget{process},
+  implementation_->link().Request<None>(message::kForget, message::ForgetProcess{process},
                                         [done = implementation_->Guarded(std::move(handler))](
                                             const auto& reply) { done(Ignored(reply)); });
 }

@@ -153,7 +153,7 @@ class GcmClient {
                  std::function<void(Result<ConnectionCounts>)> handler);
   /// Gets the counts of a connection from the provider's process, but only the capacity and the
   /// lost events. Fails with kNotFound if that process does not have the connection.
-  void GetProviderCounts(const message::Wire& wire,
+  void GetProviderCounts(const message::ConnectionEnds& ends,
                          std::function<void(Result<ConnectionCounts>)> handler);
   /// Gets the fill levels of a component's mailboxes.
   void GetFill(const std::string& process, const std::string& component,

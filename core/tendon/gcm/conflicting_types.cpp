@@ -60,14 +60,14 @@ std::map<std::string, message::GetSchemas> ConflictingTypes(const Catalogue& cat
   return types.Conflicting();
 }
 
-std::map<std::string, message::GetSchemas> ConflictingTypesBetween(const Catalogue& catalogue,
-                                                                   const message::Wire& wire) {
+std::map<std::string, message::GetSchemas> ConflictingTypesBetween(
+    const Catalogue& catalogue, const message::ConnectionEnds& ends) {
   TypesByName types;
-  if (const auto* required = catalogue.FindRequired(wire.required)) {
-    types.Add(*required, wire.required.process);
+  if (const auto* required = catalogue.FindRequired(ends.required)) {
+    types.Add(*required, ends.required.process);
   }
-  if (const auto* provided = catalogue.FindProvided(wire.provided)) {
-    types.Add(*provided, wire.provided.process);
+  if (const auto* provided = catalogue.FindProvided(ends.provided)) {
+    types.Add(*provided, ends.provided.process);
   }
   return types.Conflicting();
 }

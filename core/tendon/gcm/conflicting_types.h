@@ -16,8 +16,8 @@ namespace tendon {
 [[nodiscard]] std::map<std::string, message::GetSchemas> ConflictingTypes(
     const Catalogue& catalogue);
 
-/// Like ConflictingTypes(), but only for the types of the two interfaces of `wire`.
+/// Like ConflictingTypes(), but only for the types of the two interfaces of `ends`.
 [[nodiscard]] std::map<std::string, message::GetSchemas> ConflictingTypesBetween(
-    const Catalogue& catalogue, const message::Wire& wire);
+    const Catalogue& catalogue, const message::ConnectionEnds& ends);
 
 }  // namespace tendon

@@ -32,7 +32,7 @@ constexpr std::size_t kMade = 5;
 /// Collects the results of the checks, up to the first bad one.
 class Examination {
  public:
-  explicit Examination(const message::Wire& wire) { diagnosis_.wire = wire; }
+  explicit Examination(const message::ConnectionEnds& ends) { diagnosis_.ends = ends; }
 
   [[nodiscard]] bool goes_on() const { return !diagnosis_.failure; }
   void Good(const std::string& text) { diagnosis_.steps.push_back({Verdict::kGood, text, {}, {}}); }
@@ -44,11 +44,11 @@ class Examination {
   /// Sets Diagnosis::is_connected from the catalogue. Sets it to false if the required side is
   /// absent, because only the required side knows its connections.
   void SetConnected(const Catalogue& catalogue) {
-    const message::Wire& wire = diagnosis_.wire;
-    const ProcessEntry* owner = catalogue.FindProcess(wire.required.process);
-    const auto* now = catalogue.FindConnection(wire.required);
+    const message::ConnectionEnds& ends = diagnosis_.ends;
+    const ProcessEntry* owner = catalogue.FindProcess(ends.required.process);
+    const auto* now = catalogue.FindConnection(ends.required);
     diagnosis_.is_connected = owner != nullptr && IsPresent(owner->process) && now != nullptr &&
-                              now->provided == wire.provided;
+                              now->provided == ends.provided;
   }
 
   Diagnosis Take() && {
@@ -63,16 +63,16 @@ class Examination {
 };
 
 /// Handles a connection that waits for a provided interface that is not in the catalogue.
-void CheckAbsent(const Catalogue& catalogue, const message::Wire& wire, const Error& missing,
-                 Examination& examination) {
-  const ProcessEntry* provider = catalogue.FindProcess(wire.provided.process);
+void CheckAbsent(const Catalogue& catalogue, const message::ConnectionEnds& ends,
+                 const Error& missing, Examination& examination) {
+  const ProcessEntry* provider = catalogue.FindProcess(ends.provided.process);
   if (provider != nullptr && IsPresent(provider->process)) {
-    examination.Good("process " + wire.provided.process + " is available");
+    examination.Good("process " + ends.provided.process + " is available");
   }
   examination.Bad(missing.code, missing.message,
                   "start this process (the connection is made when the process joins); or, to "
                   "cancel the connection: gcm disconnect " +
-                      ToString(wire.required));
+                      ToString(ends.required));
 }
 
 void CheckProcesses(const ProcessDescription& required, const ProcessDescription& provided,
@@ -104,17 +104,18 @@ void CheckComponents(const ComponentDescription& required, const ComponentDescri
 }
 
 /// Step 3: the current connection of the required interface.
-void CheckFree(const Catalogue& catalogue, const message::Wire& wire, Examination& examination) {
-  const auto* connection = catalogue.FindConnection(wire.required);
-  if (connection == nullptr) return examination.Good(ToString(wire.required) + " is free");
-  if (connection->provided == wire.provided) return examination.Good("the connection is requested");
+void CheckFree(const Catalogue& catalogue, const message::ConnectionEnds& ends,
+               Examination& examination) {
+  const auto* connection = catalogue.FindConnection(ends.required);
+  if (connection == nullptr) return examination.Good(ToString(ends.required) + " is free");
+  if (connection->provided == ends.provided) return examination.Good("the connection is requested");
   examination.Bad(ErrorCode::kExists,
-                  ToString(wire.required) + " is connected to " + ToString(connection->provided),
-                  "to replace this connection: gcm connect " + ToString(wire.required) + " " +
-                      ToString(wire.provided) + " --replace");
+                  ToString(ends.required) + " is connected to " + ToString(connection->provided),
+                  "to replace this connection: gcm connect " + ToString(ends.required) + " " +
+                      ToString(ends.provided) + " --replace");
 }
 
-void CheckSignatures(const message::Wire& wire, const RequiredDescription& required,
+void CheckSignatures(const message::ConnectionEnds& ends, const RequiredDescription& required,
                      const ProvidedDescription& provided, Examination& examination) {
   const Compatibility compatibility = Compare(required, provided);
   const std::string text = "signatures match: " + std::to_string(compatibility.matched) + " of " +
@@ -123,7 +124,7 @@ void CheckSignatures(const message::Wire& wire, const RequiredDescription& requi
   std::vector<std::string> details;
   for (const Mismatch& one : compatibility.mismatches) details.push_back(one.text);
   examination.Bad(ErrorCode::kIncompatible, text,
-                  "to list the compatible interfaces: gcm candidates " + ToString(wire.required),
+                  "to list the compatible interfaces: gcm candidates " + ToString(ends.required),
                   std::move(details));
 }
 
@@ -147,11 +148,11 @@ std::string FixOfPending(const ProcessDescription& required, const ProcessDescri
 }
 
 /// Makes steps 5 and 6 of the check.
-void CheckConnection(const Catalogue& catalogue, const message::Wire& wire,
+void CheckConnection(const Catalogue& catalogue, const message::ConnectionEnds& ends,
                      Examination& examination) {
-  const ProcessDescription& required = catalogue.FindProcess(wire.required.process)->process;
-  const ProcessDescription& provided = catalogue.FindProcess(wire.provided.process)->process;
-  const auto* connection = catalogue.FindConnection(wire.required);
+  const ProcessDescription& required = catalogue.FindProcess(ends.required.process)->process;
+  const ProcessDescription& provided = catalogue.FindProcess(ends.provided.process)->process;
+  const auto* connection = catalogue.FindConnection(ends.required);
   if (IsOutOfReach(required, provided)) {
     return examination.Bad(ErrorCode::kUnreachable,
                            required.name + " on host " + required.host + " cannot reach " +
@@ -173,41 +174,41 @@ void CheckConnection(const Catalogue& catalogue, const message::Wire& wire,
   if (connection->state == ConnectionState::kActive)
     return examination.Good("the connection is made");
   examination.Bad(ErrorCode::kFailed, "the connection was refused: " + connection->reason,
-                  "to end the connection: gcm disconnect " + ToString(wire.required));
+                  "to end the connection: gcm disconnect " + ToString(ends.required));
 }
 
-ConnectionRemnant LeftAtRequired(const Catalogue& catalogue, const message::Wire& wire) {
+ConnectionRemnant LeftAtRequired(const Catalogue& catalogue, const message::ConnectionEnds& ends) {
   using Kind = ConnectionRemnant::Verdict;
-  const std::string& process = wire.required.process;
+  const std::string& process = ends.required.process;
   const ProcessEntry* entry = catalogue.FindProcess(process);
   if (entry == nullptr || !IsPresent(entry->process)) {
     return {process, Kind::kUnknown, "unknown, because process '" + process + "' is not available"};
   }
-  const auto* other = catalogue.FindConnection(wire.required);
+  const auto* other = catalogue.FindConnection(ends.required);
   const std::string nothing = "nothing in " + process;
   if (other == nullptr) return {process, Kind::kNothing, nothing};
   return {process, Kind::kNothing,
-          nothing + ", where " + wire.required.component + "/" + wire.required.interface +
+          nothing + ", where " + ends.required.component + "/" + ends.required.interface +
               " is connected to " + ToString(other->provided)};
 }
 
-ConnectionRemnant LeftAtProvider(const Catalogue& catalogue, const message::Wire& wire,
+ConnectionRemnant LeftAtProvider(const Catalogue& catalogue, const message::ConnectionEnds& ends,
                                  const Result<ConnectionCounts>& served) {
   using Kind = ConnectionRemnant::Verdict;
-  const std::string& process = wire.provided.process;
+  const std::string& process = ends.provided.process;
   if (!served && served.error().code != ErrorCode::kNotFound) {
     return {
         process, Kind::kUnknown,
         "unknown, because process '" + process +
             "' does not report whether it still serves the connection: " + served.error().message};
   }
-  const auto* other = catalogue.FindConnection(wire.required);
+  const auto* other = catalogue.FindConnection(ends.required);
   const bool serves_another = other != nullptr && other->provided.process == process;
   if (!served || serves_another) {
     return {process, Kind::kNothing, "nothing in " + process};
   }
   return {process, Kind::kSomething,
-          process + " still serves " + ToString(wire.required) +
+          process + " still serves " + ToString(ends.required) +
               ", although this connection does not exist any more; that process stops serving it "
               "when the link between the two processes ends"};
 }
@@ -220,34 +221,34 @@ auto RankOf(const ProviderCandidate& candidate) {
 
 }  // namespace
 
-Result<Diagnosis> Diagnose(const Catalogue& catalogue, const message::Wire& wire) {
-  const auto required = LookUpRequired(catalogue, wire.required);
+Result<Diagnosis> Diagnose(const Catalogue& catalogue, const message::ConnectionEnds& ends) {
+  const auto required = LookUpRequired(catalogue, ends.required);
   if (!required) return required.error();
-  const auto provided = LookUpProvided(catalogue, wire.provided);
-  Examination examination(wire);
+  const auto provided = LookUpProvided(catalogue, ends.provided);
+  Examination examination(ends);
   examination.SetConnected(catalogue);
   if (!provided) {
-    const auto* connection = catalogue.FindConnection(wire.required);
-    if (connection == nullptr || connection->provided != wire.provided) return provided.error();
-    CheckAbsent(catalogue, wire, provided.error(), examination);
+    const auto* connection = catalogue.FindConnection(ends.required);
+    if (connection == nullptr || connection->provided != ends.provided) return provided.error();
+    CheckAbsent(catalogue, ends, provided.error(), examination);
     return std::move(examination).Take();
   }
-  CheckProcesses(catalogue.FindProcess(wire.required.process)->process,
-                 catalogue.FindProcess(wire.provided.process)->process, examination);
+  CheckProcesses(catalogue.FindProcess(ends.required.process)->process,
+                 catalogue.FindProcess(ends.provided.process)->process, examination);
   if (examination.goes_on()) {
-    CheckComponents(*catalogue.FindComponent(wire.required.process, wire.required.component),
-                    *catalogue.FindComponent(wire.provided.process, wire.provided.component),
+    CheckComponents(*catalogue.FindComponent(ends.required.process, ends.required.component),
+                    *catalogue.FindComponent(ends.provided.process, ends.provided.component),
                     examination);
   }
-  if (examination.goes_on()) CheckFree(catalogue, wire, examination);
-  if (examination.goes_on()) CheckSignatures(wire, **required, **provided, examination);
-  if (examination.goes_on()) CheckConnection(catalogue, wire, examination);
+  if (examination.goes_on()) CheckFree(catalogue, ends, examination);
+  if (examination.goes_on()) CheckSignatures(ends, **required, **provided, examination);
+  if (examination.goes_on()) CheckConnection(catalogue, ends, examination);
   return std::move(examination).Take();
 }
 
 void AddHealth(Diagnosis& diagnosis, const std::vector<ConnectionFlaw>& flaws) {
   if (diagnosis.failure || flaws.empty()) return;
-  const std::string& provider = diagnosis.wire.provided.process;
+  const std::string& provider = diagnosis.ends.provided.process;
   const bool is_late = flaws.front().kind == ConnectionFlaw::Kind::kLate;
   DiagnosisStep& step = is_late ? diagnosis.steps.back() : diagnosis.steps.at(kMade);
   std::string text = is_late ? "process '" + provider + "' " : "the connection is made, but ";
@@ -270,7 +271,7 @@ bool IsTrying(const Diagnosis& diagnosis) {
 void AddRoundTrip(Diagnosis& diagnosis, const Result<std::chrono::microseconds>& round_trip) {
   const bool is_trying = IsTrying(diagnosis);
   if (diagnosis.failure && !is_trying) return;
-  const std::string& name = diagnosis.wire.provided.process;
+  const std::string& name = diagnosis.ends.provided.process;
   const std::string process = "process '" + name + "'";
   if (round_trip) {
     if (is_trying) return;
@@ -301,7 +302,7 @@ bool IsKept(const Diagnosis& diagnosis) {
 
 std::vector<std::string> LeftoverTexts(const Diagnosis& diagnosis) {
   if (IsKept(diagnosis)) {
-    return {"requested: " + diagnosis.wire.required.process +
+    return {"requested: " + diagnosis.ends.required.process +
             " makes the connection as soon as possible"};
   }
   std::vector<std::string> texts;
@@ -327,10 +328,10 @@ void AddActivity(Diagnosis& diagnosis, const Catalogue& catalogue) {
   const bool stands =
       diagnosis.is_connected && diagnosis.steps.at(kReached).verdict == Verdict::kGood;
   if (!stands) return;
-  for (const InterfaceName* end : {&diagnosis.wire.required, &diagnosis.wire.provided}) {
+  for (const InterfaceName* end : {&diagnosis.ends.required, &diagnosis.ends.provided}) {
     const auto* component = catalogue.FindComponent(end->process, end->component);
     if (component == nullptr || component->state == ComponentState::kActive) continue;
-    const std::string effect = end == &diagnosis.wire.required
+    const std::string effect = end == &diagnosis.ends.required
                                    ? "it makes no calls"
                                    : "it refuses commands, and its reads return old values";
     DiagnosisStep& step = diagnosis.steps.at(kActive);
@@ -345,11 +346,11 @@ void AddActivity(Diagnosis& diagnosis, const Catalogue& catalogue) {
 
 void AddRemnants(Diagnosis& diagnosis, const Catalogue& catalogue,
                  const Result<ConnectionCounts>& served) {
-  const message::Wire& wire = diagnosis.wire;
+  const message::ConnectionEnds& ends = diagnosis.ends;
   if (diagnosis.is_connected) return;
-  diagnosis.remnants = {LeftAtRequired(catalogue, wire)};
-  if (wire.provided.process == wire.required.process) return;
-  diagnosis.remnants.push_back(LeftAtProvider(catalogue, wire, served));
+  diagnosis.remnants = {LeftAtRequired(catalogue, ends)};
+  if (ends.provided.process == ends.required.process) return;
+  diagnosis.remnants.push_back(LeftAtProvider(catalogue, ends, served));
 }
 
 Result<std::vector<ProviderCandidate>> RankCandidates(const Catalogue& catalogue,

@@ -40,7 +40,7 @@ struct ConnectionRemnant {
 /// If no step is bad and the interfaces are not connected, they can be connected. The console and
 /// the window show the same steps.
 struct Diagnosis {
-  message::Wire wire;
+  message::ConnectionEnds ends;
   /// All seven steps. The steps after a bad step were not reached.
   std::vector<DiagnosisStep> steps;
   std::optional<Error> failure;  ///< error of the bad step
@@ -53,7 +53,7 @@ struct Diagnosis {
 /// active. Fails with kInvalid for an invalid name, and with kNotFound if an interface is not in
 /// the catalogue. A missing provided interface is only a bad step if the required interface already
 /// waits for it.
-Result<Diagnosis> Diagnose(const Catalogue& catalogue, const message::Wire& wire);
+Result<Diagnosis> Diagnose(const Catalogue& catalogue, const message::ConnectionEnds& ends);
 
 /// Adds the flaws of an active connection, which the catalogue does not contain. Marks step 7 as
 /// bad for a long round trip, and step 6 for other flaws. Does nothing if a step is already bad.

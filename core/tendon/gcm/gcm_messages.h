@@ -43,15 +43,17 @@ inline constexpr auto kPayload<ProcessVerb> = DescribeEnum("tendon.ProcessVerb",
 namespace tendon::message {
 
 // Requests from a viewer. A viewer also sends kRenew every second, to check that the GCM is alive.
-inline constexpr auto kWatch = static_cast<MessageType>(0x310);    // None -> CatalogueSnapshot
-inline constexpr auto kConnect = static_cast<MessageType>(0x311);  // Wire -> ConnectionDescription
-inline constexpr auto kDisconnect = static_cast<MessageType>(0x312);  // Wire -> None
+inline constexpr auto kWatch = static_cast<MessageType>(0x310);  // None -> CatalogueSnapshot
+// ConnectionEnds -> ConnectionDescription
+inline constexpr auto kConnect = static_cast<MessageType>(0x311);
+inline constexpr auto kDisconnect = static_cast<MessageType>(0x312);  // ConnectionEnds -> None
 inline constexpr auto kUndo = static_cast<MessageType>(0x313);     // StepSelection -> HistoryEntry
 inline constexpr auto kHistory = static_cast<MessageType>(0x314);  // None -> History
-inline constexpr auto kForget = static_cast<MessageType>(0x315);   // Forget -> None
-inline constexpr auto kReplace = static_cast<MessageType>(0x316);  // Wire -> ConnectionDescription
-inline constexpr auto kHealth = static_cast<MessageType>(0x31a);   // None -> SystemHealth
-inline constexpr auto kProcess = static_cast<MessageType>(0x31b);  // ProcessOrder -> None
+inline constexpr auto kForget = static_cast<MessageType>(0x315);   // ForgetProcess -> None
+// ConnectionEnds -> ConnectionDescription
+inline constexpr auto kReplace = static_cast<MessageType>(0x316);
+inline constexpr auto kHealth = static_cast<MessageType>(0x31a);       // None -> SystemHealth
+inline constexpr auto kProcess = static_cast<MessageType>(0x31b);      // ProcessOrder -> None
 inline constexpr auto kGetChildren = static_cast<MessageType>(0x31d);  // None -> Children
 inline constexpr auto kPlanLock = static_cast<MessageType>(0x31e);     // PlanLock -> None
 inline constexpr auto kSkipStep = static_cast<MessageType>(0x31f);  // StepSelection -> HistoryEntry
@@ -106,7 +108,7 @@ struct SystemHealth {
 };
 
 /// Asks the GCM to remove a process that is lost or has left.
-struct Forget {
+struct ForgetProcess {
   std::string process;
 };
 
@@ -133,7 +135,7 @@ struct LifecycleStep {
   std::string thread;                                   ///< "remove": as in LifecycleOrder
   std::string leader;                                   ///< "remove": as in LifecycleOrder
   ComponentState state = ComponentState::kConstructed;  ///< state before the step
-  std::vector<Wire> connections;                        ///< "remove": the component's connections
+  std::vector<ConnectionEnds> connections;              ///< "remove": the component's connections
 
   bool operator==(const LifecycleStep&) const = default;
 };
@@ -170,7 +172,7 @@ struct PlanLock {
 struct HistoryEntry {
   std::uint64_t id = 0;
   std::string verb;  ///< "connect", "disconnect", "replace", or the verb of an order
-  Wire wire;
+  ConnectionEnds ends;
   InterfaceName former;  ///< "replace": the former provided interface
   /// The lifecycle step. Its `process` is empty if this is a step of a connection.
   LifecycleStep lifecycle;
@@ -231,15 +233,15 @@ inline constexpr auto tendon::kPayload<tendon::message::SystemHealth> = tendon::
     "tendon.SystemHealth", tendon::Field{"processes", &tendon::message::SystemHealth::processes});
 
 template <>
-inline constexpr auto tendon::kPayload<tendon::message::Forget> =
-    tendon::Describe("tendon.Forget", tendon::Field{"process", &tendon::message::Forget::process});
+inline constexpr auto tendon::kPayload<tendon::message::ForgetProcess> = tendon::Describe(
+    "tendon.ForgetProcess", tendon::Field{"process", &tendon::message::ForgetProcess::process});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::ProcessOrder> = tendon::Describe(
     "tendon.ProcessOrder", tendon::Field{"verb", &tendon::message::ProcessOrder::verb},
     tendon::Field{"process", &tendon::message::ProcessOrder::process},
     tendon::Field{"restart", &tendon::message::ProcessOrder::restart},
-    tendon::Field{"patience", &tendon::message::ProcessOrder::timeout});
+    tendon::Field{"timeout", &tendon::message::ProcessOrder::timeout});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::Child> =
@@ -253,7 +255,7 @@ inline constexpr auto tendon::kPayload<tendon::message::Children> = tendon::Desc
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::StepSelection> = tendon::Describe(
     "tendon.StepSelection", tendon::Field{"id", &tendon::message::StepSelection::id},
-    tendon::Field{"patience", &tendon::message::StepSelection::timeout});
+    tendon::Field{"timeout", &tendon::message::StepSelection::timeout});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::PlanLock> = tendon::Describe(
@@ -276,7 +278,7 @@ template <>
 inline constexpr auto tendon::kPayload<tendon::message::HistoryEntry> =
     tendon::Describe("tendon.HistoryEntry", tendon::Field{"id", &tendon::message::HistoryEntry::id},
                      tendon::Field{"verb", &tendon::message::HistoryEntry::verb},
-                     tendon::Field{"wire", &tendon::message::HistoryEntry::wire},
+                     tendon::Field{"ends", &tendon::message::HistoryEntry::ends},
                      tendon::Field{"former", &tendon::message::HistoryEntry::former},
                      tendon::Field{"life", &tendon::message::HistoryEntry::lifecycle},
                      tendon::Field{"who", &tendon::message::HistoryEntry::who},

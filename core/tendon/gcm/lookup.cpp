@@ -232,41 +232,43 @@ bool TakesArgument(const Signature& signature) {
          kind == CommandKind::kWriteReturn;
 }
 
-Result<message::ConnectionPlan> PlanConnect(const Catalogue& catalogue, const message::Wire& wire,
+Result<message::ConnectionPlan> PlanConnect(const Catalogue& catalogue,
+                                            const message::ConnectionEnds& ends,
                                             WhenConnected when_connected) {
-  for (const InterfaceName& name : {wire.required, wire.provided}) {
+  for (const InterfaceName& name : {ends.required, ends.provided}) {
     if (auto checked = CheckFullName(name); !checked) return checked.error();
   }
-  const auto required = LookUpRequired(catalogue, wire.required);
+  const auto required = LookUpRequired(catalogue, ends.required);
   if (!required) return required.error();
-  const ProcessDescription& owner = catalogue.FindProcess(wire.required.process)->process;
+  const ProcessDescription& owner = catalogue.FindProcess(ends.required.process)->process;
   if (auto present = RequirePresent(owner); !present) return present.error();
-  const ProcessEntry* provider = catalogue.FindProcess(wire.provided.process);
+  const ProcessEntry* provider = catalogue.FindProcess(ends.provided.process);
   const bool is_there = provider != nullptr && IsPresent(provider->process);
-  const auto provided = LookUpProvided(catalogue, wire.provided);
+  const auto provided = LookUpProvided(catalogue, ends.provided);
   if (!provided && is_there) return provided.error();
-  const auto* connection = catalogue.FindConnection(wire.required);
+  const auto* connection = catalogue.FindConnection(ends.required);
   if (connection != nullptr && when_connected == WhenConnected::kRefuse) {
-    return Error{ErrorCode::kExists, Connected(*connection, wire.provided)};
+    return Error{ErrorCode::kExists, Connected(*connection, ends.provided)};
   }
   if (connection != nullptr) {
-    const auto checked = CheckReplacement(catalogue, *connection, wire.provided.process);
+    const auto checked = CheckReplacement(catalogue, *connection, ends.provided.process);
     if (!checked) return checked.error();
   }
   if (provided) {
     if (const auto compatibility = Compare(**required, **provided); !compatibility.fits()) {
       return Error{ErrorCode::kIncompatible,
-                   Refusal(ToString(wire.required), ToString(wire.provided), compatibility)};
+                   Refusal(ToString(ends.required), ToString(ends.provided), compatibility)};
     }
   }
-  return ConnectionPlanOf(catalogue, wire);
+  return ConnectionPlanOf(catalogue, ends);
 }
 
-message::ConnectionPlan ConnectionPlanOf(const Catalogue& catalogue, const message::Wire& wire) {
-  const ProcessEntry* provider = catalogue.FindProcess(wire.provided.process);
-  if (provider == nullptr || !IsPresent(provider->process)) return {.wire = wire};
+message::ConnectionPlan ConnectionPlanOf(const Catalogue& catalogue,
+                                         const message::ConnectionEnds& ends) {
+  const ProcessEntry* provider = catalogue.FindProcess(ends.provided.process);
+  if (provider == nullptr || !IsPresent(provider->process)) return {.ends = ends};
   return {
-      .wire = wire, .address = provider->process.address, .instance = provider->process.instance};
+      .ends = ends, .address = provider->process.address, .instance = provider->process.instance};
 }
 
 Result<ConnectionDescription> PlanDisconnect(const Catalogue& catalogue,

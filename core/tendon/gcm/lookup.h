@@ -49,12 +49,13 @@ Result<std::vector<MemberDescription>> LookUpEvents(const Catalogue& catalogue,
 /// If the provider's process is absent or unknown, the new connection will be pending. A pending
 /// connection cannot replace an active one; the error is kFailed for an absent process, and
 /// kNotFound for an unknown process.
-Result<message::ConnectionPlan> PlanConnect(const Catalogue& catalogue, const message::Wire& wire,
+Result<message::ConnectionPlan> PlanConnect(const Catalogue& catalogue,
+                                            const message::ConnectionEnds& ends,
                                             WhenConnected when_connected = WhenConnected::kRefuse);
 
 /// Returns the same order as PlanConnect(), but checks nothing.
 [[nodiscard]] message::ConnectionPlan ConnectionPlanOf(const Catalogue& catalogue,
-                                                       const message::Wire& wire);
+                                                       const message::ConnectionEnds& ends);
 
 /// Returns the connection that a disconnect of the required interface would end. Errors: kInvalid
 /// for an invalid name; kNotFound; kFailed if the interface is not connected or its process is

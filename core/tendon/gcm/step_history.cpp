@@ -22,8 +22,8 @@ std::string LineOf(const message::HistoryEntry& step) {
   line["id"] = step.id;
   line["verb"] = step.verb;
   if (step.lifecycle.process.empty()) {
-    line["required"] = ToString(step.wire.required);
-    line["provided"] = ToString(step.wire.provided);
+    line["required"] = ToString(step.ends.required);
+    line["provided"] = ToString(step.ends.provided);
   } else {
     line["life"] = OrderedJson::parse(ToJson(step.lifecycle));
   }
@@ -50,7 +50,7 @@ std::optional<message::HistoryEntry> EntryOf(const OrderedJson& line) {
     const auto required = ParseInterfaceName(line.at("required").get<std::string>());
     const auto provided = ParseInterfaceName(line.at("provided").get<std::string>());
     if (!required || !provided) return std::nullopt;
-    step.wire = {*required, *provided};
+    step.ends = {*required, *provided};
   }
   if (step.verb == "replace") {
     const auto former = ParseInterfaceName(line.at("former").get<std::string>());
@@ -124,7 +124,7 @@ std::string ToString(const message::HistoryEntry& step) {
         step.lifecycle.component.empty() ? "" : "/" + step.lifecycle.component;
     return step.verb + " " + step.lifecycle.process + component;
   }
-  return step.verb + " " + ToString(step.wire.required) + " " + ToString(step.wire.provided);
+  return step.verb + " " + ToString(step.ends.required) + " " + ToString(step.ends.provided);
 }
 
 StepHistory::StepHistory(std::filesystem::path file) : file_(std::move(file)) {

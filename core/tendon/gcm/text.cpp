@@ -50,7 +50,7 @@ std::string ValueOf(const OrderedJson& object, const std::string& key) {
 
 std::string AuditObject(MessageType type, std::span<const std::byte> body) {
   if (type == message::kForget) {
-    const auto forget = DecodeBody<message::Forget>(body);
+    const auto forget = DecodeBody<message::ForgetProcess>(body);
     return forget ? forget->process : std::string();
   }
   if (type == message::kSetLogLevel) {
@@ -67,10 +67,11 @@ std::string AuditObject(MessageType type, std::span<const std::byte> body) {
   }
   const bool has_ends =
       type == message::kConnect || type == message::kReplace || type == message::kDisconnect;
-  const auto wire = has_ends ? DecodeBody<message::Wire>(body) : Result(message::Wire());
-  if (!has_ends || !wire) return {};
+  const auto ends =
+      has_ends ? DecodeBody<message::ConnectionEnds>(body) : Result(message::ConnectionEnds());
+  if (!has_ends || !ends) return {};
   const bool has_provided = type != message::kDisconnect;
-  return ToString(wire->required) + (has_provided ? " " + ToString(wire->provided) : "");
+  return ToString(ends->required) + (has_provided ? " " + ToString(ends->provided) : "");
 }
 
 const message::ProcessHealth* LastHealth(const message::SystemHealth& health,
@@ -191,7 +192,7 @@ bool IsProcessStep(const message::HistoryEntry& step) {
 }
 
 const std::string& ProcessOf(const message::HistoryEntry& step) {
-  return IsLifecycleStep(step) ? step.lifecycle.process : step.wire.required.process;
+  return IsLifecycleStep(step) ? step.lifecycle.process : step.ends.required.process;
 }
 
 std::string VersionText(const message::ProgramVersion& version) {

@@ -96,12 +96,12 @@ struct OutdatedPlugin {
 [[nodiscard]] std::string HistoryReachText(const message::ProcessHistoryState& history,
                                            std::chrono::nanoseconds wanted);
 
-/// Returns a version as text: "version 0.4.0, protocol 10".
+/// Returns a version as text: "version 0.4.0, protocol 11".
 [[nodiscard]] std::string VersionText(const message::ProgramVersion& version);
 
 /// The result of CompareVersion().
 struct VersionReport {
-  std::string text;  ///< "version 0.3.0, protocol 10, but this program has another version"
+  std::string text;  ///< "version 0.3.0, protocol 11, but this program has another version"
   bool is_own = false;
 };
 /// Compares the version that a program has reported with `own`. If the program has not answered,

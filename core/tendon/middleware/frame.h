@@ -39,7 +39,7 @@ struct FrameHeader {
   static constexpr std::uint32_t kMagic = 0x4e444e54;  // "TNDN"
   /// Must be increased when a message or its meaning changes. Both ends of a link must use the same
   /// version, because bodies do not contain the names of their fields.
-  static constexpr std::uint16_t kProtocolVersion = 10;
+  static constexpr std::uint16_t kProtocolVersion = 11;
   static constexpr std::size_t kSize = 24;
 };
 

@@ -36,8 +36,6 @@ inline constexpr auto tendon::kPayload<tendon::message::JoinTopicReply> =
                      tendon::Field{"subscribed", &tendon::message::JoinTopicReply::subscribed},
                      tendon::Field{"topic", &tendon::message::JoinTopicReply::topic});
 
-/// Its schema keeps the name "tendon.BroadcastAddress", which is part of the fingerprint that peers
-/// compare.
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::BrokerAddress> = tendon::Describe(
-    "tendon.BroadcastAddress", tendon::Field{"address", &tendon::message::BrokerAddress::address});
+    "tendon.BrokerAddress", tendon::Field{"address", &tendon::message::BrokerAddress::address});

@@ -22,7 +22,7 @@ inline constexpr auto kReportHealth =
 // From the GCM, on the channel on which the process joined. Request: ConnectionPlan ->
 // ConnectionDescription. The LCM reports the connection before it answers.
 inline constexpr auto kMakeConnection = static_cast<MessageType>(0x321);
-// Request: Wire -> None. The LCM reports the end of the connection before it answers.
+// Request: ConnectionEnds -> None. The LCM reports the end of the connection before it answers.
 inline constexpr auto kBreakConnection = static_cast<MessageType>(0x322);
 inline constexpr auto kPeers = static_cast<MessageType>(0x323);  // notice: PeerList
 
@@ -67,18 +67,18 @@ struct GcmClock {
 };
 
 /// The two ends of a connection; `provided` is empty for a disconnect.
-struct Wire {
+struct ConnectionEnds {
   InterfaceName required;
   InterfaceName provided;
 
-  bool operator==(const Wire&) const = default;
+  bool operator==(const ConnectionEnds&) const = default;
 };
 
 /// The order to the LCM of the required side to make a connection. It has the two ends, and the
 /// address of the provider's process. If the provider's process does not exist yet, the address is
 /// empty, and the connection is pending.
 struct ConnectionPlan {
-  Wire wire;
+  ConnectionEnds ends;
   std::string address;
   std::uint64_t instance = 0;
 };
@@ -120,16 +120,15 @@ inline constexpr auto tendon::kPayload<tendon::message::GcmClock> = tendon::Desc
     "tendon.GcmClock", tendon::Field{"time", &tendon::message::GcmClock::time, "ns"});
 
 template <>
-inline constexpr auto tendon::kPayload<tendon::message::Wire> =
-    tendon::Describe("tendon.Wire", tendon::Field{"required", &tendon::message::Wire::required},
-                     tendon::Field{"provided", &tendon::message::Wire::provided});
+inline constexpr auto tendon::kPayload<tendon::message::ConnectionEnds> = tendon::Describe(
+    "tendon.ConnectionEnds", tendon::Field{"required", &tendon::message::ConnectionEnds::required},
+    tendon::Field{"provided", &tendon::message::ConnectionEnds::provided});
 
-/// Its schema keeps the name "tendon.Wiring", which is part of the fingerprint that peers compare.
 template <>
-inline constexpr auto tendon::kPayload<tendon::message::ConnectionPlan> =
-    tendon::Describe("tendon.Wiring", tendon::Field{"wire", &tendon::message::ConnectionPlan::wire},
-                     tendon::Field{"address", &tendon::message::ConnectionPlan::address},
-                     tendon::Field{"instance", &tendon::message::ConnectionPlan::instance});
+inline constexpr auto tendon::kPayload<tendon::message::ConnectionPlan> = tendon::Describe(
+    "tendon.ConnectionPlan", tendon::Field{"ends", &tendon::message::ConnectionPlan::ends},
+    tendon::Field{"address", &tendon::message::ConnectionPlan::address},
+    tendon::Field{"instance", &tendon::message::ConnectionPlan::instance});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::PeerList> = tendon::Describe(

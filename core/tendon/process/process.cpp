@@ -128,10 +128,10 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
     history_.Wake();
   }
 
-  Result<ConnectionId> Connect(const message::Wire& wire) {
+  Result<ConnectionId> Connect(const message::ConnectionEnds& ends) {
     const auto promise = std::make_shared<std::promise<Result<ConnectionId>>>();
-    context_.worker->Post([this, wire, promise] {
-      connections_.Connect(wire, [promise](const auto& made) {
+    context_.worker->Post([this, ends, promise] {
+      connections_.Connect(ends, [promise](const auto& made) {
         promise->set_value(made ? Result<ConnectionId>(made->id) : made.error());
       });
     });
@@ -139,12 +139,12 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
   }
 
   /// If the GCM has ordered this connection, returns its id, and makes the program its owner.
-  [[nodiscard]] std::optional<ConnectionId> TakeOver(const message::Wire& wire) {
+  [[nodiscard]] std::optional<ConnectionId> TakeOver(const message::ConnectionEnds& ends) {
     const auto lock = process_.Lock();
-    const auto connection = ConnectionOf(wire.required);
-    const bool is_it = connection && connection->provided == wire.provided &&
+    const auto connection = ConnectionOf(ends.required);
+    const bool is_it = connection && connection->provided == ends.provided &&
                        connection->state != ConnectionState::kFailed;
-    if (!is_it || std::erase(ordered_, wire) == 0) return {};
+    if (!is_it || std::erase(ordered_, ends) == 0) return {};
     return connection->id;
   }
 
@@ -170,7 +170,8 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
 
   void ForgetOrder(const InterfaceName& required) {
     const auto lock = process_.Lock();
-    std::erase_if(ordered_, [&](const message::Wire& wire) { return wire.required == required; });
+    std::erase_if(ordered_,
+                  [&](const message::ConnectionEnds& ends) { return ends.required == required; });
   }
 
   void RemoveComponent(const std::string& component) {
@@ -255,31 +256,31 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
   void OnBroker(const std::string& address) override { services_.telemetry.SetBroker(address); }
 
   void MakeConnection(const message::ConnectionPlan& plan, RemoteConnections::Done done) override {
-    const message::Wire& wire = plan.wire;
-    const auto here = process_.Here(wire.required);
+    const message::ConnectionEnds& ends = plan.ends;
+    const auto here = process_.Here(ends.required);
     if (!here) return done(here.error());
     {
       const auto lock = process_.Lock();
-      if (!ConnectionOf(wire.required)) {
-        ForgetOrder(wire.required);
-        ordered_.push_back(wire);
+      if (!ConnectionOf(ends.required)) {
+        ForgetOrder(ends.required);
+        ordered_.push_back(ends);
       }
     }
-    if (wire.provided.process != context_.name) {
-      connections_.LearnPeer(wire.provided.process, plan.address, plan.instance);
-      return connections_.Connect(wire, [this, wire, done](const auto& made) {
-        if (!made) ForgetOrder(wire.required);
+    if (ends.provided.process != context_.name) {
+      connections_.LearnPeer(ends.provided.process, plan.address, plan.instance);
+      return connections_.Connect(ends, [this, ends, done](const auto& made) {
+        if (!made) ForgetOrder(ends.required);
         done(made);
       });
     }
-    const auto id = process_.ConnectAnew(wire.required, wire.provided);
+    const auto id = process_.ConnectAnew(ends.required, ends.provided);
     if (!id) {
-      ForgetOrder(wire.required);
+      ForgetOrder(ends.required);
       return done(id.error());
     }
     done(ConnectionDescription{.id = *id,
-                               .required = wire.required,
-                               .provided = wire.provided,
+                               .required = ends.required,
+                               .provided = ends.provided,
                                .state = ConnectionState::kActive,
                                .reason = {}});
   }
@@ -314,7 +315,7 @@ class Process::Parts final : private ProcessAccess, public MembershipDelegate {
   LifecycleExecutor lifecycle_;
   // The connections that only the GCM has ordered, not the program. Protected by the manager's
   // lock.
-  std::vector<message::Wire> ordered_;
+  std::vector<message::ConnectionEnds> ordered_;
   mutable std::mutex address_mutex_;
   std::string address_;  // the announced address
   std::unique_ptr<Membership> membership_;

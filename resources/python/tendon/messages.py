@@ -49,7 +49,7 @@ SCHEMAS: dict[str, Schema] = {
 
 
 def encode(name: str, value: Any = None) -> bytes:
-    """The body of a message, as in encode("Wire", {...})."""
+    """The body of a message, as in encode("ConnectionEnds", {...})."""
     return SCHEMAS[f"tendon.{name}"].encode(value)
 
 

@@ -112,14 +112,14 @@ class System:
     def connect(self, required: str, provided: str) -> Description:
         """Connects a required interface to a provided one, both `process/component/interface`. The
         returned connection is pending if the provider's process is not available yet."""
-        wire = {"required": parse_interface(required), "provided": parse_interface(provided)}
-        return self._gcm.request(MessageType.CONNECT, "Wire", wire, "ConnectionDescription")
+        ends = {"required": parse_interface(required), "provided": parse_interface(provided)}
+        return self._gcm.request(MessageType.CONNECT, "ConnectionEnds", ends, "ConnectionDescription")
 
     def disconnect(self, required: str) -> None:
         """Ends the connection of a required interface."""
         nobody = {"process": "", "component": "", "interface": ""}
-        wire = {"required": parse_interface(required), "provided": nobody}
-        self._gcm.request(MessageType.DISCONNECT, "Wire", wire, "None")
+        ends = {"required": parse_interface(required), "provided": nobody}
+        self._gcm.request(MessageType.DISCONNECT, "ConnectionEnds", ends, "None")
 
     def _execute(self, text: str, argument: Any, only_reads: bool) -> Any:
         path = parse_path(text)

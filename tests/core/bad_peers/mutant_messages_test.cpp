@@ -92,7 +92,7 @@ class MutantMessages : public RemoteConnection {
     EXPECT_EQ(user->write.Wait(note, kLongest), Status(Status::kDone));
   }
   void Look() const {
-    const message::Wire wire{.required = kRobot, .provided = kControl};
+    const message::ConnectionEnds ends{.required = kRobot, .provided = kControl};
     const auto rows = std::make_shared<DeafRows>();
     const auto events = std::make_shared<DeafEvents>();
     const auto subscription =
@@ -104,7 +104,7 @@ class MutantMessages : public RemoteConnection {
     EXPECT_TRUE(Did<message::SystemHealth>([&](auto done) { viewer->GetHealth(done); }));
     EXPECT_TRUE(Did<message::Classes>([&](auto done) { viewer->GetClasses("robot", done); }));
     EXPECT_TRUE(Did<ConnectionCounts>([&](auto done) { viewer->GetCounts(kRobot, done); }));
-    EXPECT_TRUE(Did<ConnectionCounts>([&](auto done) { viewer->GetProviderCounts(wire, done); }));
+    EXPECT_TRUE(Did<ConnectionCounts>([&](auto done) { viewer->GetProviderCounts(ends, done); }));
     EXPECT_TRUE(Did<MailboxFill>([&](auto done) { viewer->GetFill("robot", "plant", done); }));
     EXPECT_TRUE(Did<std::string>(
         [&](auto done) { viewer->Call("robot/plant/Control.GetMove", "", done); }));

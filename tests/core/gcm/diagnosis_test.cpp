@@ -11,7 +11,8 @@ using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
 using Kind = CatalogueChange::Kind;
 using Verdict = DiagnosisStep::Verdict;
 
-const message::Wire kWire{{"desk", "teleoperation", "Robot"}, {"robot", "arm", "Control"}};
+const message::ConnectionEnds kEnds{{"desk", "teleoperation", "Robot"},
+                                    {"robot", "arm", "Control"}};
 
 class DiagnosisTest : public testing::Test {
  protected:
@@ -32,18 +33,18 @@ class DiagnosisTest : public testing::Test {
     }
   }
   void Connect(ConnectionState state, const std::string& reason = {},
-               const InterfaceName& provided = kWire.provided) {
+               const InterfaceName& provided = kEnds.provided) {
     Apply({.kind = Kind::kConnection,
            .process = "desk",
            .connections = {{.id = 1,
-                            .required = kWire.required,
+                            .required = kEnds.required,
                             .provided = provided,
                             .state = state,
                             .reason = reason}}});
   }
 
-  Diagnosis Examine(const message::Wire& wire = kWire) {
-    const auto diagnosis = Diagnose(catalogue_, wire);
+  Diagnosis Examine(const message::ConnectionEnds& ends = kEnds) {
+    const auto diagnosis = Diagnose(catalogue_, ends);
     EXPECT_TRUE(diagnosis) << diagnosis.error().message;
     if (!diagnosis) return {};
     EXPECT_EQ(diagnosis->steps.size(), 7U);
@@ -159,7 +160,7 @@ TEST_F(DiagnosisTest, FindsAConnectionToAnotherProvider) {
 }
 
 TEST_F(DiagnosisTest, FindsMismatchedSignatures) {
-  const Diagnosis diagnosis = Examine({kWire.required, {"robot", "fake", "Control"}});
+  const Diagnosis diagnosis = Examine({kEnds.required, {"robot", "fake", "Control"}});
 
   ExpectBad(diagnosis, 4, ErrorCode::kIncompatible, "signatures match: 1 of 2");
   EXPECT_EQ(diagnosis.steps[3].details.size(), 1U);
@@ -297,15 +298,15 @@ TEST_F(DiagnosisTest, FindsASlowActiveConnection) {
 }
 
 TEST_F(DiagnosisTest, OfAMissingInterfaceIsAnError) {
-  EXPECT_EQ(Diagnose(catalogue_, {kWire.required, {"robot", "arn", "Control"}}).error().code,
+  EXPECT_EQ(Diagnose(catalogue_, {kEnds.required, {"robot", "arn", "Control"}}).error().code,
             ErrorCode::kNotFound);
-  EXPECT_EQ(Diagnose(catalogue_, {kWire.provided, kWire.provided}).error().code,
+  EXPECT_EQ(Diagnose(catalogue_, {kEnds.provided, kEnds.provided}).error().code,
             ErrorCode::kNotFound);
 }
 
 TEST_F(DiagnosisTest, NamesTheUnknownProviderOfAPendingConnection) {
-  const message::Wire to_process{kWire.required, {"robbot", "arm", "Control"}};
-  const message::Wire to_component{kWire.required, {"robot", "arn", "Control"}};
+  const message::ConnectionEnds to_process{kEnds.required, {"robbot", "arm", "Control"}};
+  const message::ConnectionEnds to_component{kEnds.required, {"robot", "arn", "Control"}};
   Connect(ConnectionState::kPending, "is not available", to_process.provided);
   ExpectBad(Examine(to_process), 1, ErrorCode::kNotFound,
             "no process 'robbot'; did you mean 'robot'?");
@@ -318,7 +319,7 @@ TEST_F(DiagnosisTest, NamesTheUnknownProviderOfAPendingConnection) {
 }
 
 TEST_F(DiagnosisTest, ARefusedConnectionLeavesNoRemnants) {
-  Diagnosis diagnosis = Examine({kWire.required, {"robot", "fake", "Control"}});
+  Diagnosis diagnosis = Examine({kEnds.required, {"robot", "fake", "Control"}});
   using Left = ConnectionRemnant::Verdict;
   const Error none{ErrorCode::kNotFound, "serves nothing"};
 
@@ -388,7 +389,7 @@ TEST_F(DiagnosisTest, CandidatesAreRankedByHowMuchFits) {
   Enter(desk_, {test::Arm("b_arm"), test::Arm("a_arm")});
   Connect(ConnectionState::kActive);
 
-  const auto candidates = RankCandidates(catalogue_, kWire.required);
+  const auto candidates = RankCandidates(catalogue_, kEnds.required);
 
   ASSERT_TRUE(candidates);
   std::vector<std::string> names;
@@ -404,7 +405,7 @@ TEST_F(DiagnosisTest, AnAbsentProcessHasNoCandidates) {
   robot_.state = ProcessState::kLeft;
   Enter(robot_);
 
-  EXPECT_TRUE(RankCandidates(catalogue_, kWire.required)->empty());
+  EXPECT_TRUE(RankCandidates(catalogue_, kEnds.required)->empty());
 }
 
 }  // namespace

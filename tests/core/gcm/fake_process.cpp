@@ -31,7 +31,7 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
     if (header.type == message::kMakeConnection) {
       Make(channel, *DecodeBody<message::ConnectionPlan>(body), std::move(responder));
     } else if (header.type == message::kBreakConnection) {
-      Break(channel, *DecodeBody<message::Wire>(body), std::move(responder));
+      Break(channel, *DecodeBody<message::ConnectionEnds>(body), std::move(responder));
     } else if (header.type == message::kGetSchemas) {
       responder.ReplyWith(Result(SchemasOf(*DecodeBody<message::GetSchemas>(body))));
     } else if (header.type == message::kCallMember) {
@@ -82,8 +82,8 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
     const bool is_there = !plan.address.empty() && !is_missed;
     const ConnectionDescription made{
         .id = ++last_id,
-        .required = plan.wire.required,
-        .provided = plan.wire.provided,
+        .required = plan.ends.required,
+        .provided = plan.ends.provided,
         .state = is_there ? ConnectionState::kActive : ConnectionState::kPending,
         .reason = is_missed ? "nobody answers" : ""};
     connections[made.required] = made;
@@ -95,19 +95,19 @@ class FakeProcess::State final : public ChannelHandler, public std::enable_share
     kept.reset();
   }
 
-  void Break(const std::shared_ptr<Channel>& channel, const message::Wire& wire,
+  void Break(const std::shared_ptr<Channel>& channel, const message::ConnectionEnds& ends,
              Responder responder) {
     const std::scoped_lock lock(mutex);
-    if (Delays([=, this](Responder late) { BreakNow(channel, wire, std::move(late)); }, responder))
+    if (Delays([=, this](Responder late) { BreakNow(channel, ends, std::move(late)); }, responder))
       return;
-    BreakNow(channel, wire, std::move(responder));
+    BreakNow(channel, ends, std::move(responder));
   }
 
-  void BreakNow(const std::shared_ptr<Channel>& channel, const message::Wire& wire,
+  void BreakNow(const std::shared_ptr<Channel>& channel, const message::ConnectionEnds& ends,
                 Responder responder) {
     if (!Obeys(std::move(responder))) return;
-    const auto id = connections[wire.required].id;
-    connections.erase(wire.required);
+    const auto id = connections[ends.required].id;
+    connections.erase(ends.required);
     static_cast<void>(
         channel->Notify(message::kReport, 0,
                         message::Report{{{.kind = Kind::kConnectionRemoved, .connection = id}}}));

@@ -60,7 +60,7 @@ TEST_F(Lookup, APlanHasTheAddressOfTheProvider) {
   const auto plan = PlanConnect(catalogue_, {kRobot, kControl});
 
   ASSERT_TRUE(plan) << plan.error().message;
-  EXPECT_EQ(plan->wire, (message::Wire{kRobot, kControl}));
+  EXPECT_EQ(plan->ends, (message::ConnectionEnds{kRobot, kControl}));
   EXPECT_EQ(plan->address, robot_.address);
   EXPECT_EQ(plan->instance, robot_.instance);
 }
@@ -92,16 +92,16 @@ TEST_F(Lookup, AReplacementMayRepeatTheConnection) {
 }
 
 TEST_F(Lookup, AnAbsentProviderReplacesOnlyFailedConnections) {
-  const message::Wire wire{kRobot, {"elsewhere", "arm", "Control"}};
+  const message::ConnectionEnds ends{kRobot, {"elsewhere", "arm", "Control"}};
   Connect(kRobot, kControl);
   EXPECT_EQ(
-      PlanConnect(catalogue_, wire, WhenConnected::kReplace).error().message,
+      PlanConnect(catalogue_, ends, WhenConnected::kReplace).error().message,
       "desk/teleoperation/Robot stays connected to robot/arm/Control, because the new provided "
       "interface must be available first: no process 'elsewhere'; there is 'desk', 'robot'");
 
   Connect(kRobot, kControl, ConnectionState::kFailed);
 
-  EXPECT_TRUE(PlanConnect(catalogue_, wire, WhenConnected::kReplace));
+  EXPECT_TRUE(PlanConnect(catalogue_, ends, WhenConnected::kReplace));
 }
 
 TEST_F(Lookup, ReportsAnInterfaceOfTheWrongKind) {

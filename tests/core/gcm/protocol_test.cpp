@@ -18,7 +18,7 @@ Fingerprint FingerprintOfAll() {
   return FingerprintOf(texts);
 }
 
-Fingerprint MessagesOfVersion10() {
+Fingerprint MessagesOfVersion11() {
   return FingerprintOfAll<
       Error, message::Greeting, message::Challenge, message::Proof,  // middleware
       message::OpenInterface, message::OpenInterfaceReply, message::Credit, message::EventsLost,
@@ -29,8 +29,8 @@ Fingerprint MessagesOfVersion10() {
       message::Join, message::JoinReply, message::Report, message::ConnectionPlan,
       message::PeerList, ConnectionDescription, message::Health, message::GcmClock,
       // membership
-      message::CatalogueSnapshot, message::Changes, message::Wire, message::HistoryEntry,
-      message::History, message::Forget, message::LogRecords, message::SetLogLevel,
+      message::CatalogueSnapshot, message::Changes, message::ConnectionEnds, message::HistoryEntry,
+      message::History, message::ForgetProcess, message::LogRecords, message::SetLogLevel,
       message::WatchLog, message::WatchLogReply, message::LifecycleOrder, message::LifecycleOutcome,
       message::BeginOrder, message::GetClasses, message::Classes, message::StepSelection,
       message::SystemHealth, message::ProcessOrder, message::Children>();  // gcm
@@ -39,8 +39,8 @@ Fingerprint MessagesOfVersion10() {
 TEST(Protocol, ChangedMessagesRequireANewVersion) {
   // If this fingerprint changes, programs of the old and the new version would misread each other's
   // messages. Raise FrameHeader::kProtocolVersion, and write both new values here.
-  EXPECT_EQ(FrameHeader::kProtocolVersion, 10);
-  EXPECT_EQ(ToString(MessagesOfVersion10()), "5e0aad34b8ac3420bcae37024e5dc482");
+  EXPECT_EQ(FrameHeader::kProtocolVersion, 11);
+  EXPECT_EQ(ToString(MessagesOfVersion11()), "1f97dcf6806133c0fe0cc9c0eaac56a0");
   // Add messages that are newer than this version here, with their own fingerprint. A program that
   // does not know a message refuses it by its number.
   EXPECT_EQ(ToString(FingerprintOfAll<message::ReadRows, message::ReadRowsReply>()),

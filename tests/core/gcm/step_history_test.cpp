@@ -16,7 +16,7 @@ namespace {
 message::HistoryEntry Step(int number) {
   const std::string interface = "Robot" + std::to_string(number);
   return {.verb = number % 2 == 0 ? "connect" : "disconnect",
-          .wire = {{"desk", "teleoperation", interface}, {"robot", "arm", "Control"}},
+          .ends = {{"desk", "teleoperation", interface}, {"robot", "arm", "Control"}},
           .who = "gcm \"connect\"\n",
           .when = 1'700'000'000'000'000'000 + number,
           .instance = 0xfedcba9876543210U};

@@ -142,7 +142,8 @@ TEST_F(ConnectModeTest, PickingAMismatchGivesTheReason) {
   ASSERT_EQ(notice.count(), 1);
   EXPECT_TRUE(notice.front().front().toString().contains("MoveTo"));
   ASSERT_EQ(misfit.count(), 1);
-  EXPECT_EQ(misfit.front().front().value<message::Wire>(), (message::Wire{kRobot, drives}));
+  EXPECT_EQ(misfit.front().front().value<message::ConnectionEnds>(),
+            (message::ConnectionEnds{kRobot, drives}));
   EXPECT_EQ(misfit.front().back(), notice.front().front());
 }
 

@@ -14,7 +14,7 @@ const UndoChoice::Time kNow{};
 message::HistoryEntry Step(std::uint64_t id, const std::string& who) {
   return {.id = id,
           .verb = "connect",
-          .wire = {{"desk", "hand", "Robot"}, {"robot", "arm", "Control"}},
+          .ends = {{"desk", "hand", "Robot"}, {"robot", "arm", "Control"}},
           .former = {},
           .lifecycle = {},
           .who = who,

@@ -99,8 +99,8 @@ void ScriptedCalls::readValue(const std::string& path, ValueHandler handler) {
   value = std::move(handler);
 }
 
-void ScriptedChecks::diagnose(const message::Wire& wire, DiagnosisHandler handler) {
-  diagnosed.push_back(wire);
+void ScriptedChecks::diagnose(const message::ConnectionEnds& ends, DiagnosisHandler handler) {
+  diagnosed.push_back(ends);
   diagnosis = std::move(handler);
 }
 

@@ -60,9 +60,9 @@ class ScriptedCalls final : public CommandCalls {
 /// Records the requests; the test answers them.
 class ScriptedChecks final : public ConnectionChecks {
  public:
-  void diagnose(const message::Wire& wire, DiagnosisHandler handler) override;
+  void diagnose(const message::ConnectionEnds& ends, DiagnosisHandler handler) override;
 
-  std::vector<message::Wire> diagnosed;
+  std::vector<message::ConnectionEnds> diagnosed;
   DiagnosisHandler diagnosis;  ///< the handler of the newest request
 };
 

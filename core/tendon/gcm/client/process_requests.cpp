@@ -117,9 +117,9 @@ void ProcessRequests::GetCounts(const InterfaceName& required, Handler<Connectio
              std::move(handler));
 }
 
-void ProcessRequests::GetProviderCounts(const message::Wire& wire,
+void ProcessRequests::GetProviderCounts(const message::ConnectionEnds& ends,
                                         Handler<ConnectionCounts> handler) {
-  AskProcess(wire.provided.process, message::kGetCounts, message::GetCounts{wire.required},
+  AskProcess(ends.provided.process, message::kGetCounts, message::GetCounts{ends.required},
              std::move(handler));
 }
 

@@ -38,7 +38,7 @@ class ProcessRequests final : public std::enable_shared_from_this<ProcessRequest
   void GetVersion(const std::string& process, Handler<message::ProgramVersion> handler);
   void GetSchema(const std::string& process, Fingerprint fingerprint, Handler<Schema> handler);
   void GetCounts(const InterfaceName& required, Handler<ConnectionCounts> handler);
-  void GetProviderCounts(const message::Wire& wire, Handler<ConnectionCounts> handler);
+  void GetProviderCounts(const message::ConnectionEnds& ends, Handler<ConnectionCounts> handler);
   void GetFill(const std::string& process, const std::string& component,
                Handler<MailboxFill> handler);
   void GetProcessHistory(const std::string& process, Handler<message::ProcessHistoryState> handler);

@@ -7,23 +7,23 @@ namespace tendon {
 namespace {
 
 /// Checks that the connection has not changed since the step, and that it can be restored.
-Result<void> CheckWire(const Catalogue& catalogue, const message::History& history,
-                       const message::HistoryEntry& step) {
-  const InterfaceName& needed = step.wire.required;
+Result<void> CheckConnectionStep(const Catalogue& catalogue, const message::History& history,
+                                 const message::HistoryEntry& step) {
+  const InterfaceName& needed = step.ends.required;
   const std::string required = ToString(needed);
   if (const auto found = LookUpRequired(catalogue, needed); !found) return found.error();
   const auto* now = catalogue.FindConnection(needed);
   if (step.verb != "disconnect" && now == nullptr) {
     return Error{ErrorCode::kFailed,
-                 required + " is no longer connected to " + ToString(step.wire.provided)};
+                 required + " is no longer connected to " + ToString(step.ends.provided)};
   }
-  if (now != nullptr && now->provided != step.wire.provided) {
+  if (now != nullptr && now->provided != step.ends.provided) {
     return Error{ErrorCode::kFailed, required + " is now connected to " + ToString(now->provided)};
   }
   if (step.verb == "connect" || (step.verb == "disconnect" && now != nullptr)) return {};
   if (WasPending(catalogue, history, step)) return {};
   const bool swaps = step.verb == "replace";
-  const auto planned = PlanConnect(catalogue, {needed, swaps ? step.former : step.wire.provided},
+  const auto planned = PlanConnect(catalogue, {needed, swaps ? step.former : step.ends.provided},
                                    WhenConnected::kReplace);
   return planned ? Result<void>() : planned.error();
 }
@@ -43,7 +43,7 @@ Error CannotUndoNow(const message::HistoryEntry& step, const std::string& why) {
 bool WasPending(const Catalogue& catalogue, const message::History& history,
                 const message::HistoryEntry& step) {
   const bool is_replacement = step.verb == "replace";
-  const InterfaceName& provided = is_replacement ? step.former : step.wire.provided;
+  const InterfaceName& provided = is_replacement ? step.former : step.ends.provided;
   const ProcessEntry* provider = catalogue.FindProcess(provided.process);
   const bool is_of_both = is_replacement || step.verb == "disconnect";
   if (!is_of_both || provider == nullptr ||
@@ -79,8 +79,8 @@ Result<void> CheckUndoOf(const Catalogue& catalogue, const message::History& his
     return CannotUndoNow(step, "process '" + process + "' was restarted since");
   }
   if (IsProcessStep(step)) return {};
-  const auto checked =
-      IsLifecycleStep(step) ? CheckUndo(catalogue, step) : CheckWire(catalogue, history, step);
+  const auto checked = IsLifecycleStep(step) ? CheckUndo(catalogue, step)
+                                             : CheckConnectionStep(catalogue, history, step);
   return checked ? checked : CannotUndoNow(step, checked.error().message);
 }
 

@@ -18,7 +18,7 @@ void ConnectionRestorer::Keep(const Catalogue& catalogue, const std::string& pro
   if (entry == nullptr) return;
   for (const auto& [id, connection] : entry->connections) {
     std::erase_if(kept_, [&required = connection.required](const WaitingConnection& kept) {
-      return kept.wire.required == required;
+      return kept.ends.required == required;
     });
     kept_.push_back({{connection.required, connection.provided},
                      ClassOf(catalogue, connection.required),
@@ -28,26 +28,27 @@ void ConnectionRestorer::Keep(const Catalogue& catalogue, const std::string& pro
 
 void ConnectionRestorer::Drop(const std::string& process) {
   std::erase_if(
-      kept_, [&](const WaitingConnection& kept) { return kept.wire.required.process == process; });
+      kept_, [&](const WaitingConnection& kept) { return kept.ends.required.process == process; });
 }
 
-std::vector<message::Wire> ConnectionRestorer::TakeDue(const Catalogue& catalogue, SteadyTime now) {
-  std::vector<message::Wire> due;
+std::vector<message::ConnectionEnds> ConnectionRestorer::TakeDue(const Catalogue& catalogue,
+                                                                 SteadyTime now) {
+  std::vector<message::ConnectionEnds> due;
   std::erase_if(kept_, [&](WaitingConnection& kept) {
     if (kept.is_ordered || now < kept.not_before) return false;
     const Readiness readiness = Judge(kept, catalogue);
     kept.is_ordered = readiness == Readiness::kDue;
-    if (kept.is_ordered) due.push_back(kept.wire);
+    if (kept.is_ordered) due.push_back(kept.ends);
     return readiness == Readiness::kPointless;
   });
   return due;
 }
 
-ConnectionRestorer::Verdict ConnectionRestorer::Settle(const message::Wire& wire,
+ConnectionRestorer::Verdict ConnectionRestorer::Settle(const message::ConnectionEnds& ends,
                                                        const Result<void>& outcome,
                                                        SteadyTime now) {
   const auto kept = std::find_if(kept_.begin(), kept_.end(), [&](const WaitingConnection& one) {
-    return one.is_ordered && one.wire == wire;
+    return one.is_ordered && one.ends == ends;
   });
   if (kept == kept_.end() || outcome || IsFinal(outcome.error().code)) {
     if (kept != kept_.end()) kept_.erase(kept);
@@ -67,7 +68,7 @@ bool ConnectionRestorer::IsPauseOver(SteadyTime now) const {
 
 ConnectionRestorer::Readiness ConnectionRestorer::Judge(const WaitingConnection& kept,
                                                         const Catalogue& catalogue) {
-  const auto& [required, provided] = kept.wire;
+  const auto& [required, provided] = kept.ends;
   const ProcessEntry* owner = catalogue.FindProcess(required.process);
   if (owner == nullptr || !IsPresent(owner->process)) return Readiness::kWaiting;
   if (catalogue.FindConnection(required) != nullptr) return Readiness::kPointless;

@@ -24,13 +24,13 @@ class ConnectionRestorer {
   /// Returns the connections that can be made now. Returns a connection again only after Settle()
   /// was called for it. Drops a connection silently if a component has returned with another class,
   /// or if the required interface has been connected.
-  std::vector<message::Wire> TakeDue(const Catalogue& catalogue, SteadyTime now);
+  std::vector<message::ConnectionEnds> TakeDue(const Catalogue& catalogue, SteadyTime now);
 
   enum class Verdict { kDone, kTryAgain, kStillTrying, kGivenUp };
   /// Called with the outcome of an attempt to make a connection. After a temporary failure, the
   /// connection is due again after a pause, which grows with each failure. Then the verdict is
   /// kTryAgain for the first failure, and kStillTrying for further failures.
-  Verdict Settle(const message::Wire& wire, const Result<void>& outcome, SteadyTime now);
+  Verdict Settle(const message::ConnectionEnds& ends, const Result<void>& outcome, SteadyTime now);
 
   /// Returns true if the pause of a connection is over. TakeDue() may then return connections
   /// although the catalogue has not changed.
@@ -39,7 +39,7 @@ class ConnectionRestorer {
  private:
   enum class Readiness { kWaiting, kDue, kPointless };
   struct WaitingConnection {
-    message::Wire wire;
+    message::ConnectionEnds ends;
     std::string required_class;
     std::string provided_class;  ///< empty: not known
     bool is_ordered = false;

@@ -329,14 +329,14 @@ message::PeerList Registry::peers() const {
   return peers;
 }
 
-std::vector<message::Wire> Registry::TakeDueConnections() {
+std::vector<message::ConnectionEnds> Registry::TakeDueConnections() {
   if (!std::exchange(are_connections_due_, false)) return {};
   return restorer_.TakeDue(catalogue_, clock_.Now());
 }
 
-ConnectionRestorer::Verdict Registry::OnRestored(const message::Wire& wire,
+ConnectionRestorer::Verdict Registry::OnRestored(const message::ConnectionEnds& ends,
                                                  const Result<void>& outcome) {
-  return restorer_.Settle(wire, outcome, clock_.Now());
+  return restorer_.Settle(ends, outcome, clock_.Now());
 }
 
 Registry::Member* Registry::Find(SessionToken session) {

@@ -92,8 +92,9 @@ class Registry {
   [[nodiscard]] std::vector<CatalogueChange> TakeChanges() { return std::exchange(changes_, {}); }
   /// Returns the connections that should be restored now. The caller must call OnRestored() with
   /// the outcome for each of them.
-  [[nodiscard]] std::vector<message::Wire> TakeDueConnections();
-  ConnectionRestorer::Verdict OnRestored(const message::Wire& wire, const Result<void>& outcome);
+  [[nodiscard]] std::vector<message::ConnectionEnds> TakeDueConnections();
+  ConnectionRestorer::Verdict OnRestored(const message::ConnectionEnds& ends,
+                                         const Result<void>& outcome);
 
  private:
   struct Member {

@@ -12,9 +12,9 @@
 namespace tendon::server {
 namespace {
 
-void LogRestored(const message::Wire& wire, const Result<void>& outcome,
+void LogRestored(const message::ConnectionEnds& ends, const Result<void>& outcome,
                  ConnectionRestorer::Verdict verdict) {
-  const std::string what = ToString(wire.required) + " to " + ToString(wire.provided);
+  const std::string what = ToString(ends.required) + " to " + ToString(ends.provided);
   if (outcome) return Log(LogLevel::kInfo, "gcm", "restored the connection of " + what);
   const bool is_still_trying = verdict == ConnectionRestorer::Verdict::kStillTrying;
   // After kExists, the process has restored the connection itself.
@@ -48,15 +48,15 @@ Result<void> OutcomeOf(const auto& result) { return result ? Result<void>() : re
 /// while the owner's lock is held.
 class ConnectionOrders::ConnectOrder final : public std::enable_shared_from_this<ConnectOrder> {
  public:
-  ConnectOrder(message::Wire wire, ConnectDone done)
-      : wire_(std::move(wire)), done_(std::move(done)) {}
+  ConnectOrder(message::ConnectionEnds ends, ConnectDone done)
+      : ends_(std::move(ends)), done_(std::move(done)) {}
 
   void Start(ConnectionOrders& orders);
 
  private:
   void OnPlanned(ConnectionOrders& orders, const Result<message::ConnectionPlan>& plan);
 
-  const message::Wire wire_;
+  const message::ConnectionEnds ends_;
   const ConnectDone done_;
 };
 
@@ -65,8 +65,8 @@ class ConnectionOrders::ConnectOrder final : public std::enable_shared_from_this
 /// until all its callbacks were called. Each step is called while the owner's lock is held.
 class ConnectionOrders::ReplaceOrder final : public std::enable_shared_from_this<ReplaceOrder> {
  public:
-  ReplaceOrder(message::Wire wire, std::string who, Done<Replacement> done)
-      : wire_(std::move(wire)), who_(std::move(who)), done_(std::move(done)) {}
+  ReplaceOrder(message::ConnectionEnds ends, std::string who, Done<Replacement> done)
+      : ends_(std::move(ends)), who_(std::move(who)), done_(std::move(done)) {}
 
   void Start(ConnectionOrders& orders);
 
@@ -80,7 +80,7 @@ class ConnectionOrders::ReplaceOrder final : public std::enable_shared_from_this
     orders.Reply(done_, Result<Replacement>(why));
   }
 
-  const message::Wire wire_;
+  const message::ConnectionEnds ends_;
   const std::string who_;
   Done<Replacement> done_;  // after OnPlanned(), it also releases the interface
   ConnectionDescription former_;
@@ -93,24 +93,24 @@ ConnectionOrders::ConnectionOrders(Parts parts, Locked locked, std::chrono::mill
       locked_(std::move(locked)),
       timeout_(timeout) {}
 
-void ConnectionOrders::Connect(const message::Wire& wire, WhenConnected when_connected,
+void ConnectionOrders::Connect(const message::ConnectionEnds& ends, WhenConnected when_connected,
                                const std::string& who, ConnectDone done) {
-  const auto* now = parts_.registry.catalogue().FindConnection(wire.required);
-  const bool is_other = now != nullptr && now->provided != wire.provided;
+  const auto* now = parts_.registry.catalogue().FindConnection(ends.required);
+  const bool is_other = now != nullptr && now->provided != ends.provided;
   if (when_connected == WhenConnected::kReplace && is_other) {
     return Exchange(
-        wire, who, [locked = locked_, wire, who, done = std::move(done)](const auto& replaced) {
+        ends, who, [locked = locked_, ends, who, done = std::move(done)](const auto& replaced) {
           if (!replaced) return done(replaced.error());
           locked([&](ConnectionOrders& orders) {
-            orders.Record({.verb = "replace", .wire = wire, .former = replaced->former, .who = who},
+            orders.Record({.verb = "replace", .ends = ends, .former = replaced->former, .who = who},
                           replaced->made, done);
           });
         });
   }
-  Make(wire, [locked = locked_, wire, who, done = std::move(done)](const auto& made) {
+  Make(ends, [locked = locked_, ends, who, done = std::move(done)](const auto& made) {
     if (!made) return done(made);
     locked([&](ConnectionOrders& orders) {
-      orders.Record({.verb = "connect", .wire = wire, .who = who}, *made, done);
+      orders.Record({.verb = "connect", .ends = ends, .who = who}, *made, done);
     });
   });
 }
@@ -119,9 +119,9 @@ void ConnectionOrders::Disconnect(const InterfaceName& required, const std::stri
                                   Done<None> done) {
   Break(required, [locked = locked_, who, done = std::move(done)](const auto& broken) {
     if (!broken) return done(broken.error());
-    const message::Wire wire{broken->required, broken->provided};
+    const message::ConnectionEnds ends{broken->required, broken->provided};
     locked([&](ConnectionOrders& orders) {
-      orders.Record({.verb = "disconnect", .wire = wire, .who = who}, None{}, done);
+      orders.Record({.verb = "disconnect", .ends = ends, .who = who}, None{}, done);
     });
   });
 }
@@ -148,15 +148,15 @@ void ConnectionOrders::Undo(const message::StepSelection& which, const std::stri
   };
   if (IsProcessStep(*step)) return parts_.supervisor.Undo(*step, which.timeout, finish);
   if (IsLifecycleStep(*step)) return UndoLifecycle(*step, which.timeout, finish);
-  UndoWire(*step, who, finish);
+  UndoConnection(*step, who, finish);
 }
 
-void ConnectionOrders::UndoWire(const message::HistoryEntry& step, const std::string& who,
-                                const ConnectDone& done) {
+void ConnectionOrders::UndoConnection(const message::HistoryEntry& step, const std::string& who,
+                                      const ConnectDone& done) {
   const Catalogue& catalogue = parts_.registry.catalogue();
-  const InterfaceName& required = step.wire.required;
+  const InterfaceName& required = step.ends.required;
   const bool is_replacement = step.verb == "replace";
-  const message::Wire former{required, is_replacement ? step.former : step.wire.provided};
+  const message::ConnectionEnds former{required, is_replacement ? step.former : step.ends.provided};
   const auto* now = catalogue.FindConnection(required);
   if (step.verb == "connect") {
     Break(required, done);
@@ -197,14 +197,14 @@ void ConnectionOrders::SkipNewestStep(const message::StepSelection& which, const
   parts_.history.MarkPassedOver(step->id, [step = *step, done = std::move(done)] { done(step); });
 }
 
-void ConnectionOrders::RestoreConnection(const message::Wire& wire) {
-  Make(wire, [locked = locked_, wire](const auto& made) {
+void ConnectionOrders::RestoreConnection(const message::ConnectionEnds& ends) {
+  Make(ends, [locked = locked_, ends](const auto& made) {
     const Result<void> outcome = OutcomeOf(made);
     auto verdict = ConnectionRestorer::Verdict::kStillTrying;
     locked([&](ConnectionOrders& orders) {
-      verdict = orders.parts_.registry.OnRestored(wire, outcome);
+      verdict = orders.parts_.registry.OnRestored(ends, outcome);
     });
-    LogRestored(wire, outcome, verdict);
+    LogRestored(ends, outcome, verdict);
   });
 }
 
@@ -230,7 +230,7 @@ ConnectionOrders::Done<T> ConnectionOrders::Claim(const InterfaceName& required,
 template <typename T>
 void ConnectionOrders::Record(message::HistoryEntry step, std::type_identity_t<Result<T>> reply,
                               Done<T> done) {
-  step.instance = InstanceOf(parts_.registry.catalogue(), step.wire.required.process);
+  step.instance = InstanceOf(parts_.registry.catalogue(), step.ends.required.process);
   step.when = WallTime();
   parts_.history.Record(std::move(step),
                         [reply = std::move(reply), done = std::move(done)] { done(reply); });
@@ -239,20 +239,20 @@ void ConnectionOrders::Record(message::HistoryEntry step, std::type_identity_t<R
 /// Makes the plan and calls `planned` with it while the lock is held. If the interfaces do not fit,
 /// may first ask both processes for schemas. Then the refusal can name the first difference of two
 /// types.
-void ConnectionOrders::Plan(const message::Wire& wire, WhenConnected when_connected,
+void ConnectionOrders::Plan(const message::ConnectionEnds& ends, WhenConnected when_connected,
                             const Planned& planned) {
   static constexpr std::chrono::milliseconds kLongest(400);
   const Catalogue& catalogue = parts_.registry.catalogue();
-  const auto plan = PlanConnect(catalogue, wire, when_connected);
+  const auto plan = PlanConnect(catalogue, ends, when_connected);
   if (plan || plan.error().code != ErrorCode::kIncompatible) return planned(*this, plan);
   const auto missing = std::make_shared<int>(0);  // pending replies; guarded by the lock
   const auto on_reply = [=, locked = locked_] {
     locked([&](ConnectionOrders& orders) {
       if (--*missing > 0) return;
-      planned(orders, PlanConnect(orders.parts_.registry.catalogue(), wire, when_connected));
+      planned(orders, PlanConnect(orders.parts_.registry.catalogue(), ends, when_connected));
     });
   };
-  for (const auto& [process, wanted] : ConflictingTypesBetween(catalogue, wire)) {
+  for (const auto& [process, wanted] : ConflictingTypesBetween(catalogue, ends)) {
     const auto channel = parts_.registry.ChannelOf(process);
     if (channel == nullptr) continue;
     ++*missing;
@@ -271,24 +271,24 @@ ConnectionOrders::Done<Outcome> ConnectionOrders::Step(
   };
 }
 
-void ConnectionOrders::Make(const message::Wire& wire, ConnectDone done) {
-  std::make_shared<ConnectOrder>(wire, std::move(done))->Start(*this);
+void ConnectionOrders::Make(const message::ConnectionEnds& ends, ConnectDone done) {
+  std::make_shared<ConnectOrder>(ends, std::move(done))->Start(*this);
 }
 
 /// Requests a connection to an absent provider. If the required interface is connected, disconnects
 /// it first.
-void ConnectionOrders::MakePending(const message::Wire& wire, const ConnectDone& done) {
-  const auto claimed = Claim(wire.required, done);
+void ConnectionOrders::MakePending(const message::ConnectionEnds& ends, const ConnectDone& done) {
+  const auto claimed = Claim(ends.required, done);
   if (!claimed) return;
-  const auto make = [locked = locked_, wire, claimed](const Result<None>& broken) {
+  const auto make = [locked = locked_, ends, claimed](const Result<None>& broken) {
     if (!broken) return claimed(broken.error());
     locked([&](ConnectionOrders& orders) {
-      orders.SendMake(ConnectionPlanOf(orders.parts_.registry.catalogue(), wire), claimed);
+      orders.SendMake(ConnectionPlanOf(orders.parts_.registry.catalogue(), ends), claimed);
     });
   };
   const Catalogue& catalogue = parts_.registry.catalogue();
-  if (catalogue.FindConnection(wire.required) != nullptr) return SendBreak(wire.required, make);
-  SendMake(ConnectionPlanOf(catalogue, wire), claimed);
+  if (catalogue.FindConnection(ends.required) != nullptr) return SendBreak(ends.required, make);
+  SendMake(ConnectionPlanOf(catalogue, ends), claimed);
 }
 
 void ConnectionOrders::Break(const InterfaceName& required, ConnectDone done) {
@@ -302,25 +302,25 @@ void ConnectionOrders::Break(const InterfaceName& required, ConnectDone done) {
   });
 }
 
-void ConnectionOrders::Exchange(const message::Wire& wire, const std::string& who,
+void ConnectionOrders::Exchange(const message::ConnectionEnds& ends, const std::string& who,
                                 Done<Replacement> done) {
-  std::make_shared<ReplaceOrder>(wire, who, std::move(done))->Start(*this);
+  std::make_shared<ReplaceOrder>(ends, who, std::move(done))->Start(*this);
 }
 
 /// Sends the order to make a connection. If no reply arrives, but the process has reported the
 /// connection, `done` gets its state from the catalogue.
 void ConnectionOrders::SendMake(const message::ConnectionPlan& plan, ConnectDone done) {
-  const auto heard = [locked = locked_, wire = plan.wire,
+  const auto heard = [locked = locked_, ends = plan.ends,
                       done = std::move(done)](Result<ConnectionDescription> made) {
     if (!made && IsOutcomeUnknown(made.error())) {
       locked([&](ConnectionOrders& orders) {
-        const auto* now = orders.parts_.registry.catalogue().FindConnection(wire.required);
-        if (now != nullptr && now->provided == wire.provided) made = *now;
+        const auto* now = orders.parts_.registry.catalogue().FindConnection(ends.required);
+        if (now != nullptr && now->provided == ends.provided) made = *now;
       });
     }
     done(std::move(made));
   };
-  Send<ConnectionDescription>(message::kMakeConnection, plan.wire.required.process, plan, timeout_,
+  Send<ConnectionDescription>(message::kMakeConnection, plan.ends.required.process, plan, timeout_,
                               heard);
 }
 
@@ -334,8 +334,8 @@ void ConnectionOrders::SendBreak(const InterfaceName& required, Done<None> done)
     }
     done(is_gone ? None{} : std::move(broken));
   };
-  Send<None>(message::kBreakConnection, required.process, message::Wire{required, {}}, timeout_,
-             heard);
+  Send<None>(message::kBreakConnection, required.process, message::ConnectionEnds{required, {}},
+             timeout_, heard);
 }
 
 void ConnectionOrders::UndoLifecycle(const message::HistoryEntry& step,
@@ -355,11 +355,11 @@ void ConnectionOrders::MakeAgain(const message::HistoryEntry& step, const Done<N
   };
   const auto replies = std::make_shared<Replies>(
       Replies{1 + step.lifecycle.connections.size(), None{}});  // guarded by the lock
-  const auto on_reply = [locked = locked_, done, replies](const message::Wire& wire,
+  const auto on_reply = [locked = locked_, done, replies](const message::ConnectionEnds& ends,
                                                           const auto& made) {
     locked([&](ConnectionOrders& orders) {
-      const auto* now = orders.parts_.registry.catalogue().FindConnection(wire.required);
-      if (!made && (now == nullptr || now->provided != wire.provided)) {
+      const auto* now = orders.parts_.registry.catalogue().FindConnection(ends.required);
+      if (!made && (now == nullptr || now->provided != ends.provided)) {
         replies->outcome = Error{ErrorCode::kFailed,
                                  "the component was created again, but not started, because its "
                                  "connections could not be restored: " +
@@ -368,8 +368,8 @@ void ConnectionOrders::MakeAgain(const message::HistoryEntry& step, const Done<N
       if (--replies->missing == 0) orders.Reply(done, replies->outcome);
     });
   };
-  for (const message::Wire& wire : step.lifecycle.connections) {
-    Make(wire, [on_reply, wire](const auto& made) { on_reply(wire, made); });
+  for (const message::ConnectionEnds& ends : step.lifecycle.connections) {
+    Make(ends, [on_reply, ends](const auto& made) { on_reply(ends, made); });
   }
   Reply<ConnectionDescription>([on_reply](const auto& none) { on_reply({}, none); },
                                ConnectionDescription());
@@ -395,7 +395,7 @@ void ConnectionOrders::FinishUndo(message::HistoryEntry step, const std::string&
 }
 
 void ConnectionOrders::ConnectOrder::Start(ConnectionOrders& orders) {
-  orders.Plan(wire_, WhenConnected::kRefuse,
+  orders.Plan(ends_, WhenConnected::kRefuse,
               [self = shared_from_this()](ConnectionOrders& present, const auto& plan) {
                 self->OnPlanned(present, plan);
               });
@@ -404,11 +404,11 @@ void ConnectionOrders::ConnectOrder::Start(ConnectionOrders& orders) {
 void ConnectionOrders::ConnectOrder::OnPlanned(ConnectionOrders& orders,
                                                const Result<message::ConnectionPlan>& plan) {
   if (!plan) return orders.Reply(done_, Result<ConnectionDescription>(plan.error()));
-  if (auto claimed = orders.Claim(wire_.required, done_)) orders.SendMake(*plan, claimed);
+  if (auto claimed = orders.Claim(ends_.required, done_)) orders.SendMake(*plan, claimed);
 }
 
 void ConnectionOrders::ReplaceOrder::Start(ConnectionOrders& orders) {
-  orders.Plan(wire_, WhenConnected::kReplace,
+  orders.Plan(ends_, WhenConnected::kReplace,
               [self = shared_from_this()](ConnectionOrders& present, const auto& plan) {
                 self->OnPlanned(present, plan);
               });
@@ -417,13 +417,13 @@ void ConnectionOrders::ReplaceOrder::Start(ConnectionOrders& orders) {
 void ConnectionOrders::ReplaceOrder::OnPlanned(ConnectionOrders& orders,
                                                const Result<message::ConnectionPlan>& plan) {
   const Catalogue& catalogue = orders.parts_.registry.catalogue();
-  const auto former = plan ? PlanDisconnect(catalogue, wire_.required) : plan.error();
+  const auto former = plan ? PlanDisconnect(catalogue, ends_.required) : plan.error();
   if (!former) return Fail(orders, former.error());
-  auto claimed = orders.Claim(wire_.required, done_);
+  auto claimed = orders.Claim(ends_.required, done_);
   if (!claimed) return;
   former_ = *former;
   done_ = std::move(claimed);
-  orders.SendBreak(wire_.required, orders.Step(shared_from_this(), &ReplaceOrder::OnBroken));
+  orders.SendBreak(ends_.required, orders.Step(shared_from_this(), &ReplaceOrder::OnBroken));
 }
 
 void ConnectionOrders::ReplaceOrder::OnBroken(ConnectionOrders& orders,
@@ -432,7 +432,7 @@ void ConnectionOrders::ReplaceOrder::OnBroken(ConnectionOrders& orders,
     if (IsOutcomeUnknown(broken.error())) return Restore(orders, broken.error());
     return Fail(orders, broken.error());
   }
-  orders.SendMake(ConnectionPlanOf(orders.parts_.registry.catalogue(), wire_),
+  orders.SendMake(ConnectionPlanOf(orders.parts_.registry.catalogue(), ends_),
                   orders.Step(shared_from_this(), &ReplaceOrder::OnMade));
 }
 
@@ -453,7 +453,7 @@ void ConnectionOrders::ReplaceOrder::OnMade(ConnectionOrders& orders,
 /// these two orders late, but has the old connection in the end.
 void ConnectionOrders::ReplaceOrder::Restore(ConnectionOrders& orders, const Error& why) {
   why_ = why;
-  const message::Wire former{wire_.required, former_.provided};
+  const message::ConnectionEnds former{ends_.required, former_.provided};
   orders.SendBreak(former.required, [](const auto& /*there may be none*/) {});
   orders.Send<ConnectionDescription>(message::kMakeConnection, former.required.process,
                                      ConnectionPlanOf(orders.parts_.registry.catalogue(), former),
@@ -465,7 +465,7 @@ void ConnectionOrders::ReplaceOrder::Restore(ConnectionOrders& orders, const Err
 /// could not be restored, records a disconnect, so that it can be undone.
 void ConnectionOrders::ReplaceOrder::OnRestored(ConnectionOrders& orders,
                                                 const Result<ConnectionDescription>& restored) {
-  const message::Wire former{wire_.required, former_.provided};
+  const message::ConnectionEnds former{ends_.required, former_.provided};
   const std::string required = ToString(former.required);
   const std::string provided = ToString(former.provided);
   Error why = why_;
@@ -484,7 +484,7 @@ void ConnectionOrders::ReplaceOrder::OnRestored(ConnectionOrders& orders,
                            restored.error().message;
   const auto* now = orders.parts_.registry.catalogue().FindConnection(former.required);
   if (now != nullptr) return Fail(orders, why);
-  orders.Record({.verb = "disconnect", .wire = former, .who = who_}, why, done_);
+  orders.Record({.verb = "disconnect", .ends = former, .who = who_}, why, done_);
 }
 
 }  // namespace tendon::server

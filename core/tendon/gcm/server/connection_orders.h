@@ -45,8 +45,8 @@ class ConnectionOrders : private OrderSender {
 
   /// Makes a connection that `who` has requested. WhenConnected::kReplace replaces an existing
   /// connection of the required interface.
-  void Connect(const message::Wire& wire, WhenConnected when_connected, const std::string& who,
-               ConnectDone done);
+  void Connect(const message::ConnectionEnds& ends, WhenConnected when_connected,
+               const std::string& who, ConnectDone done);
   void Disconnect(const InterfaceName& required, const std::string& who, Done<None> done);
   void Undo(const message::StepSelection& which, const std::string& who,
             Done<message::HistoryEntry> done);
@@ -58,7 +58,7 @@ class ConnectionOrders : private OrderSender {
 
   /// Restores a connection whose process was lost and has returned. This is not recorded in the
   /// history.
-  void RestoreConnection(const message::Wire& wire);
+  void RestoreConnection(const message::ConnectionEnds& ends);
 
  private:
   template <typename T>
@@ -78,11 +78,13 @@ class ConnectionOrders : private OrderSender {
   };
 
   using Planned = std::function<void(ConnectionOrders&, const Result<message::ConnectionPlan>&)>;
-  void Plan(const message::Wire& wire, WhenConnected when_connected, const Planned& planned);
-  void Make(const message::Wire& wire, ConnectDone done);
-  void MakePending(const message::Wire& wire, const ConnectDone& done);
+  void Plan(const message::ConnectionEnds& ends, WhenConnected when_connected,
+            const Planned& planned);
+  void Make(const message::ConnectionEnds& ends, ConnectDone done);
+  void MakePending(const message::ConnectionEnds& ends, const ConnectDone& done);
   void Break(const InterfaceName& required, ConnectDone done);
-  void Exchange(const message::Wire& wire, const std::string& who, Done<Replacement> done);
+  void Exchange(const message::ConnectionEnds& ends, const std::string& who,
+                Done<Replacement> done);
   /// Returns a handler that calls the function `step` of `order` while the owner's lock is held.
   template <typename Order, typename Outcome>
   Done<Outcome> Step(std::shared_ptr<Order> order,
@@ -95,7 +97,8 @@ class ConnectionOrders : private OrderSender {
   void SendBreak(const InterfaceName& required, Done<None> done);
 
   [[nodiscard]] Result<message::HistoryEntry> Newest(const message::StepSelection& which) const;
-  void UndoWire(const message::HistoryEntry& step, const std::string& who, const ConnectDone& done);
+  void UndoConnection(const message::HistoryEntry& step, const std::string& who,
+                      const ConnectDone& done);
   void UndoLifecycle(const message::HistoryEntry& step, std::chrono::nanoseconds timeout,
                      const Done<None>& done);
   void MakeAgain(const message::HistoryEntry& step, const Done<None>& done);

@@ -193,8 +193,8 @@ void Server::Publish() {
       }
     });
   }
-  for (const message::Wire& wire : registry_.TakeDueConnections()) {
-    connection_orders_->RestoreConnection(wire);
+  for (const message::ConnectionEnds& ends : registry_.TakeDueConnections()) {
+    connection_orders_->RestoreConnection(ends);
   }
 }
 
@@ -336,19 +336,19 @@ void Server::Connect(const Request& request) { ConnectInterface(request, WhenCon
 void Server::Replace(const Request& request) { ConnectInterface(request, WhenConnected::kReplace); }
 
 void Server::ConnectInterface(const Request& request, WhenConnected when_connected) {
-  const auto wire = DecodeBody<message::Wire>(request.body);
-  if (!wire) return request.responder->Refuse(wire.error());
+  const auto ends = DecodeBody<message::ConnectionEnds>(request.body);
+  if (!ends) return request.responder->Refuse(ends.error());
   Locked([&] {
-    connection_orders_->Connect(*wire, when_connected, NameOf(*request.channel),
+    connection_orders_->Connect(*ends, when_connected, NameOf(*request.channel),
                                 ReplyThrough(request.responder));
   });
 }
 
 void Server::Disconnect(const Request& request) {
-  const auto wire = DecodeBody<message::Wire>(request.body);
-  if (!wire) return request.responder->Refuse(wire.error());
+  const auto ends = DecodeBody<message::ConnectionEnds>(request.body);
+  if (!ends) return request.responder->Refuse(ends.error());
   Locked([&] {
-    connection_orders_->Disconnect(wire->required, NameOf(*request.channel),
+    connection_orders_->Disconnect(ends->required, NameOf(*request.channel),
                                    ReplyThrough(request.responder));
   });
 }
@@ -445,7 +445,7 @@ void Server::ReportHealth(const Request& request) {
 }
 
 void Server::Forget(const Request& request) {
-  const auto forget = DecodeBody<message::Forget>(request.body);
+  const auto forget = DecodeBody<message::ForgetProcess>(request.body);
   if (!forget) return request.responder->Refuse(forget.error());
   Locked([&] { Reply(request, registry_.Forget(forget->process)); });
 }

@@ -17,16 +17,16 @@ constexpr std::chrono::milliseconds kLonger(500);
 /// Time between two checks of the catalogue.
 constexpr std::chrono::milliseconds kLook(20);
 
-/// Checks that the interfaces of `wire` are connected; the error says why not.
-Result<void> CheckConnected(const Catalogue& catalogue, const message::Wire& wire) {
+/// Checks that the interfaces of `ends` are connected; the error says why not.
+Result<void> CheckConnected(const Catalogue& catalogue, const message::ConnectionEnds& ends) {
   const auto refuse = [&](const std::string& why) {
-    return Error{ErrorCode::kFailed, "not started, because " + ToString(wire.required) +
-                                         " is not connected to " + ToString(wire.provided) +
+    return Error{ErrorCode::kFailed, "not started, because " + ToString(ends.required) +
+                                         " is not connected to " + ToString(ends.provided) +
                                          (why.empty() ? "" : ": " + why)};
   };
-  const auto* now = catalogue.FindConnection(wire.required);
+  const auto* now = catalogue.FindConnection(ends.required);
   if (now == nullptr) return refuse("");
-  if (now->provided != wire.provided) return refuse("but to " + ToString(now->provided));
+  if (now->provided != ends.provided) return refuse("but to " + ToString(now->provided));
   return now->state == ConnectionState::kActive ? Result<void>() : refuse(now->reason);
 }
 
@@ -93,7 +93,7 @@ Result<void> ClientExecutor::Execute(const PlanStep& step) {
       return ExecuteLifecycleOrder(LifecycleVerb::kSuspend, step);
     case Kind::kDisconnect:
       return Wait<void>(timeout_ + kLonger,
-                        [&](auto handler) { client_.Disconnect(step.wire.required, handler); });
+                        [&](auto handler) { client_.Disconnect(step.ends.required, handler); });
     case Kind::kRemove:
       return ExecuteLifecycleOrder(LifecycleVerb::kRemove, step);
     case Kind::kStartProcess:
@@ -118,7 +118,7 @@ Result<void> ClientExecutor::Execute(const PlanStep& step) {
 
 Result<void> ClientExecutor::CheckInstance(const PlanStep& step) const {
   const bool is_of_connection = step.process.empty();
-  const std::string& process = is_of_connection ? step.wire.required.process : step.process;
+  const std::string& process = is_of_connection ? step.ends.required.process : step.process;
   const auto instance_of = [&](const Catalogue& now) { return InstanceOf(now, process); };
   if (step.instance == 0 || Seen(client_, instance_of) == step.instance) return {};
   return Error{ErrorCode::kFailed, "process '" + process +
@@ -129,8 +129,8 @@ Result<void> ClientExecutor::CheckInstance(const PlanStep& step) const {
 /// Waits until the connections that the step needs are active. A connection that was just requested
 /// may not be active yet.
 Result<void> ClientExecutor::AwaitConnections(const PlanStep& step) const {
-  for (const message::Wire& wire : step.needs) {
-    const auto check = [&](const Catalogue& now) { return CheckConnected(now, wire); };
+  for (const message::ConnectionEnds& ends : step.needs) {
+    const auto check = [&](const Catalogue& now) { return CheckConnected(now, ends); };
     Result<void> connected = Seen(client_, check);
     for (auto waited = kLook; !connected && waited <= timeout_; waited += kLook) {
       std::this_thread::sleep_for(kLook);
@@ -142,27 +142,27 @@ Result<void> ClientExecutor::AwaitConnections(const PlanStep& step) const {
 }
 
 Result<void> ClientExecutor::Connect(const PlanStep& step) {
-  const InterfaceName& required = step.wire.required;
-  const InterfaceName& provided = step.wire.provided;
+  const InterfaceName& required = step.ends.required;
+  const InterfaceName& provided = step.ends.provided;
   const WhenConnected when_connected =
       step.kind == Kind::kReplace ? WhenConnected::kReplace : WhenConnected::kRefuse;
   const auto made = Wait<ConnectionDescription>(
       GcmClient::kReplaceTimeouts * timeout_ + kLonger,
       [&](auto handler) { client_.Connect(required, provided, handler, when_connected); });
-  if (made || IsMadeByOthers(step.wire, made.error().code)) return {};
+  if (made || IsMadeByOthers(step.ends, made.error().code)) return {};
   return made.error();
 }
 
 /// Called when a connection was refused. Returns true if the connection exists nevertheless: the
 /// GCM may have restored it when a component returned. Waits up to kLonger for this.
-bool ClientExecutor::IsMadeByOthers(const message::Wire& wire, ErrorCode refusal) const {
+bool ClientExecutor::IsMadeByOthers(const message::ConnectionEnds& ends, ErrorCode refusal) const {
   if (refusal != ErrorCode::kExists && refusal != ErrorCode::kFailed) return false;
   for (auto waited = kLook; waited <= kLonger; waited += kLook) {
     const auto provider = Seen(client_, [&](const Catalogue& catalogue) {
-      const auto* now = catalogue.FindConnection(wire.required);
+      const auto* now = catalogue.FindConnection(ends.required);
       return now == nullptr ? std::nullopt : std::optional(now->provided);
     });
-    if (provider) return provider == wire.provided;
+    if (provider) return provider == ends.provided;
     std::this_thread::sleep_for(kLook);
   }
   return false;

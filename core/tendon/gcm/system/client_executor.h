@@ -32,7 +32,7 @@ class ClientExecutor final : public PlanExecutor {
   [[nodiscard]] Result<void> CheckInstance(const PlanStep& step) const;
   [[nodiscard]] Result<void> AwaitConnections(const PlanStep& step) const;
   Result<void> Connect(const PlanStep& step);
-  [[nodiscard]] bool IsMadeByOthers(const message::Wire& wire, ErrorCode refusal) const;
+  [[nodiscard]] bool IsMadeByOthers(const message::ConnectionEnds& ends, ErrorCode refusal) const;
   Result<void> ExecuteProcessOrder(ProcessVerb verb, const PlanStep& step);
   Result<void> ExecuteLifecycleOrder(LifecycleVerb verb, const PlanStep& step);
   Result<void> StartSuspended(const PlanStep& step);

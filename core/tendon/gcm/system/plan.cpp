@@ -31,8 +31,8 @@ bool IsSameInParts(const SystemFile::Component& wanted, const SystemFile::Compon
 
 std::string TextOf(const ComponentPath& path) { return path.first + "/" + path.second; }
 
-std::string TextOf(const message::Wire& wire) {
-  return ToString(wire.required) + " -> " + ToString(wire.provided);
+std::string TextOf(const message::ConnectionEnds& ends) {
+  return ToString(ends.required) + " -> " + ToString(ends.provided);
 }
 
 /// Sorts steps so that the step of a component comes after the step of its leader.
@@ -179,8 +179,8 @@ class Planner {
             .component = component};
   }
 
-  [[nodiscard]] PlanStep StepOf(Kind kind, const message::Wire& wire) const {
-    return {.kind = kind, .wire = wire, .instance = Instance(wire.required.process)};
+  [[nodiscard]] PlanStep StepOf(Kind kind, const message::ConnectionEnds& ends) const {
+    return {.kind = kind, .ends = ends, .instance = Instance(ends.required.process)};
   }
 
   /// Returns the instance for the steps of a process. Returns 0, which means any instance, if the
@@ -315,30 +315,30 @@ class Planner {
     return is_there ? found->second : nullptr;
   }
 
-  void PlanConnection(const message::Wire& wire) {
-    const ComponentPath client = OwnerOf(wire.required);
-    const ComponentPath server = OwnerOf(wire.provided);
+  void PlanConnection(const message::ConnectionEnds& ends) {
+    const ComponentPath client = OwnerOf(ends.required);
+    const ComponentPath server = OwnerOf(ends.provided);
     if (IsAbsent(client.first) || missing_.contains(client)) return;
-    if (IsAbsent(server.first)) Lack(wire, "process '" + server.first + "' is not available");
-    if (missing_.contains(server)) return Lack(wire, TextOf(server) + " does not exist");
-    const auto* now = ConnectionOf(wire.required);
-    const bool is_same = now != nullptr && now->provided == wire.provided;
+    if (IsAbsent(server.first)) Lack(ends, "process '" + server.first + "' is not available");
+    if (missing_.contains(server)) return Lack(ends, TextOf(server) + " does not exist");
+    const auto* now = ConnectionOf(ends.required);
+    const bool is_same = now != nullptr && now->provided == ends.provided;
     const bool is_of_new = made_.contains(client) || made_.contains(server);
     if (is_same && now->state == ConnectionState::kFailed && !is_of_new) {
-      plan_.obstacles.push_back("the connection " + TextOf(wire) + " has failed: " + now->reason);
-      return Lack(wire, now->reason);
+      plan_.obstacles.push_back("the connection " + TextOf(ends) + " has failed: " + now->reason);
+      return Lack(ends, now->reason);
     }
     if (is_same && !removed_.contains(server)) return;
     if (!is_of_new) {
-      const auto checked = PlanConnect(catalogue_, wire, WhenConnected::kReplace);
+      const auto checked = PlanConnect(catalogue_, ends, WhenConnected::kReplace);
       if (!checked) {
         plan_.obstacles.push_back(checked.error().message);
         refusals_.push_back(checked.error().code);
-        return Lack(wire, checked.error().message);
+        return Lack(ends, checked.error().message);
       }
     }
     const bool replaces = now != nullptr && !is_same;
-    connects_.push_back(StepOf(replaces ? Kind::kReplace : Kind::kConnect, wire));
+    connects_.push_back(StepOf(replaces ? Kind::kReplace : Kind::kConnect, ends));
     connects_.back().takes_away = replaces;
   }
 
@@ -350,8 +350,8 @@ class Planner {
   }
 
   /// Records that a component must not start, because a connection in the file cannot be made.
-  void Lack(const message::Wire& wire, const std::string& why) {
-    lacks_.emplace(OwnerOf(wire.required), "its connection " + TextOf(wire) + ": " + why);
+  void Lack(const message::ConnectionEnds& ends, const std::string& why) {
+    lacks_.emplace(OwnerOf(ends.required), "its connection " + TextOf(ends) + ": " + why);
   }
 
   /// Records that a component must not start, because the file lacks connections that it needs.
@@ -503,7 +503,7 @@ std::string_view ToString(PlanStep::Kind kind) {
 std::string ToString(const PlanStep& step) {
   std::string text(ToString(step.kind));
   if (step.process.empty())
-    return text + " " + ToString(step.wire.required) + " -> " + ToString(step.wire.provided);
+    return text + " " + ToString(step.ends.required) + " -> " + ToString(step.ends.provided);
   if (step.kind == Kind::kStartProcess) {
     return "start process " + step.process + " (restart " + std::string(ToString(step.restart)) +
            ")";

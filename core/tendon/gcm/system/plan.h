@@ -33,7 +33,7 @@ struct PlanStep {
   };
 
   Kind kind = Kind::kConnect;
-  message::Wire wire{};  ///< for connections: the two interfaces
+  message::ConnectionEnds ends{};  ///< for connections: the two interfaces
   /// For steps of components, the process of the component. For steps of processes, the process
   /// itself.
   std::string process{};
@@ -42,7 +42,8 @@ struct PlanStep {
   std::uint64_t instance = 0;
   /// For steps of components. For kCreate, the component as the file describes it.
   SystemFile::Component component{};
-  std::vector<message::Wire> needs{};  ///< to start: connections that must be active first
+  std::vector<message::ConnectionEnds>
+      needs{};  ///< to start: connections that must be active first
   /// To start a process, its restart policy. To end a process, its former policy, with which it can
   /// be started again.
   RestartPolicy restart = RestartPolicy::kNever;

@@ -21,7 +21,7 @@ class Failures {
   /// Adds a step that has failed or was not executed. `cause` is the step that failed first.
   void Note(const PlanStep& step, const std::string& cause) {
     if (IsOfConnection(step)) {
-      lacking_.emplace(OwnerOf(step.wire.required), cause);
+      lacking_.emplace(OwnerOf(step.ends.required), cause);
     } else {
       unfit_.emplace(ComponentPath(step.process, step.component.name), cause);
     }
@@ -31,8 +31,8 @@ class Failures {
   [[nodiscard]] std::string Before(const PlanStep& step) const {
     if (step.kind == Kind::kDisconnect) return {};
     if (IsOfConnection(step)) {
-      const std::string client = Find(unfit_, OwnerOf(step.wire.required));
-      return client.empty() ? Find(unfit_, OwnerOf(step.wire.provided)) : client;
+      const std::string client = Find(unfit_, OwnerOf(step.ends.required));
+      return client.empty() ? Find(unfit_, OwnerOf(step.ends.provided)) : client;
     }
     const ComponentPath path(step.process, step.component.name);
     const bool starts = step.kind == Kind::kStart || step.kind == Kind::kStartSuspended;
@@ -41,8 +41,8 @@ class Failures {
     const std::string& leader = step.component.runs_after;
     const bool needs_leader = !leader.empty() && (starts || step.kind == Kind::kCreate);
     if (before.empty() && needs_leader) before = Find(unfit_, {step.process, leader});
-    for (const message::Wire& wire : step.needs) {
-      if (before.empty()) before = Find(unfit_, OwnerOf(wire.provided));
+    for (const message::ConnectionEnds& ends : step.needs) {
+      if (before.empty()) before = Find(unfit_, OwnerOf(ends.provided));
     }
     return before;
   }

@@ -19,32 +19,33 @@ void LogConnection(LogLevel level, const ConnectionDescription& connection,
 
 }  // namespace
 
-void RemoteConnections::Connect(const message::Wire& wire, Done done) {
-  const auto id = Enter(wire, done);
+void RemoteConnections::Connect(const message::ConnectionEnds& ends, Done done) {
+  const auto id = Enter(ends, done);
   if (!id) return done(id.error());
   Try(*id);
 }
 
-Result<ConnectionId> RemoteConnections::Enter(const message::Wire& wire, const Done& done) {
+Result<ConnectionId> RemoteConnections::Enter(const message::ConnectionEnds& ends,
+                                              const Done& done) {
   const auto lock = context_.process.LockStructure();
-  const auto required = context_.process.LookUpRequired(wire.required);
+  const auto required = context_.process.LookUpRequired(ends.required);
   if (!required) return required.error();
-  const auto known = FindEntry(wire.required);
+  const auto known = FindEntry(ends.required);
   if (known != entries_.end() && known->second.connection == nullptr) {
-    return Error{ErrorCode::kExists, ToString(wire.required) + " waits to be connected to " +
+    return Error{ErrorCode::kExists, ToString(ends.required) + " waits to be connected to " +
                                          ToString(known->second.description.provided) +
                                          " already; end that connection first"};
   }
   if ((*required)->is_connected() || known != entries_.end()) {
-    return AlreadyConnected(ToString(wire.required));
+    return AlreadyConnected(ToString(ends.required));
   }
   const ConnectionId id = context_.process.NewConnectionId();
   Entry& entry = entries_[id];
   entry.description = {.id = id,
-                       .required = wire.required,
-                       .provided = wire.provided,
+                       .required = ends.required,
+                       .provided = ends.provided,
                        .state = ConnectionState::kPending,
-                       .reason = "process '" + wire.provided.process + "' has not answered yet"};
+                       .reason = "process '" + ends.provided.process + "' has not answered yet"};
   entry.since = SteadyClock().Now();
   entry.done = done;
   return id;

@@ -28,7 +28,7 @@ class RemoteConnections final : private PeerListener {
   /// Adds the connection, and calls `done` when it is active or pending. After an error, the
   /// connection is not added. Errors: kNotFound if this process has no such required interface,
   /// kExists, kIncompatible. All names include the process.
-  void Connect(const message::Wire& wire, Done done);
+  void Connect(const message::ConnectionEnds& ends, Done done);
 
   /// Sets the present processes, and opens the connections that are now possible.
   void UpdatePeers(const std::vector<ProcessDescription>& processes);
@@ -82,7 +82,7 @@ class RemoteConnections final : private PeerListener {
   void OnInterfaceClosed(const PeerLink& link, std::uint32_t handle, const Error& reason) override;
   void OnServerChanged() override { context_.process.StructureChanged(); }
 
-  Result<ConnectionId> Enter(const message::Wire& wire, const Done& done);
+  Result<ConnectionId> Enter(const message::ConnectionEnds& ends, const Done& done);
   void TryPossible();
   void Try(ConnectionId id);
   void ReportPending(ConnectionId id, std::uint64_t attempt);

@@ -146,7 +146,7 @@ inline constexpr auto tendon::kPayload<tendon::message::LifecycleOrder> = tendon
     tendon::Field{"thread", &tendon::message::LifecycleOrder::thread},
     tendon::Field{"leader", &tendon::message::LifecycleOrder::leader},
     tendon::Field{"is_strict", &tendon::message::LifecycleOrder::is_strict},
-    tendon::Field{"patience", &tendon::message::LifecycleOrder::timeout});
+    tendon::Field{"timeout", &tendon::message::LifecycleOrder::timeout});
 
 template <>
 inline constexpr auto tendon::kPayload<tendon::message::LifecycleOutcome> = tendon::Describe(

@@ -46,9 +46,9 @@ class Membership::GcmHandler final : public ChannelHandler {
         });
       });
     } else if (header.type == message::kBreakConnection) {
-      const auto wire = DecodeBody<message::Wire>(body);
-      if (!wire) return shared->Refuse(wire.error());
-      worker_->Post([&membership = membership_, required = wire->required, shared] {
+      const auto ends = DecodeBody<message::ConnectionEnds>(body);
+      if (!ends) return shared->Refuse(ends.error());
+      worker_->Post([&membership = membership_, required = ends->required, shared] {
         const auto broken = membership.delegate_.BreakConnection(required);
         membership.Report();
         shared->ReplyWith(broken);

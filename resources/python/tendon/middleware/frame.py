@@ -8,7 +8,7 @@ from typing import NamedTuple
 from ..errors import Invalid
 
 MAGIC = 0x4E444E54  # "TNDN"
-PROTOCOL_VERSION = 10
+PROTOCOL_VERSION = 11
 HEADER_SIZE = 24
 MAX_PIECE_SIZE = 256 << 10
 """The largest frame in bytes, header included. Larger frames are sent in parts."""

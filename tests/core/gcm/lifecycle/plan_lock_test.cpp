@@ -20,7 +20,7 @@ class PlanLock : public test::DeskAndRobot {
   }
   static PlanOutcome CarryOut(GcmClient& client) {
     ClientExecutor executor(client, kLong);
-    return ExecutePlan({.steps = {{.kind = PlanStep::Kind::kConnect, .wire = {kRobot, kControl}}}},
+    return ExecutePlan({.steps = {{.kind = PlanStep::Kind::kConnect, .ends = {kRobot, kControl}}}},
                        executor, AfterError::kStop, [](auto&&...) {});
   }
 
@@ -49,7 +49,7 @@ TEST_P(PlanLock, LosingItToAnotherClientEndsThePlan) {
   ASSERT_TRUE(executor.Begin());
   client_->ReleasePlanLock();  // the end of the link does the same
   ASSERT_TRUE(EventuallyTrue([&] { return static_cast<bool>(Take(*other_)); }));
-  const PlanStep connect{.kind = PlanStep::Kind::kConnect, .wire = {kRobot, kControl}};
+  const PlanStep connect{.kind = PlanStep::Kind::kConnect, .ends = {kRobot, kControl}};
 
   const auto refused = executor.Execute(connect);
 

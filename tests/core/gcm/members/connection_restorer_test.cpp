@@ -9,9 +9,10 @@ using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace)
 using Kind = CatalogueChange::Kind;
 using Verdict = ConnectionRestorer::Verdict;
 
-const message::Wire kWire{{"desk", "teleoperation", "Robot"}, {"robot", "arm", "Control"}};
-const std::vector<message::Wire> kNone;
-const std::vector<message::Wire> kOne = {kWire};
+const message::ConnectionEnds kEnds{{"desk", "teleoperation", "Robot"},
+                                    {"robot", "arm", "Control"}};
+const std::vector<message::ConnectionEnds> kNone;
+const std::vector<message::ConnectionEnds> kOne = {kEnds};
 
 /// A desk that was killed while it was connected to a robot.
 class ConnectionRestorerTest : public testing::Test {
@@ -20,8 +21,8 @@ class ConnectionRestorerTest : public testing::Test {
     Enter("robot", test::Arm());
     Enter("desk", test::Teleoperation());
     const ConnectionDescription connection{.id = 1,
-                                           .required = kWire.required,
-                                           .provided = kWire.provided,
+                                           .required = kEnds.required,
+                                           .provided = kEnds.provided,
                                            .state = ConnectionState::kActive};
     Apply({.kind = Kind::kConnection, .process = "desk", .connections = {connection}});
     restorer_.Keep(catalogue_, "desk");
@@ -39,8 +40,8 @@ class ConnectionRestorerTest : public testing::Test {
     Apply({.kind = Kind::kComponent, .process = process, .components = {component}});
   }
 
-  std::vector<message::Wire> TakeDue() { return restorer_.TakeDue(catalogue_, now_); }
-  Verdict Settle(const Result<void>& outcome) { return restorer_.Settle(kWire, outcome, now_); }
+  std::vector<message::ConnectionEnds> TakeDue() { return restorer_.TakeDue(catalogue_, now_); }
+  Verdict Settle(const Result<void>& outcome) { return restorer_.Settle(kEnds, outcome, now_); }
 
   Catalogue catalogue_;
   ConnectionRestorer restorer_;
@@ -81,7 +82,7 @@ TEST_F(ConnectionRestorerTest, ForgetsAPermanentlyRefusedConnection) {
        {ErrorCode::kIncompatible, ErrorCode::kInvalid, ErrorCode::kDenied, ErrorCode::kExists}) {
     ConnectionRestorer fresh = restorer_;
     ASSERT_EQ(fresh.TakeDue(catalogue_, now_), kOne);
-    EXPECT_EQ(fresh.Settle(kWire, Error{code, "no"}, now_), Verdict::kGivenUp);
+    EXPECT_EQ(fresh.Settle(kEnds, Error{code, "no"}, now_), Verdict::kGivenUp);
     EXPECT_EQ(fresh.TakeDue(catalogue_, now_ + 1h), kNone);
   }
 }
@@ -90,7 +91,7 @@ TEST_F(ConnectionRestorerTest, IgnoresTheResultOfAnEarlierInstance) {
   ASSERT_EQ(TakeDue(), kOne);
   // The connection is made. Then the process is killed again before the outcome is known.
   const ConnectionDescription connection{
-      .id = 2, .required = kWire.required, .provided = kWire.provided};
+      .id = 2, .required = kEnds.required, .provided = kEnds.provided};
   Apply({.kind = Kind::kConnection, .process = "desk", .connections = {connection}});
   restorer_.Keep(catalogue_, "desk");
   Apply({.kind = Kind::kConnectionRemoved, .process = "desk", .connection = 2});
@@ -103,7 +104,7 @@ TEST_F(ConnectionRestorerTest, IgnoresTheResultOfAnEarlierInstance) {
 TEST_F(ConnectionRestorerTest, DoesNotRestoreOverAUsersNewConnection) {
   Apply({.kind = Kind::kComponentRemoved, .process = "robot", .component = "arm"});
   const ConnectionDescription other{
-      .id = 2, .required = kWire.required, .provided = {"desk", "old_arm", "Control"}};
+      .id = 2, .required = kEnds.required, .provided = {"desk", "old_arm", "Control"}};
   Apply({.kind = Kind::kConnection, .process = "desk", .connections = {other}});
   EXPECT_EQ(TakeDue(), kNone);
   Apply({.kind = Kind::kConnectionRemoved, .process = "desk", .connection = 2});

@@ -304,7 +304,8 @@ TEST_F(RegistryTest, RestoresConnectionsWhenBothEndsReturn) {
   ASSERT_TRUE(registry_.Report(
       desk, {{{.kind = Kind::kComponent, .components = {test::Teleoperation()}}}}));
 
-  EXPECT_EQ(registry_.TakeDueConnections(), (std::vector{message::Wire{kRobot, kControl}}));
+  EXPECT_EQ(registry_.TakeDueConnections(),
+            (std::vector{message::ConnectionEnds{kRobot, kControl}}));
   EXPECT_TRUE(registry_.TakeDueConnections().empty());
   EXPECT_TRUE(registry_.Renew(robot));
 }
@@ -352,7 +353,8 @@ TEST_F(RegistryTest, RestoresConnectionsAfterARepeatedCrash) {
 
   Join("desk", 4, {test::Teleoperation()});
 
-  EXPECT_EQ(registry_.TakeDueConnections(), (std::vector{message::Wire{kRobot, kControl}}));
+  EXPECT_EQ(registry_.TakeDueConnections(),
+            (std::vector{message::ConnectionEnds{kRobot, kControl}}));
 }
 
 }  // namespace

@@ -252,7 +252,7 @@ TEST_P(ConnectionOrders, HistoryRecordsActionAuthorAndTime) {
   EXPECT_EQ(steps[0].verb, "connect");
   EXPECT_EQ(steps[1].verb, "disconnect");
   for (const auto& step : steps) {
-    EXPECT_EQ(step.wire, (message::Wire{kRobot, kControl}));
+    EXPECT_EQ(step.ends, (message::ConnectionEnds{kRobot, kControl}));
     EXPECT_EQ(step.who, "gcm connect");
     EXPECT_GT(step.when, 1'700'000'000'000'000'000);
     EXPECT_FALSE(step.undone);

@@ -49,7 +49,7 @@ TEST_P(Replacing, AReplacementIsOneStepAndOneUndo) {
   const auto steps = Steps(*client_);
   ASSERT_EQ(steps.size(), 2U);
   EXPECT_EQ(steps[1].verb, "replace");
-  EXPECT_EQ(steps[1].wire, (message::Wire{kRobot, kSecond}));
+  EXPECT_EQ(steps[1].ends, (message::ConnectionEnds{kRobot, kSecond}));
   EXPECT_EQ(steps[1].former, kControl);
 
   const auto undone = Undo(*client_);
@@ -207,7 +207,7 @@ TEST_P(Replacing, AFailedRestoreIsRecordedAsADisconnect) {
   const auto steps = Steps(*client_);
   ASSERT_EQ(steps.size(), 2U);
   EXPECT_EQ(steps[1].verb, "disconnect");
-  EXPECT_EQ(steps[1].wire, (message::Wire{kRobot, kControl}));
+  EXPECT_EQ(steps[1].ends, (message::ConnectionEnds{kRobot, kControl}));
   EXPECT_EQ(steps[1].who, "gcm connect");
   desk_->set_manners(Manners::kObey);
   EXPECT_TRUE(Undo(*client_));

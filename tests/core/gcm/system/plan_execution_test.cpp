@@ -38,7 +38,7 @@ PlanStep Step(Kind kind, const std::string& component) {
 
 /// Returns a step that connects R of `client` to P of `server`.
 PlanStep Connect(const std::string& client, const std::string& server) {
-  return {.kind = Kind::kConnect, .wire = {{"p", client, "R"}, {"p", server, "P"}}};
+  return {.kind = Kind::kConnect, .ends = {{"p", client, "R"}, {"p", server, "P"}}};
 }
 
 /// Returns the step that starts the process of all the other steps.

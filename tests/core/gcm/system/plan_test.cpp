@@ -255,7 +255,8 @@ TEST(Plan, StartsServersBeforeTheirClients) {
   EXPECT_EQ(ToString(plan.steps[4]), "start robot/arm");
   EXPECT_THAT(plan.steps[4].needs, IsEmpty());
   EXPECT_EQ(ToString(plan.steps[5]), "start desk/teleoperation");
-  EXPECT_THAT(plan.steps[5].needs, ElementsAre(message::Wire{test::kNeeded, test::kOffered}));
+  EXPECT_THAT(plan.steps[5].needs,
+              ElementsAre(message::ConnectionEnds{test::kNeeded, test::kOffered}));
 }
 
 TEST(Plan, StartsNothingThatLacksAConnection) {

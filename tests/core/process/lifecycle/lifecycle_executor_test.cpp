@@ -298,22 +298,23 @@ TEST_P(Lifecycle, TheProviderReportsTheConnectionsItServes) {
   robot_->Add<plant::Plant>("plant");
   const auto desk = Start("desk");
   desk->Add<plant::Operator>("operator");
-  const tendon::message::Wire wire{{"desk", "operator", "Robot"}, {"robot", "plant", "Control"}};
+  const tendon::message::ConnectionEnds ends{{"desk", "operator", "Robot"},
+                                             {"robot", "plant", "Control"}};
   const auto served = [&] {
     return tendon::Wait<tendon::ConnectionCounts>(
-        kLong, [&](auto handler) { client_->GetProviderCounts(wire, handler); });
+        kLong, [&](auto handler) { client_->GetProviderCounts(ends, handler); });
   };
   ASSERT_TRUE(EventuallyTrue([&] { return !Known("plant").name.empty(); }));
   EXPECT_EQ(served().error().code, ErrorCode::kNotFound);
   EXPECT_EQ(served().error().message, "process 'robot' has no connection from desk/operator/Robot");
 
-  ASSERT_TRUE(desk->Connect(wire.required, wire.provided));
+  ASSERT_TRUE(desk->Connect(ends.required, ends.provided));
   EXPECT_TRUE(EventuallyActive(*desk, 1));
   const auto counts = served();
   ASSERT_TRUE(counts) << counts.error().message;
   EXPECT_EQ(counts->capacity, 64U);
 
-  ASSERT_TRUE(desk->Disconnect(wire.required));
+  ASSERT_TRUE(desk->Disconnect(ends.required));
   EXPECT_TRUE(EventuallyTrue([&] { return !served(); }));
 }
 

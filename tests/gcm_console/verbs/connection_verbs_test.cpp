@@ -12,11 +12,11 @@ using nlohmann::json;
 using testing::HasSubstr;
 
 /// Tests `gcm connect` and `gcm disconnect` with more than one pair of names.
-class WireVerbsTest : public DemoFixture {};
+class ConnectionVerbsTest : public DemoFixture {};
 
 constexpr const char* kTeleoperation = "desk/teleoperation/Robot";
 
-TEST_F(WireVerbsTest, ADryRunReportsChangesAndMakesNone) {
+TEST_F(ConnectionVerbsTest, ADryRunReportsChangesAndMakesNone) {
   const Outcome connected = Gcm({"connect", kTeleoperation, "robot/arm/Control", "--dry-run"});
   EXPECT_EQ(connected.exit_code, program::kOk) << connected.err;
   EXPECT_EQ(connected.out, "desk/teleoperation/Robot -> robot/arm/Control\twould be connected\n");
@@ -37,7 +37,7 @@ TEST_F(WireVerbsTest, ADryRunReportsChangesAndMakesNone) {
   EXPECT_THAT(Gcm({"ls", "desk/supervisor"}).out, HasSubstr("-> robot/arm/Control\n"));
 }
 
-TEST_F(WireVerbsTest, ADryRunReportsTheTypeDifference) {
+TEST_F(ConnectionVerbsTest, ADryRunReportsTheTypeDifference) {
   // gcm waits only briefly for the types. On a machine that stalls, the types may arrive too late,
   // so the test repeats the command.
   EXPECT_TRUE(EventuallyTrue([&] {
@@ -46,7 +46,7 @@ TEST_F(WireVerbsTest, ADryRunReportsTheTypeDifference) {
   }));
 }
 
-TEST_F(WireVerbsTest, MatchConnectsFreeCompatibleInterfaces) {
+TEST_F(ConnectionVerbsTest, MatchConnectsFreeCompatibleInterfaces) {
   const Outcome dry = Gcm({"connect", "--match", "desk/**", "robot/**", "--dry-run"});
   EXPECT_EQ(dry.out, "desk/teleoperation/Robot -> robot/arm/Control\twould be connected\n");
 
@@ -61,7 +61,7 @@ TEST_F(WireVerbsTest, MatchConnectsFreeCompatibleInterfaces) {
   EXPECT_EQ(again.err, "gcm: all interfaces that 'desk/**' matches are already connected\n");
 }
 
-TEST_F(WireVerbsTest, MatchReportsAmbiguousInterfacesAndConnectsTheRest) {
+TEST_F(ConnectionVerbsTest, MatchReportsAmbiguousInterfacesAndConnectsTheRest) {
   for (const std::string name : {"second", "third"}) {
     ASSERT_EQ(Gcm({"create", "SimulatedArm", name, "--in", "robot"}).exit_code, program::kOk);
   }
@@ -86,7 +86,7 @@ TEST_F(WireVerbsTest, MatchReportsAmbiguousInterfacesAndConnectsTheRest) {
             program::kUsage);
 }
 
-TEST_F(WireVerbsTest, DisconnectsByConnectionNumber) {
+TEST_F(ConnectionVerbsTest, DisconnectsByConnectionNumber) {
   const json made =
       json::parse(Gcm({"--json", "connect", kTeleoperation, "robot/arm/Control"}).out);
   const std::string number = made["id"].dump();
@@ -99,7 +99,7 @@ TEST_F(WireVerbsTest, DisconnectsByConnectionNumber) {
   EXPECT_EQ(Gcm({"disconnect", "robot/" + number}).exit_code, program::kNotFound);
 }
 
-TEST_F(WireVerbsTest, ShowPrintsTheHealthOfAConnection) {
+TEST_F(ConnectionVerbsTest, ShowPrintsTheHealthOfAConnection) {
   EXPECT_TRUE(EventuallySays({"show", "desk/supervisor/Robot"}, "round trip\t"));
   const std::string shown = Gcm({"show", "desk/supervisor/Robot"}).out;
   EXPECT_THAT(shown, HasSubstr("connected for\t"));

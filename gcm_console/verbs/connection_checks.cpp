@@ -1,4 +1,4 @@
-#include <gcm_console/verbs/wire_checks.h>
+#include <gcm_console/verbs/connection_checks.h>
 
 namespace console {
 

@@ -1,9 +1,9 @@
 #include <gcm_console/catalogue/glob.h>
 #include <gcm_console/output/table.h>
 #include <gcm_console/verbs/common_options.h>
+#include <gcm_console/verbs/connection_checks.h>
 #include <gcm_console/verbs/outcomes.h>
 #include <gcm_console/verbs/verb.h>
-#include <gcm_console/verbs/wire_checks.h>
 #include <tendon/gcm/interface_matching.h>
 #include <tendon/gcm/lookup.h>
 
@@ -37,7 +37,7 @@ struct ConnectArguments {
   }
 };
 
-std::string WireText(const InterfaceName& required, const InterfaceName& provided) {
+std::string EndsText(const InterfaceName& required, const InterfaceName& provided) {
   return ToString(required) + " -> " + ToString(provided);
 }
 
@@ -96,7 +96,7 @@ Error Unmatched(const Match& match, const std::string& pattern) {
 bool IsClear(const Match& match) { return match.provided.size() == 1; }
 
 std::string PathOf(const Match& match) {
-  return IsClear(match) ? WireText(match.required, match.provided.front())
+  return IsClear(match) ? EndsText(match.required, match.provided.front())
                         : ToString(match.required);
 }
 
@@ -171,7 +171,7 @@ Result<ExitCode> Connect(Context& context, const ConnectArguments& ends) {
         CheckConnect((*client)->catalogue(), *required, *provided, ends.when_connected());
     if (!checked) return checked.error();
     const ExitCode printed =
-        Print(context, {"connect", "connected", true}, {{WireText(*required, *provided), {}}});
+        Print(context, {"connect", "connected", true}, {{EndsText(*required, *provided), {}}});
     const auto provider = LookUpProcess((*client)->catalogue(), provided->process);
     return provider ? printed : WarnOfUnknown(context, provider.error(), ends);
   }
@@ -189,7 +189,7 @@ Result<ExitCode> Connect(Context& context, const ConnectArguments& ends) {
                        {"reason", made->reason}});
   } else {
     const bool is_said = is_unknown || made->reason.empty();
-    context.out() << WireText(made->required, made->provided) << "  " << state
+    context.out() << EndsText(made->required, made->provided) << "  " << state
                   << (is_said ? "" : ": " + Plain(made->reason)) << '\n';
   }
   if (is_unknown) return WarnOfUnknown(context, provider.error(), ends);
@@ -226,7 +226,7 @@ Result<ExitCode> DisconnectAll(Context& context, const ConnectArguments& ends) {
     const auto plan = PlanDisconnect(catalogue, one.required);
     Result<void> result = plan ? Result<void>() : plan.error();
     if (plan && !ends.dry_run) result = SendDisconnect(context, one.required);
-    outcomes.push_back({WireText(one.required, one.provided), std::move(result)});
+    outcomes.push_back({EndsText(one.required, one.provided), std::move(result)});
   }
   return Print(context, {"disconnect", "disconnected", ends.dry_run}, outcomes);
 }
@@ -242,7 +242,7 @@ Result<ExitCode> Disconnect(Context& context, const ConnectArguments& ends) {
     const auto plan = PlanDisconnect((*client)->catalogue(), *required);
     if (!plan) return plan.error();
     return Print(context, {"disconnect", "disconnected", true},
-                 {{WireText(plan->required, plan->provided), {}}});
+                 {{EndsText(plan->required, plan->provided), {}}});
   }
   if (auto done = SendDisconnect(context, *required); !done) return done.error();
   if (context.settings().json) {
@@ -255,7 +255,7 @@ Result<ExitCode> Disconnect(Context& context, const ConnectArguments& ends) {
 
 }  // namespace
 
-std::vector<Verb> WireVerbs() {
+std::vector<Verb> ConnectionVerbs() {
   return {
       {"connect",
        "connect a required interface to a provided interface",
