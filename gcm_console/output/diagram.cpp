@@ -82,7 +82,7 @@ double TitleWidth(const DiagramProcess& process) {
 }
 
 /// The factors by which existing positions must be stretched if objects need more room.
-struct Stretch {
+struct StretchFactors {
   double x = 1;
   double y = 1;
 
@@ -91,7 +91,7 @@ struct Stretch {
     if (shown.height > 0) y = std::max(y, needed.height / shown.height);
   }
   /// Stretches as far as `other`, but at most to kMax times the present factors.
-  void FitMostly(const Stretch& other) {
+  void FitMostly(const StretchFactors& other) {
     constexpr double kMax = 4;
     x = std::max(x, std::min(other.x, kMax * x));
     y = std::max(y, std::min(other.y, kMax * y));
@@ -199,8 +199,8 @@ class Placement {
   }
 
   Size PlaceAs(const Places& shown) {
-    Stretch stretch;
-    Stretch insets;  // separate, because `shown` may have almost no insets
+    StretchFactors stretch;
+    StretchFactors insets;  // separate, because `shown` may have almost no insets
     Rect first{.x = HUGE_VAL, .y = HUGE_VAL};
     for (const DiagramProcess& process : diagram_.processes) {
       const Rect& box = shown.at(process.name);

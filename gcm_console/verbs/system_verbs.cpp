@@ -46,7 +46,7 @@ std::size_t ComponentsOf(const SystemFile& system) {
 }
 
 /// A system file that was made from the running system or from another file.
-struct Saved {
+struct SaveOutcome {
   SystemFile file;
   std::vector<std::string> kept = {};  ///< parts that were kept from the existing file
   std::vector<std::string> left_out = {};
@@ -57,7 +57,7 @@ struct SaveWords {
   bool dry_run = false;
 };
 
-Result<ExitCode> Write(Context& context, const SaveWords& words, const Saved& saved) {
+Result<ExitCode> Write(Context& context, const SaveWords& words, const SaveOutcome& saved) {
   const SystemFile& system = saved.file;
   const auto& [file, is_dry] = words;
   if (const auto text = SystemFileText(system); !text) return text.error();

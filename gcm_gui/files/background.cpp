@@ -38,14 +38,14 @@ struct Background::Queue {
 
 /// The threads that were handed over. The application owns this object, so it is destroyed when the
 /// program ends.
-class Background::HandedOver : public QObject {
+class Background::DetachedThreads : public QObject {
  public:
-  static HandedOver& instance() {
-    static QPointer<HandedOver> threads;
-    if (threads == nullptr) threads = new HandedOver;
+  static DetachedThreads& instance() {
+    static QPointer<DetachedThreads> threads;
+    if (threads == nullptr) threads = new DetachedThreads;
     return *threads;
   }
-  ~HandedOver() override {
+  ~DetachedThreads() override {
     const auto begin = std::chrono::steady_clock::now();
     for (auto& [queue, thread] : threads_) {
       finish(*queue, std::move(thread), begin, kTimeoutAtEnd);
@@ -61,7 +61,7 @@ class Background::HandedOver : public QObject {
   }
 
  private:
-  HandedOver() : QObject(QCoreApplication::instance()) {}
+  DetachedThreads() : QObject(QCoreApplication::instance()) {}
 
   std::vector<std::pair<std::shared_ptr<Queue>, std::thread>> threads_;
 };
@@ -110,7 +110,7 @@ void Background::handOver(std::shared_ptr<const void> belongings) {
   queue_->belongings = std::move(belongings);  // close() publishes it to the thread
   queue_->close();
   try {
-    HandedOver::instance().add(queue_, thread_);
+    DetachedThreads::instance().add(queue_, thread_);
   } catch (const std::bad_alloc&) {
     thread_.detach();
   }

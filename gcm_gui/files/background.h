@@ -43,7 +43,7 @@ class Background {
 
  private:
   struct Queue;
-  class HandedOver;
+  class DetachedThreads;
 
   static void work(const std::shared_ptr<Queue>& queue);
   /// Waits until `begin` + `timeout` for the thread of a closed queue. Then reports it on stderr.

@@ -6,13 +6,13 @@
 namespace tendon::gui {
 
 const Clock& ShownClock() {
-  class Shown final : public Clock {
+  class ShownTimeClock final : public Clock {
    public:
     [[nodiscard]] SteadyTime Now() const noexcept override {
       return SteadyTime(std::chrono::nanoseconds(ShownTime()));
     }
   };
-  static const Shown clock;
+  static const ShownTimeClock clock;
   return clock;
 }
 

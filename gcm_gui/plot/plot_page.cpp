@@ -113,13 +113,13 @@ void PlotPage::markCurrent() {
 }
 
 void PlotPage::align() {
-  SideRoom most;
+  AxisMargins most;
   for (PlotView* view : views_) {
-    const SideRoom room = view->axes().wantedRoom();
+    const AxisMargins room = view->axes().wantedRoom();
     most.left = std::max(most.left, room.left);
     most.right = std::max(most.right, room.right);
   }
-  for (PlotView* view : views_) view->axes().setRoom(views_.size() > 1 ? most : SideRoom{});
+  for (PlotView* view : views_) view->axes().setRoom(views_.size() > 1 ? most : AxisMargins{});
 }
 
 bool PlotPage::eventFilter(QObject* watched, QEvent* event) {

@@ -274,16 +274,16 @@ void PlotView::noticeSamples() {
 
 // Returns the visible part of the curves. In a sweeping window, this includes the end of the
 // previous pass.
-std::vector<SeenSlices> PlotView::seenSlices() const {
+std::vector<VisibleSlices> PlotView::visibleSlices() const {
   const QwtScaleMap map = canvasMap(QwtAxis::XBottom);
   const QRect rect = canvas()->contentsRect();
   const double ratio = canvas()->devicePixelRatioF();
-  std::vector<SeenSlices> seen{{.slices = layer_->slicesOf(map, rect, ratio)}};
+  std::vector<VisibleSlices> seen{{.slices = layer_->slicesOf(map, rect, ratio)}};
   if (!window_.isSweeping()) return seen;
   QwtScaleMap former = map;
   const double length = window_.to() - window_.from();
   former.setScaleInterval(map.s1() - length, map.s2() - length);
-  SeenSlices before{.slices = layer_->slicesOf(former, rect, ratio), .pass = Pass::kFormer};
+  VisibleSlices before{.slices = layer_->slicesOf(former, rect, ratio), .pass = Pass::kFormer};
   before.first =
       static_cast<std::size_t>(window_.head() / length * static_cast<double>(before.slices.count));
   seen.push_back(before);
@@ -310,7 +310,7 @@ void PlotView::refresh() {
   dirty_ = false;
   const auto start = std::chrono::steady_clock::now();
   axes_.showTime(window_);
-  const std::vector<SeenSlices> seen = seenSlices();
+  const std::vector<VisibleSlices> seen = visibleSlices();
   curves_.fitAxes(seen);
   const QStringList without = curves_.withoutPlace(seen);
   QStringList notes;
@@ -330,7 +330,7 @@ void PlotView::refresh() {
 }
 
 void PlotView::noticeSideRoom() {
-  const SideRoom room = axes_.wantedRoom();
+  const AxisMargins room = axes_.wantedRoom();
   if (room == side_room_) return;
   side_room_ = room;
   Q_EMIT sideRoomChanged();

@@ -149,7 +149,7 @@ class PlotView : public QwtPlot {
   void updateLive();
   void curvesChanged();
   [[nodiscard]] bool isFirst() const;
-  [[nodiscard]] std::vector<SeenSlices> seenSlices() const;
+  [[nodiscard]] std::vector<VisibleSlices> visibleSlices() const;
 
   PlotAxes axes_;
   CurveSet curves_;
@@ -164,7 +164,7 @@ class PlotView : public QwtPlot {
   TimeWindow drawn_window_;
   std::int64_t newest_ns_;
   std::optional<int> shown_hover_;
-  SideRoom side_room_;
+  AxisMargins side_room_;
   std::vector<QPointer<const PlotView>> above_;
   bool is_marked_current_ = false;
   bool dirty_ = true;

@@ -58,16 +58,16 @@ void KeepMissing(const SystemFile& former, RunningSystem& running) {
   running.loose.insert(running.loose.end(), connections.begin(), connections.end());
 }
 
-enum class Missing { kLeftOut, kKept };
+enum class MissingParts { kLeftOut, kKept };
 
 /// Returns the content to save, or the reason why it cannot be saved.
 Result<SystemFile> SystemToSave(const std::string& path, RunningSystem running,
                                 const message::Children& children,
-                                const std::optional<Layout>& layout, Missing missing) {
+                                const std::optional<Layout>& layout, MissingParts missing) {
   const auto former = ReadSystemFile(path);
   if (former) {
     running.file.name = former->name;
-    if (missing == Missing::kKept) KeepMissing(*former, running);
+    if (missing == MissingParts::kKept) KeepMissing(*former, running);
     (void)KeepFrom(*former, running);
   } else if (former.error().code != ErrorCode::kNotFound) {
     return former.error();
@@ -244,7 +244,7 @@ void SystemDocument::save(const QString& path) {
 
 void SystemDocument::write(const QString& path, const StartedProcesses& started) {
   RunningSystem running = SystemOf(store_.catalogue(), SystemName(path));
-  const Missing missing = path == imported_ ? Missing::kKept : Missing::kLeftOut;
+  const MissingParts missing = path == imported_ ? MissingParts::kKept : MissingParts::kLeftOut;
   QStringList sentences{Words::tr("Saved to ") + FileName(path)};
   if (!running.loose.empty()) sentences.append(ToQString(running.LeftOut()[0]));
   if (!started.note.isEmpty()) sentences.append(started.note);

@@ -56,7 +56,7 @@ void PendingTlsHandshakes::Begin(const SSL& link) {
       if (now - one.since > kHandshakeTimeout) os::ShutDown(one.socket);
     }
   }
-  unfinished_.emplace(&link, Unfinished{now, SSL_get_fd(&link)});
+  unfinished_.emplace(&link, TlsHandshake{now, SSL_get_fd(&link)});
 }
 
 void PendingTlsHandshakes::End(const SSL& link) {

@@ -22,7 +22,7 @@ class PendingTlsHandshakes {
   void Watch(SSL_CTX& context);
 
  private:
-  struct Unfinished {
+  struct TlsHandshake {
     SteadyTime since;
     int socket = -1;  // stays open until End()
   };
@@ -38,7 +38,7 @@ class PendingTlsHandshakes {
   void End(const SSL& link);
 
   std::mutex mutex_;
-  std::map<const SSL*, Unfinished> unfinished_;
+  std::map<const SSL*, TlsHandshake> unfinished_;
 };
 
 }  // namespace tendon::ice

@@ -212,10 +212,10 @@ template <typename Ring>
 bool Mailbox::ExecuteIn(Ring& ring) {
   std::byte* const slot = ring.Front();
   if (slot == nullptr) return false;
-  struct Released {
+  struct SlotRelease {
     Ring& ring;
-    ~Released() { ring.Release(); }
-  } const released{ring};
+    ~SlotRelease() { ring.Release(); }
+  } const release{ring};
   if (event_time_ != nullptr) {
     *event_time_ = *std::launder(reinterpret_cast<SteadyTime*>(TimeIn(slot)));
   }

@@ -22,12 +22,14 @@ Error RequestInProgress(const std::string& component) {
 
 /// Calls `body` while the lock is released, so that other threads can take it.
 Result<void> WithoutLock(std::unique_lock<std::recursive_mutex>& lock, const auto& body) {
-  struct Relock {
-    explicit Relock(std::unique_lock<std::recursive_mutex>& given) : held(given) { held.unlock(); }
-    ~Relock() { held.lock(); }
+  struct UnlockScope {
+    explicit UnlockScope(std::unique_lock<std::recursive_mutex>& given) : held(given) {
+      held.unlock();
+    }
+    ~UnlockScope() { held.lock(); }
     std::unique_lock<std::recursive_mutex>& held;
   };
-  const Relock relock(lock);
+  const UnlockScope unlock(lock);
   return body();
 }
 

@@ -47,9 +47,9 @@ void Outbox::SetExecuted(std::uint64_t calls) {
   if (calls > executed_.Get()) executed_.Set(calls);
 }
 
-void Outbox::OnExecuted(std::uint64_t calls, const Mailbox& callers) {
+void Outbox::OnExecuted(std::uint64_t calls, const Mailbox& mailbox) {
   SetExecuted(calls);
-  if (callers.size() != 0) wakeup_.Notify();
+  if (mailbox.size() != 0) wakeup_.Notify();
 }
 
 bool Outbox::HasCallsUnderWay() const {
@@ -97,9 +97,9 @@ std::uint64_t Outbox::SendNow([[maybe_unused]] const Turn& turn, BlockingCall ca
   return 0;
 }
 
-void Outbox::SendOrBatch(std::uint32_t handle, CallBuffer& call, const Mailbox& callers) {
+void Outbox::SendOrBatch(std::uint32_t handle, CallBuffer& call, const Mailbox& mailbox) {
   const bool is_large = call.argument().size() >= kFullBatch;
-  const bool is_alone = is_large ? SendBatch() : batch_.empty() && callers.size() == 1;
+  const bool is_alone = is_large ? SendBatch() : batch_.empty() && mailbox.size() == 1;
   const auto frame = [&] {
     return times_of_ == nullptr ? call.Frame(handle)
                                 : call.TimedFrame(handle, times_of_->event_time());

@@ -111,8 +111,8 @@ class Outbox {
   std::uint64_t SendNow(const Turn& turn, BlockingCall call);
   /// Called in the caller's thread when the reply to its call has arrived. `calls` is the number
   /// of this call among the sent calls. All earlier calls were executed too, because one mailbox
-  /// keeps their order. Notifies the network thread if calls wait in the mailbox `callers`.
-  void OnExecuted(std::uint64_t calls, const Mailbox& callers);
+  /// keeps their order. Notifies the network thread if calls wait in `mailbox`.
+  void OnExecuted(std::uint64_t calls, const Mailbox& mailbox);
 
   // Network thread: called by Send() with the next call from the inbox.
 
@@ -122,8 +122,8 @@ class Outbox {
   }
   /// Sends the call from its buffer, without a copy, if it gets a frame of its own: a large call
   /// does, and a call after which no other is queued. If the link has no room, copies it into the
-  /// batch. `callers` is the mailbox of the call, in which the call keeps its slot until then.
-  void SendOrBatch(std::uint32_t handle, CallBuffer& call, const Mailbox& callers);
+  /// batch. `mailbox` is the mailbox of the call, in which the call keeps its slot until then.
+  void SendOrBatch(std::uint32_t handle, CallBuffer& call, const Mailbox& mailbox);
   void SetBlockingCall(BlockingCall call) { blocking_call_ = std::move(call); }
 
  private:

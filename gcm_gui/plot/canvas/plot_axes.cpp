@@ -130,14 +130,14 @@ void PlotAxes::showValues(const std::vector<UnitAxis>& axes, ValueScale scale) {
   heads_ = heads;
 }
 
-SideRoom PlotAxes::wantedRoom() const {
+AxisMargins PlotAxes::wantedRoom() const {
   const auto extent = [this](QwtAxisId axis) {
     return static_cast<int>(std::ceil(plot_.axisScaleDraw(axis)->extent(plot_.axisFont(axis))));
   };
   return {.left = extent(QwtAxis::YLeft), .right = extent(QwtAxis::YRight) + outer_.width()};
 }
 
-void PlotAxes::setRoom(const SideRoom& least) {
+void PlotAxes::setRoom(const AxisMargins& least) {
   if (least == least_) return;
   least_ = least;
   placeSides();
@@ -146,7 +146,7 @@ void PlotAxes::setRoom(const SideRoom& least) {
 // Adds the width of the outer axes, and the width that no label uses, to the margins of the plot.
 void PlotAxes::placeSides() {
   plot_.axisScaleDraw(QwtAxis::YLeft)->setMinimumExtent(std::max(kSide, least_.left));
-  const SideRoom wanted = wantedRoom();
+  const AxisMargins wanted = wantedRoom();
   QMargins margins = plot_.contentsMargins();
   margins.setRight(outer_.width() + std::max(0, least_.right - wanted.right));
   plot_.setContentsMargins(margins);

@@ -13,11 +13,11 @@ class QwtPlot;
 namespace tendon::gui {
 
 /// The width of the labels beside a canvas, in pixels.
-struct SideRoom {
+struct AxisMargins {
   int left = 0;
   int right = 0;
 
-  bool operator==(const SideRoom&) const = default;
+  bool operator==(const AxisMargins&) const = default;
 };
 
 /// The axes of a plot: time at the bottom, the first unit on the left, up to three more units on
@@ -39,10 +39,10 @@ class PlotAxes {
   void showTime(const TimeWindow& window);
   void showValues(const std::vector<UnitAxis>& axes, ValueScale scale);
   /// Returns the width that the labels need, without the minimum of setRoom().
-  [[nodiscard]] SideRoom wantedRoom() const;
+  [[nodiscard]] AxisMargins wantedRoom() const;
   /// Sets the minimum width of the labels, so that the canvases of several plots are aligned. A
   /// part that the labels do not need stays empty.
-  void setRoom(const SideRoom& least);
+  void setRoom(const AxisMargins& least);
   /// Paints what Qwt cannot paint: the units above the axes, and the outer axes.
   void paint(const std::vector<UnitAxis>& axes) const;
 
@@ -69,7 +69,7 @@ class PlotAxes {
   QwtPlot& plot_;
   OuterLabels outer_;
   QStringList heads_;  // texts above the axes
-  SideRoom least_;
+  AxisMargins least_;
 };
 
 }  // namespace tendon::gui

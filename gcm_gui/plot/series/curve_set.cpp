@@ -178,11 +178,11 @@ void CurveSet::setScale(ValueScale scale) {
   setFit(fit_);
 }
 
-QStringList CurveSet::withoutPlace(std::span<const SeenSlices> seen) const {
+QStringList CurveSet::withoutPlace(std::span<const VisibleSlices> seen) const {
   QStringList names;
   if (scale_ == ValueScale::kLinear) return names;
   for (const auto& curve : curves_) {
-    const bool is_low = std::any_of(seen.begin(), seen.end(), [&](const SeenSlices& part) {
+    const bool is_low = std::any_of(seen.begin(), seen.end(), [&](const VisibleSlices& part) {
       return curve->envelope(part.slices, part.pass).lowest() <= 0;
     });
     if (curve->isVisible() && is_low) names << ShortName(curve->path());
@@ -192,12 +192,12 @@ QStringList CurveSet::withoutPlace(std::span<const SeenSlices> seen) const {
 
 // Returns the extremes of each curve that has values in the slices.
 std::vector<CurveSet::Extremes> CurveSet::extremesOn(const UnitAxis& axis,
-                                                     std::span<const SeenSlices> seen) const {
+                                                     std::span<const VisibleSlices> seen) const {
   std::vector<Extremes> all;
   for (const auto& curve : curves_) {
     if (curve->axis() != axis.unit || !curve->isVisible()) continue;
     AxisRange data = kNothing;
-    for (const SeenSlices& part : seen) data = United(data, extremesOf(*curve, part));
+    for (const VisibleSlices& part : seen) data = United(data, extremesOf(*curve, part));
     if (data.low <= data.high) all.push_back({curve.get(), data});
   }
   if (scale_ == ValueScale::kLogarithmic) return all;
@@ -215,7 +215,7 @@ std::vector<CurveSet::Extremes> CurveSet::extremesOn(const UnitAxis& axis,
   return all;
 }
 
-AxisRange CurveSet::extremesOf(const Curve& curve, const SeenSlices& seen) const {
+AxisRange CurveSet::extremesOf(const Curve& curve, const VisibleSlices& seen) const {
   const Envelope& envelope = curve.envelope(seen.slices, seen.pass);
   const bool all_have_places = scale_ == ValueScale::kLinear || envelope.lowest() > 0;
   if (all_have_places && seen.first == 0) {
@@ -235,7 +235,7 @@ AxisRange CurveSet::extremesOf(const Curve& curve, const SeenSlices& seen) const
   return data;
 }
 
-void CurveSet::fitAxes(std::span<const SeenSlices> seen) {
+void CurveSet::fitAxes(std::span<const VisibleSlices> seen) {
   beyond_.clear();
   for (UnitAxis& axis : axes_) {
     bool is_whole = false;
@@ -251,7 +251,7 @@ void CurveSet::fitAxes(std::span<const SeenSlices> seen) {
 
 // Chooses the frame of the axis. Returns the range of the data as distances from the base of the
 // axis; low > high if there is no data.
-AxisRange CurveSet::chooseFrame(UnitAxis& axis, std::span<const SeenSlices> seen) {
+AxisRange CurveSet::chooseFrame(UnitAxis& axis, std::span<const VisibleSlices> seen) {
   const bool has_base = fit_ != Fit::kSymmetric && !hasStates(axis);
   // Distances are exact only near the base, so a new base gives new distances. These may need
   // another base.
@@ -293,7 +293,7 @@ bool CurveSet::hasStates(const UnitAxis& axis) const {
          scale_ == ValueScale::kLinear;
 }
 
-void CurveSet::fit(UnitAxis& axis, std::span<const SeenSlices> seen) {
+void CurveSet::fit(UnitAxis& axis, std::span<const VisibleSlices> seen) {
   AxisRange data = chooseFrame(axis, seen);
   if (data.low > data.high) return;
   const bool is_linear = scale_ == ValueScale::kLinear;

@@ -37,7 +37,7 @@ struct UnitAxis {
 };
 
 /// The slices of one pass. The slices before `first` are hidden.
-struct SeenSlices {
+struct VisibleSlices {
   TimeSlices slices;
   Pass pass = Pass::kPresent;
   std::size_t first = 0;
@@ -96,11 +96,11 @@ class CurveSet {
   [[nodiscard]] ValueScale scale() const { return scale_; }
   /// Returns the names of the curves that have values of 0 or less in the slices, because a
   /// logarithmic axis cannot show these values. Empty on a linear axis.
-  [[nodiscard]] QStringList withoutPlace(std::span<const SeenSlices> seen) const;
+  [[nodiscard]] QStringList withoutPlace(std::span<const VisibleSlices> seen) const;
   /// Fits the axes that follow the data to the values in the slices. Ignores a curve whose values
   /// are beyond 1e12 and more than a million times larger than the values of the other curves on
   /// its axis: such a curve would flatten the others. beyondAxes() returns the ignored curves.
-  void fitAxes(std::span<const SeenSlices> seen);
+  void fitAxes(std::span<const VisibleSlices> seen);
   [[nodiscard]] const QStringList& beyondAxes() const { return beyond_; }
   /// Returns the time of the newest sample of all curves that are not recorded; INT64_MIN if there
   /// are no samples.
@@ -118,16 +118,16 @@ class CurveSet {
   };
 
   void updateAxes();
-  void fit(UnitAxis& axis, std::span<const SeenSlices> seen);
-  [[nodiscard]] AxisRange chooseFrame(UnitAxis& axis, std::span<const SeenSlices> seen);
+  void fit(UnitAxis& axis, std::span<const VisibleSlices> seen);
+  [[nodiscard]] AxisRange chooseFrame(UnitAxis& axis, std::span<const VisibleSlices> seen);
   [[nodiscard]] AxisRange withGrown(const AxisRange& data, const UnitAxis& axis) const;
   void setFrame(UnitAxis& axis, const AxisFrame& frame);
   /// Returns true if the axis shows the names of states.
   [[nodiscard]] bool hasStates(const UnitAxis& axis) const;
   void showBases();
   [[nodiscard]] std::vector<Extremes> extremesOn(const UnitAxis& axis,
-                                                 std::span<const SeenSlices> seen) const;
-  [[nodiscard]] AxisRange extremesOf(const Curve& curve, const SeenSlices& seen) const;
+                                                 std::span<const VisibleSlices> seen) const;
+  [[nodiscard]] AxisRange extremesOf(const Curve& curve, const VisibleSlices& seen) const;
   [[nodiscard]] int colorFor(const QString& path) const;
 
   std::vector<std::unique_ptr<Curve>> curves_;

@@ -33,7 +33,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::array kAllTime{SeenSlices{.slices = {.from_ns = 0, .to_ns = kSecond, .count = 400}}};
+constexpr std::array kAllTime{
+    VisibleSlices{.slices = {.from_ns = 0, .to_ns = kSecond, .count = 400}}};
 
 /// Returns one row for each value, several rows per second.
 std::vector<Sample> RowsOf(const std::vector<ExactNumber>& values) {

@@ -109,7 +109,7 @@ class StrictReader final : public nlohmann::json_sax<Json> {
   bool end_array() override { return Leave(); }
 
   bool key(string_t& value) override {
-    const Open& object = open_.back();
+    const OpenContainer& object = open_.back();
     if (object.value->contains(value)) {
       const std::string shown = Printable(value, 64);
       const std::string path = object.place + (object.place.empty() ? "" : ".") + shown;
@@ -135,7 +135,7 @@ class StrictReader final : public nlohmann::json_sax<Json> {
 
  private:
   /// A list or an object that has not ended yet.
-  struct Open {
+  struct OpenContainer {
     Json* value;
     std::string place;  // "processes[0].components"
   };
@@ -191,7 +191,7 @@ class StrictReader final : public nlohmann::json_sax<Json> {
   const Integers integers_;
   FineNumbers* const fine_;
   Json root_;
-  std::vector<Open> open_;  // from the root to the innermost
+  std::vector<OpenContainer> open_;  // from the root to the innermost
   std::string key_;
   std::string error_;
 };

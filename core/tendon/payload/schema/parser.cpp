@@ -13,7 +13,7 @@ constexpr std::size_t kMaxValue = std::size_t{1} << 31;  // bytes
 constexpr int kMaxLevels = 64;
 
 /// A schema and its number of levels.
-struct Parsed {
+struct ParsedType {
   Schema schema;
   int height = 1;
 };
@@ -24,7 +24,7 @@ class Parser {
   explicit Parser(std::string_view text) : text_(text) {}
 
   Result<Schema> Parse() {
-    Parsed parsed = ParseType(1);
+    ParsedType parsed = ParseType(1);
     SkipSpace();
     if (!failed() && position_ < text_.size()) Fail("expected the end");
     if (failed()) return *error_;
@@ -32,10 +32,10 @@ class Parser {
   }
 
  private:
-  Parsed ParseType(int depth) {
+  ParsedType ParseType(int depth) {
     if (depth > kMaxLevels) return Fail("more than 64 levels");
     const std::string_view word = Word();
-    Parsed parsed;
+    ParsedType parsed;
     if (word == "struct") {
       parsed = ParseStructure(depth);
     } else if (word == "enum") {
@@ -51,7 +51,7 @@ class Parser {
   }
 
   /// Reads the text after '[': the length of an array, or no length for a sequence.
-  Parsed ParseSuffix(Parsed element, int depth) {
+  ParsedType ParseSuffix(ParsedType element, int depth) {
     const int height = element.height + 1;
     if (depth + height > kMaxLevels + 1) return Fail("more than 64 levels");
     if (Accept(']')) return {Schema::Sequence(std::move(element.schema)), height};
@@ -63,7 +63,7 @@ class Parser {
     return {Schema::Array(std::move(element.schema), length), height};
   }
 
-  Parsed ParseStructure(int depth) {
+  ParsedType ParseStructure(int depth) {
     std::string name = TypeName();
     std::vector<Schema::Field> fields;
     std::unordered_set<std::string_view> names;
@@ -77,7 +77,7 @@ class Parser {
       if (!names.insert(field).second) Fail("two fields have this name");
       Expect(':');
       if (failed()) return {};
-      Parsed parsed = ParseType(depth + 1);
+      ParsedType parsed = ParseType(depth + 1);
       const std::string_view unit = Unit();
       if (range && !parsed.schema.holds_numbers()) Fail("only a number can have a range");
       height = std::max(height, parsed.height);
@@ -90,7 +90,7 @@ class Parser {
     return {Schema::Structure(std::move(name), std::move(fields)), height + 1};
   }
 
-  Parsed ParseEnum() {
+  ParsedType ParseEnum() {
     std::string name = TypeName();
     std::vector<Schema::Enumerator> enumerators;
     std::unordered_set<std::string_view> names;
@@ -212,7 +212,7 @@ class Parser {
     }
   }
 
-  Parsed Fail(const std::string& what) {
+  ParsedType Fail(const std::string& what) {
     if (failed()) return {};
     const std::string_view before = text_.substr(0, position_);
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');

@@ -86,7 +86,7 @@ class RosParser {
 
  private:
   /// A message, and the approximate size of its canonical text.
-  struct Parsed {
+  struct ParsedType {
     Schema schema;
     std::size_t size = 0;
   };
@@ -95,7 +95,7 @@ class RosParser {
     if (!name.empty()) definitions_.try_emplace(name, text);
   }
 
-  Result<Parsed> Message(const std::string& name, std::size_t level) {
+  Result<ParsedType> Message(const std::string& name, std::size_t level) {
     if (const auto known = parsed_.find(name); known != parsed_.end()) return known->second;
     const auto definition = definitions_.find(name);
     if (definition == definitions_.end()) return Mistake(name, "the definition is missing");
@@ -116,7 +116,7 @@ class RosParser {
     std::string type_name = name;
     std::replace(type_name.begin(), type_name.end(), '/', '.');
     return parsed_
-        .emplace(name, Parsed{Schema::Structure(std::move(type_name), std::move(fields)), size})
+        .emplace(name, ParsedType{Schema::Structure(std::move(type_name), std::move(fields)), size})
         .first->second;
   }
 
@@ -139,7 +139,7 @@ class RosParser {
     return {};
   }
 
-  Result<Parsed> Type(const std::string& owner, std::string_view type, std::size_t level) {
+  Result<ParsedType> Type(const std::string& owner, std::string_view type, std::size_t level) {
     const std::size_t bracket = type.find('[');
     auto element = Item(owner, type.substr(0, bracket), level);
     if (!element || bracket == type.npos) return element;
@@ -148,19 +148,19 @@ class RosParser {
     length.remove_suffix(1);
     const bool is_bounded = length.starts_with("<=");
     if (length.empty() || is_bounded) {
-      return Parsed{Schema::Sequence(std::move(element->schema)), element->size};
+      return ParsedType{Schema::Sequence(std::move(element->schema)), element->size};
     }
     std::uint32_t count = 0;
     const auto [end, code] = std::from_chars(length.begin(), length.end(), count);
     if (code != std::errc{} || end != length.end()) {
       return Mistake(owner, Quoted(type, kMaxInMessage) + " is no type");
     }
-    return Parsed{Schema::Array(std::move(element->schema), count), element->size};
+    return ParsedType{Schema::Array(std::move(element->schema), count), element->size};
   }
 
-  Result<Parsed> Item(const std::string& owner, std::string_view type, std::size_t level) {
+  Result<ParsedType> Item(const std::string& owner, std::string_view type, std::size_t level) {
     const std::string name = ShortName(type.substr(0, type.find("<=")));
-    if (const auto kind = BuiltinKind(name)) return Parsed{Schema(*kind), 0};
+    if (const auto kind = BuiltinKind(name)) return ParsedType{Schema(*kind), 0};
     if (name == "wstring") {
       return Mistake(owner, "wstring is not read, because its encoding differs between programs");
     }
@@ -191,7 +191,7 @@ class RosParser {
 
   const std::string root_;
   std::map<std::string, std::string_view> definitions_;  // by short name
-  std::map<std::string, Parsed> parsed_;
+  std::map<std::string, ParsedType> parsed_;
   std::set<std::string> open_;  // the messages that are being read
 };
 

@@ -37,13 +37,13 @@ class TopicState {
   /// While this object exists, a message is being handled.
   class MessageScope {
    public:
-    explicit MessageScope(TopicState& line) : line_(line) { line_.SetBusy(true); }
+    explicit MessageScope(TopicState& topic) : topic_(topic) { topic_.SetBusy(true); }
     MessageScope(const MessageScope&) = delete;
     MessageScope& operator=(const MessageScope&) = delete;
-    ~MessageScope() { line_.SetBusy(false); }
+    ~MessageScope() { topic_.SetBusy(false); }
 
    private:
-    TopicState& line_;
+    TopicState& topic_;
   };
   /// The number of the present activation; 0 while not active.
   [[nodiscard]] std::uint64_t beginning() const {

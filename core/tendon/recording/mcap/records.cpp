@@ -23,14 +23,14 @@ void SetNumber(Buffer& out, std::size_t place, std::uint64_t number, std::size_t
 }
 
 /// Writes the length of a record, or of a list in it, when it is known.
-class LengthLater {
+class LengthPrefix {
  public:
-  LengthLater(Buffer& out, std::size_t size) : out_(out), place_(out.size()), size_(size) {
+  LengthPrefix(Buffer& out, std::size_t size) : out_(out), place_(out.size()), size_(size) {
     AppendNumber(out, 0, size);
   }
-  LengthLater(const LengthLater&) = delete;
-  LengthLater& operator=(const LengthLater&) = delete;
-  ~LengthLater() { SetNumber(out_, place_, out_.size() - place_ - size_, size_); }
+  LengthPrefix(const LengthPrefix&) = delete;
+  LengthPrefix& operator=(const LengthPrefix&) = delete;
+  ~LengthPrefix() { SetNumber(out_, place_, out_.size() - place_ - size_, size_); }
 
  private:
   Buffer& out_;
@@ -38,13 +38,13 @@ class LengthLater {
   const std::size_t size_;
 };
 
-LengthLater BeginRecord(Buffer& out, Opcode opcode) {
+LengthPrefix BeginRecord(Buffer& out, Opcode opcode) {
   out.push_back(static_cast<std::byte>(opcode));
   return {out, 8};
 }
 
 void AppendMap(Buffer& out, const std::map<std::string, std::string>& map) {
-  const LengthLater length(out, 4);
+  const LengthPrefix length(out, 4);
   for (const auto& [key, value] : map) {
     AppendString(out, key);
     AppendString(out, value);
@@ -121,20 +121,20 @@ void AppendNumber(Buffer& out, std::uint64_t number, std::size_t size) {
 }
 
 void Append(Buffer& out, const Header& header) {
-  const LengthLater length = BeginRecord(out, Opcode::kHeader);
+  const LengthPrefix length = BeginRecord(out, Opcode::kHeader);
   AppendString(out, header.profile);
   AppendString(out, header.library);
 }
 
 void Append(Buffer& out, const Footer& footer) {
-  const LengthLater length = BeginRecord(out, Opcode::kFooter);
+  const LengthPrefix length = BeginRecord(out, Opcode::kFooter);
   AppendNumber(out, footer.summary_start, 8);
   AppendNumber(out, footer.summary_offset_start, 8);
   AppendNumber(out, footer.summary_crc, 4);
 }
 
 void Append(Buffer& out, const Schema& schema) {
-  const LengthLater length = BeginRecord(out, Opcode::kSchema);
+  const LengthPrefix length = BeginRecord(out, Opcode::kSchema);
   AppendNumber(out, schema.id, 2);
   AppendString(out, schema.name);
   AppendString(out, schema.encoding);
@@ -142,7 +142,7 @@ void Append(Buffer& out, const Schema& schema) {
 }
 
 void Append(Buffer& out, const Channel& channel) {
-  const LengthLater length = BeginRecord(out, Opcode::kChannel);
+  const LengthPrefix length = BeginRecord(out, Opcode::kChannel);
   AppendNumber(out, channel.id, 2);
   AppendNumber(out, channel.schema_id, 2);
   AppendString(out, channel.topic);
@@ -164,9 +164,9 @@ void Append(Buffer& out, const Message& message) {
 }
 
 void Append(Buffer& out, const MessageIndex& index) {
-  const LengthLater length = BeginRecord(out, Opcode::kMessageIndex);
+  const LengthPrefix length = BeginRecord(out, Opcode::kMessageIndex);
   AppendNumber(out, index.channel_id, 2);
-  const LengthLater list(out, 4);
+  const LengthPrefix list(out, 4);
   for (const MessageIndexEntry& entry : index.records) {
     AppendNumber(out, entry.log_time, 8);
     AppendNumber(out, entry.offset, 8);
@@ -174,13 +174,13 @@ void Append(Buffer& out, const MessageIndex& index) {
 }
 
 void Append(Buffer& out, const ChunkIndex& index) {
-  const LengthLater length = BeginRecord(out, Opcode::kChunkIndex);
+  const LengthPrefix length = BeginRecord(out, Opcode::kChunkIndex);
   AppendNumber(out, index.message_start_time, 8);
   AppendNumber(out, index.message_end_time, 8);
   AppendNumber(out, index.chunk_start_offset, 8);
   AppendNumber(out, index.chunk_length, 8);
   {
-    const LengthLater list(out, 4);
+    const LengthPrefix list(out, 4);
     for (const auto& [channel, offset] : index.message_index_offsets) {
       AppendNumber(out, channel, 2);
       AppendNumber(out, offset, 8);
@@ -193,7 +193,7 @@ void Append(Buffer& out, const ChunkIndex& index) {
 }
 
 void Append(Buffer& out, const AttachmentIndex& index) {
-  const LengthLater length = BeginRecord(out, Opcode::kAttachmentIndex);
+  const LengthPrefix length = BeginRecord(out, Opcode::kAttachmentIndex);
   AppendNumber(out, index.offset, 8);
   AppendNumber(out, index.length, 8);
   AppendNumber(out, index.log_time, 8);
@@ -204,20 +204,20 @@ void Append(Buffer& out, const AttachmentIndex& index) {
 }
 
 void Append(Buffer& out, const Metadata& metadata) {
-  const LengthLater length = BeginRecord(out, Opcode::kMetadata);
+  const LengthPrefix length = BeginRecord(out, Opcode::kMetadata);
   AppendString(out, metadata.name);
   AppendMap(out, metadata.metadata);
 }
 
 void Append(Buffer& out, const MetadataIndex& index) {
-  const LengthLater length = BeginRecord(out, Opcode::kMetadataIndex);
+  const LengthPrefix length = BeginRecord(out, Opcode::kMetadataIndex);
   AppendNumber(out, index.offset, 8);
   AppendNumber(out, index.length, 8);
   AppendString(out, index.name);
 }
 
 void Append(Buffer& out, const Statistics& statistics) {
-  const LengthLater length = BeginRecord(out, Opcode::kStatistics);
+  const LengthPrefix length = BeginRecord(out, Opcode::kStatistics);
   AppendNumber(out, statistics.message_count, 8);
   AppendNumber(out, statistics.schema_count, 2);
   AppendNumber(out, statistics.channel_count, 4);
@@ -226,7 +226,7 @@ void Append(Buffer& out, const Statistics& statistics) {
   AppendNumber(out, statistics.chunk_count, 4);
   AppendNumber(out, statistics.message_start_time, 8);
   AppendNumber(out, statistics.message_end_time, 8);
-  const LengthLater list(out, 4);
+  const LengthPrefix list(out, 4);
   for (const auto& [channel, count] : statistics.channel_message_counts) {
     AppendNumber(out, channel, 2);
     AppendNumber(out, count, 8);
@@ -234,14 +234,14 @@ void Append(Buffer& out, const Statistics& statistics) {
 }
 
 void Append(Buffer& out, const SummaryOffset& offset) {
-  const LengthLater length = BeginRecord(out, Opcode::kSummaryOffset);
+  const LengthPrefix length = BeginRecord(out, Opcode::kSummaryOffset);
   AppendNumber(out, offset.group_opcode, 1);
   AppendNumber(out, offset.group_start, 8);
   AppendNumber(out, offset.group_length, 8);
 }
 
 void Append(Buffer& out, const DataEnd& end) {
-  const LengthLater length = BeginRecord(out, Opcode::kDataEnd);
+  const LengthPrefix length = BeginRecord(out, Opcode::kDataEnd);
   AppendNumber(out, end.data_section_crc, 4);
 }
 

@@ -9,7 +9,7 @@ namespace tendon::gui {
 namespace {
 
 constexpr std::array kTenSeconds{
-    SeenSlices{.slices = {.from_ns = 0, .to_ns = 10 * kSecond, .count = 1000}}};
+    VisibleSlices{.slices = {.from_ns = 0, .to_ns = 10 * kSecond, .count = 1000}}};
 
 TEST(CurveSet, CurvesOfOneUnitShareAnAxis) {
   CurveSet set;

@@ -99,7 +99,7 @@ TEST_F(ScaledCurveTest, HasItsOwnAxisByDefault) {
 
   curves_.setLook(*curves_.find(kPosition.path), {.scaling = kScaling, .axis = "rad"});
   ASSERT_EQ(curves_.axes().size(), 1U);
-  const std::vector<SeenSlices> seen{{.slices = slices_}};
+  const std::vector<VisibleSlices> seen{{.slices = slices_}};
   curves_.fitAxes(seen);
   EXPECT_LE(curves_.axisOf(other).range.low, -998);
 
@@ -123,7 +123,7 @@ TEST_F(ScaledCurveTest, ReadoutAndStatisticsAreScaled) {
 }
 
 TEST_F(ScaledCurveTest, TheLegendShowsTheScaling) {
-  const std::vector<SeenSlices> seen{{.slices = slices_}};
+  const std::vector<VisibleSlices> seen{{.slices = slices_}};
   curves_.fitAxes(seen);
 
   const auto entries = LegendEntriesOf(curves_, {}, TimeSpan{.from_ns = 0, .to_ns = kSecond}, true);
