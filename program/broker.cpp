@@ -22,10 +22,11 @@ Result<std::string> BrokerSettings(const std::string& address, const NetworkOpti
     return tendon::ice::BrokerSettings(
         address, {.certificate = options.certificate, .authority = AuthorityOf(options)});
   }
-  return Error{ErrorCode::kDenied,
-               "the broker needs the certificate of a process 'broker' (gcm cert issue broker "
-               "--role viewer --process); the given certificate belongs to '" +
-                   own.name + "', a " + std::string(ToString(own.holder))};
+  return Error{
+      ErrorCode::kDenied,
+      "the broker needs a certificate with the name 'broker' for a process (gcm cert issue "
+      "broker --role viewer --process); the given certificate has the name '" +
+          own.name + "', for a " + std::string(ToString(own.holder))};
 }
 
 #else

@@ -149,8 +149,8 @@ changed_files() {
     "${git[@]}" ls-files -z --others --exclude-standard -- "$@"
 }
 
-# The commit at which this branch left main. On main, or if there is no main: the last commit that was pushed, or the
-# last commit.
+# The commit at which this branch left main. On main, or without a main: the last pushed commit; if nothing was pushed,
+# the last commit.
 branch_point() {
   local git=(git -C "$TENDON_ROOT") bases=(main origin/main HEAD) base
   [[ $("${git[@]}" branch --show-current) != main ]] || bases=(origin/main HEAD)

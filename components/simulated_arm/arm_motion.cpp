@@ -7,7 +7,8 @@
 namespace arm {
 namespace {
 
-constexpr double kArrived = 1e-3;    // rad, and rad/s; the goal is reached within these distances
+// rad for the position, rad/s for the velocity: closer to the goal than this counts as there.
+constexpr double kArrived = 1e-3;
 constexpr double kFurthest = 1e3;    // rad
 constexpr double kLongest = 3600.0;  // s
 constexpr double kGentle = 0.25;     // fraction of the acceleration limit for changes of velocity

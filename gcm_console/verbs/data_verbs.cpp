@@ -530,8 +530,8 @@ std::vector<Verb> DataVerbs() {
          WithKind(
              app.add_option("paths", options->paths,
                             "columns of state tables, or parts of columns (.position[0]); * and ** "
-                            "match several columns; if the columns are of several tables, each row "
-                            "belongs to one table and shows - in the columns of the other tables"),
+                            "match several columns; with columns of several tables, each row comes "
+                            "from one table, and has \"-\" for the columns of the others"),
              WordKind::kColumn)
              ->required();
          app.add_option("--hz", options->rate,

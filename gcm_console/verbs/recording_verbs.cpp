@@ -278,10 +278,10 @@ void PrintExport(Context& context, const recording::ExportReport& report, bool i
                 << tendon::Counted(report.others, "message", "messages") << " of other topics\n";
   if (report.incomplete > 0 && is_hdf5) {
     context.err() << "gcm: " << tendon::Counted(report.incomplete, "entry is", "entries are")
-                  << " left out, because a part is missing or malformed\n";
+                  << " left out, because a part of the file is missing or malformed\n";
   } else if (report.incomplete > 0) {
     context.err() << "gcm: " << tendon::Counted(report.incomplete, "entry has", "entries have")
-                  << " empty cells, because a part is missing or malformed\n";
+                  << " empty cells, because a part of the file is missing or malformed\n";
   }
   constexpr std::size_t kMax = 8;  // lines
   std::size_t lines = 0;

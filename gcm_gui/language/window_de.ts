@@ -1234,8 +1234,8 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>Ausführen</translation>
     </message>
     <message>
-        <source> as in the file</source>
-        <translation> wie in der Datei</translation>
+        <source>%1: as in the file</source>
+        <translation>%1: wie in der Datei</translation>
     </message>
     <message>
         <source>No system file is open.</source>
@@ -2794,8 +2794,8 @@ Hat %1 der %2 benötigten Befehle und Ereignisse.</translation>
         <translation>Faktor und Versatz von %1 müssen Zahlen sein</translation>
     </message>
     <message>
-        <source>the axis of %1 must be a text</source>
-        <translation>die Achse von %1 muss ein Text sein</translation>
+        <source>&quot;axis&quot; of %1 must be text in quotes</source>
+        <translation>&quot;axis&quot; von %1 muss ein Text in Anführungszeichen sein</translation>
     </message>
     <message>
         <source>the list &quot;curves&quot; is missing</source>

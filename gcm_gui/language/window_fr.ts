@@ -1234,8 +1234,8 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>Exécuter</translation>
     </message>
     <message>
-        <source> as in the file</source>
-        <translation> comme dans le fichier</translation>
+        <source>%1: as in the file</source>
+        <translation>%1 : comme dans le fichier</translation>
     </message>
     <message>
         <source>No system file is open.</source>
@@ -2794,8 +2794,8 @@ Possède %1 des %2 commandes et événements requis.</translation>
         <translation>l&apos;échelle et le décalage de %1 doivent être des nombres</translation>
     </message>
     <message>
-        <source>the axis of %1 must be a text</source>
-        <translation>l&apos;axe de %1 doit être un texte</translation>
+        <source>&quot;axis&quot; of %1 must be text in quotes</source>
+        <translation>&quot;axis&quot; de %1 doit être un texte entre guillemets</translation>
     </message>
     <message>
         <source>the list &quot;curves&quot; is missing</source>

@@ -90,7 +90,7 @@ QString ReadCurve(const QJsonValue& json, CurveLayout& curve) {
     return Words::tr("scale and offset of %1 must be numbers").arg(curve.key.path);
   }
   if (!json["axis"].isUndefined() && !json["axis"].isString()) {
-    return Words::tr("the axis of %1 must be a text").arg(curve.key.path);
+    return Words::tr("\"axis\" of %1 must be text in quotes").arg(curve.key.path);
   }
   curve.look = {.scaling = {.factor = *factor, .offset = *offset}, .axis = json["axis"].toString()};
   const auto refusal = RefusalOf(curve.look);

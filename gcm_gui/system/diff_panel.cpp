@@ -126,7 +126,7 @@ void DiffPanel::previewOne() {
   const SystemDifference* line = currentLine();
   if (line == nullptr) return;
   restore_.preview(WithPartOf(WholeSystem(document_.catalogue()), document_.file(), line->what),
-                   ToQString(line->what) + Words::tr(" as in the file"));
+                   Words::tr("%1: as in the file").arg(ToQString(line->what)));
 }
 
 void DiffPanel::updateOne() {

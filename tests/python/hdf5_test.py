@@ -149,7 +149,7 @@ class Exported(unittest.TestCase):
                 writer.message(channel, row, row, parse("uint64").encode(row))
         writer.save(self.recording)
 
-        self.assertIn("1 entry is left out, because a part is missing or malformed", self.export())
+        self.assertIn("1 entry is left out, because a part of the file is missing or malformed", self.export())
 
         with h5py.File(self.output) as file:
             self.assertEqual(file["robot/cart/state/Double"][:].tolist(), [0, 1, 3])

@@ -45,7 +45,8 @@ class StepHistory {
   /// the order of the steps, in the history's thread or in Close().
   using Done = std::function<void()>;
 
-  /// Reads the file, if it exists. Logs, in the history's thread, if the file cannot be written.
+  /// Reads the file, if it exists. If the file cannot be written later, the history's thread logs
+  /// this.
   explicit StepHistory(std::filesystem::path file);
   StepHistory(const StepHistory&) = delete;
   StepHistory& operator=(const StepHistory&) = delete;

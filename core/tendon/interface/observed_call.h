@@ -49,8 +49,8 @@ inline constexpr auto kPayload<Status::Code> = DescribeEnum(
          outcome == CallOutcome::kQueued;
 }
 
-/// The beginning of an observed call. It takes 16 bytes on the wire, so the argument after it is
-/// aligned as in a separate body.
+/// The beginning of an observed call. It takes 16 bytes on the wire, so the argument after it has
+/// the alignment that it would have at the start of a body.
 struct CallHeader {
   std::chrono::nanoseconds took{0};  ///< from the start of the execution to its end
   CallOutcome outcome = CallOutcome::kExecuted;

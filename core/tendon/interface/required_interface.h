@@ -139,8 +139,8 @@ class RequiredInterface {
   Offer& AddOffer(std::unique_ptr<Offer> handler,
                   SourceLocation location = SourceLocation::current());
   [[nodiscard]] BindingGate& binding() { return binding_; }
-  /// Lets handlers also receive the calls of commands that have their names; see DescribeCalls().
-  /// Such handlers must accept encoded values.
+  /// From now on, a handler with the name of a command observes this command: it gets each call as
+  /// an encoded event; see DescribeCalls(). Such handlers must accept encoded values.
   void ObserveCalls() { observes_calls_ = true; }
   [[nodiscard]] bool observes_calls() const { return observes_calls_; }
 

@@ -133,10 +133,12 @@ struct ReadRowsReply {
 ///     RowsHeader
 ///     u32 x columns    bytes of a cell of that column, or 0 if they differ from row to row
 ///     padding to 8
-///     row x rows       u64 tick, i64 time (ns on the source's steady clock), then per column, at
-///                      the next multiple of 8: the cell's body; or, if its size is 0, u32
-///                      offset (from the start of the frame's body, a multiple of 8), u32 size
-///     the cells whose sizes differ, each at a multiple of 8
+///     row x rows       u64 tick, i64 time (ns on the source's steady clock), then for each
+///                      column, at the next multiple of 8, one of:
+///                      - the cell's body, if the size of the column above is not 0;
+///                      - otherwise u32 offset, u32 size of a body that follows the rows
+///     the cells whose sizes differ, each at a multiple of 8; their offsets count from the start
+///                      of the frame's body
 ///
 /// A row is a multiple of 8 bytes long; all rows of a batch are equally long.
 ///

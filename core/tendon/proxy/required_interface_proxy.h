@@ -45,8 +45,8 @@ class RequiredInterfaceProxy final : public NetworkJob,
   /// called before the proxy is connected to `server`.
   void MakeExecutors(const ProvidedInterface& server, CallExecutors& threads);
 
-  /// Prepares the handlers that will receive the calls of commands of `server`. Must be called
-  /// before the proxy is connected to `server`.
+  /// Prepares the event handlers that observe commands of `server`; see
+  /// RequiredInterface::ObserveCalls(). Must be called before the proxy is connected to `server`.
   void PrepareObservers(const ProvidedInterface& server);
 
   [[nodiscard]] RequiredInterface& interface() { return interface_; }

@@ -18,8 +18,8 @@
 
 namespace tendon::gui {
 
-/// The pass of a sweeping window to which a time span belongs. A window that does not sweep has
-/// only the present pass.
+/// In a sweeping window, a time span belongs to the present pass or to the one before. Other
+/// windows have only the present pass.
 enum class Pass { kPresent, kFormer };
 
 /// One signal in one plot: its samples, its look, and the state of its source. A curve of a

@@ -176,7 +176,8 @@ TEST_P(ChannelContract, DirectRequestsToAHungPeerEndAtTheirDeadline) {
   EXPECT_EQ(reply.error().message, "no reply from robot within 30 ms; outcome unknown");
   EXPECT_FALSE(next);
   hung.unlock();
-  EXPECT_TRUE(AskClerk(*channel_, kHowMany));  // it follows the late reply to the same question
+  EXPECT_TRUE(
+      AskClerk(*channel_, kHowMany));  // arrives after the late reply to the earlier kHowMany
   hung.lock();
   Responder kept = std::move(server->kept_.front());
   hung.unlock();

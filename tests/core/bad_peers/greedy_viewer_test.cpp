@@ -238,7 +238,7 @@ TEST_P(GreedyViewer, MirroringACommandTwiceIsRefused) {
 
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().code, ErrorCode::kInvalid);
-  EXPECT_THAT(refused.error().message, HasSubstr("'GetLevel' of robot/meter/Level twice"));
+  EXPECT_THAT(refused.error().message, HasSubstr("robot/meter/Level names 'GetLevel' twice"));
 }
 
 TEST_P(GreedyViewer, LimitsTheNumberOfSubscriptions) {

@@ -19,7 +19,7 @@ namespace {
 using namespace std::chrono_literals;
 using tendon::Status;
 
-/// A server with a command for whose result its clients wait.
+/// A server with a command that returns a result.
 class Oracle final : public tendon::PeriodicTask {
  public:
   explicit Oracle(std::string name) : PeriodicTask(std::move(name), 1ms) {

@@ -131,7 +131,7 @@ class ScriptedSignals final : public SignalSource {
 
   /// All signals that are watched.
   [[nodiscard]] QSet<QString> watched() const;
-  /// Sends a newest row of `column`. Its value has this schema.
+  /// Delivers a row of `column` as the newest; `schema` is the type of its value.
   void send(const QString& column, const Schema& schema, const std::vector<double>& values);
   /// Sends a newest row of a column that holds a picture.
   void sendPicture(const QString& column, const RawImage& picture);

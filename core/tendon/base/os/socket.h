@@ -85,9 +85,9 @@ void ShutDown(const std::string& local, const std::string& peer);
 [[nodiscard]] std::string LocalAddress(const Socket& socket);
 [[nodiscard]] std::string PeerAddress(const Socket& socket);
 
-/// Applies the settings of Socket to a socket of a library: child processes do not inherit it, and
-/// TCP does not delay (pace) its data to peers on this machine. `peer_port` is 0 for a listening
-/// socket.
+/// Applies the settings of Socket to a socket that a library has opened: child processes do not
+/// inherit it, and TCP does not delay (pace) its data to peers on this machine. `peer_port` is 0
+/// for a listening socket.
 void AdoptSocket(std::uint16_t local_port, std::uint16_t peer_port);
 
 /// True if only programs of this user listen at a port of this machine.

@@ -26,9 +26,9 @@ class ProcessLinks final : public std::enable_shared_from_this<ProcessLinks> {
   /// Returns the current description of a process, or an error that says why it cannot be reached.
   using Resolve = std::function<Result<ProcessDescription>(const std::string& process)>;
 
-  /// The name and the highest role of this program on the channels, and the time limit for opening
-  /// a channel. One thread opens all channels, so a process that does not answer delays requests to
-  /// other processes by this time.
+  /// The name and the role are shown to each process; `role` is the highest role that the program
+  /// has there. `timeout` limits the opening of a channel. One thread opens all channels, so a
+  /// process that does not answer delays requests to other processes by up to `timeout`.
   struct Options {
     std::string name;
     Role role = Role::kOperator;

@@ -89,7 +89,7 @@ class Server::Peer final : public GuardedHandler {
       const auto shared = std::make_shared<Responder>(std::move(responder));
       return ((*server_).*serve)({*this, channel, body, shared});
     }
-    responder.Refuse({ErrorCode::kInvalid, "a GCM does not understand message " +
+    responder.Refuse({ErrorCode::kInvalid, "the GCM does not know messages of type " +
                                                std::to_string(static_cast<unsigned>(header.type))});
   }
 

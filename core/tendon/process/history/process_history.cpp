@@ -128,7 +128,8 @@ void ProcessHistory::Run() {
     try {
       until_next = Gather();
     } catch (const std::bad_alloc&) {
-      // Data that is not copied now is copied later, or counted as missed or dropped.
+      // Rows that are not copied now are copied later. If they are overwritten first, they are
+      // counted.
     }
     pause = std::clamp(is_urgent ? kShortestGap : 2 * pause, kShortestGap,
                        std::clamp(until_next, kShortestGap, kLongestGap));

@@ -287,8 +287,9 @@ Result<std::vector<TelemetryServer::Source>> TelemetryServer::LookUp(
   std::vector<Source> sources;
   for (const std::string& name : wanted.commands) {
     if (!named.insert(name).second) {
-      return Error{ErrorCode::kInvalid, "a mirror names '" + name + "' of " +
-                                            ToString(wanted.provided) + " twice: name it once"};
+      return Error{ErrorCode::kInvalid, "a request for mirrored values of " +
+                                            ToString(wanted.provided) + " names '" + name +
+                                            "' twice: name it once"};
     }
     const Offer* command = (*provided)->FindCommand(name);
     if (command == nullptr) {  // reported when the interface is opened
