@@ -141,7 +141,7 @@ TEST(ObservedCalls, HaveArgumentOutcomeAndClient) {
   EXPECT_EQ(arm.moves.size(), 1U);
 }
 
-TEST(ObservedCalls, OfACommandWithoutArgumentHaveNone) {
+TEST(ObservedCalls, HaveNoArgumentIfTheCommandHasNone) {
   Arm arm;
   Teleoperation client;
   const auto connection = Connect(client, arm);
@@ -278,7 +278,7 @@ TEST(ObservedCalls, ACallThatIsLeftInTheMailboxIsDropped) {
   EXPECT_THAT(observer.text(), HasSubstr(R"("outcome":"dropped","status":"not_active")"));
 }
 
-TEST(ObservedCalls, OfACommandThatKeepsTheLatestAreThoseThatAreExecuted) {
+TEST(ObservedCalls, ReplacedByNewerOnesAreNotShown) {
   struct Lamp {
     tendon::Inbox inbox;
     tendon::ProvidedInterface control{"Control", &inbox};

@@ -69,7 +69,7 @@ struct FrozenPeer : RemoteConnection {
   }
 };
 
-TEST_P(FrozenPeer, AQueuedCallWaitsForNoAnswer) {
+TEST_P(FrozenPeer, AQueuedCallWaitsForNoReply) {
   Freeze();
 
   // Calls in the mailbox here, and calls that the credit of the other end allows.

@@ -17,7 +17,7 @@ TEST(ExplainFailure, ARequestThatOnlyReadsHasNoUnknownOutcome) {
   EXPECT_EQ(failure, (Error{ErrorCode::kTimeout, "no reply from robot within 500 ms"}));
 }
 
-TEST(ExplainFailure, ACallWithoutAnAnswerHasAnUnknownOutcome) {
+TEST(ExplainFailure, ACallWithoutAReplyHasAnUnknownOutcome) {
   const Error failure = ExplainFailure(NoReply("robot", 500ms), message::kCallMember, "robot");
 
   EXPECT_EQ(failure, NoReply("robot", 500ms));

@@ -33,7 +33,7 @@ std::optional<Condition> When(const std::string& text) {
   return condition ? std::optional(*condition) : std::nullopt;
 }
 
-TEST_F(TriggerTest, BeginsWithWhatCameBeforeTheCondition) {
+TEST_F(TriggerTest, RecordsRowsFromBeforeTheCondition) {
   const auto robot = StartProcess("robot");
   StartRecorder({.patterns = {"robot/odometer"},
                  .start_when = When("robot/odometer/state.Half < 0"),

@@ -52,8 +52,8 @@ class PromptClerk final : public ChannelHandler {
 };
 
 /// Sends a request and waits for the reply, which may take the direct path.
-Result<Bytes> AskClerk(Channel& channel, MessageType type, std::uint32_t handle = 0,
-                       std::chrono::milliseconds timeout = kLong) {
+Result<Bytes> SendRequest(Channel& channel, MessageType type, std::uint32_t handle = 0,
+                          std::chrono::milliseconds timeout = kLong) {
   auto reply = channel.Call(type, handle, EncodeBody(std::uint32_t{7}), timeout, kOwnLane,
                             Delivery::kDirect);
   if (!reply) return reply.error();
@@ -61,7 +61,7 @@ Result<Bytes> AskClerk(Channel& channel, MessageType type, std::uint32_t handle 
 }
 
 std::future<Result<Bytes>> AskToBeKept(Channel& channel, PromptClerk& clerk) {
-  auto reply = std::async(std::launch::async, [&] { return AskClerk(channel, kKeep); });
+  auto reply = std::async(std::launch::async, [&] { return SendRequest(channel, kKeep); });
   EXPECT_TRUE(EventuallyTrue([&] { return clerk.has_kept_ == 1; }));
   return reply;
 }
@@ -69,10 +69,10 @@ std::future<Result<Bytes>> AskToBeKept(Channel& channel, PromptClerk& clerk) {
 TEST_P(ChannelContract, ADirectRequestMayBeAnsweredAtOnceOrLater) {
   const auto server = std::make_shared<PromptClerk>();
   Connect(server, std::make_shared<PromptClerk>());
-  EXPECT_EQ(*AskClerk(*channel_, kHowMany), EncodeBody(std::uint32_t{0}));
+  EXPECT_EQ(*SendRequest(*channel_, kHowMany), EncodeBody(std::uint32_t{0}));
 
   auto reply = AskToBeKept(*channel_, *server);
-  EXPECT_EQ(*AskClerk(*channel_, kHowMany),
+  EXPECT_EQ(*SendRequest(*channel_, kHowMany),
             EncodeBody(std::uint32_t{0}));  // other requests are not blocked
   server->kept_.front().Reply(EncodeBody(std::uint32_t{3}), kOwnLane);
 
@@ -125,7 +125,7 @@ TEST_P(ChannelContract, DirectRepliesOfAllSizesArriveComplete) {
   constexpr std::size_t kLargest = kMaxPieceSize - FrameHeader::kSize;
   for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{253}, kLargest - 1,
                                  kLargest, kLargest + 1, 4 * kLargest}) {
-    const auto reply = AskClerk(*channel_, kOfSize, static_cast<std::uint32_t>(size));
+    const auto reply = SendRequest(*channel_, kOfSize, static_cast<std::uint32_t>(size));
 
     ASSERT_TRUE(reply) << reply.error().message;
     EXPECT_EQ(*reply, Bytes(size, std::byte{7}));
@@ -147,9 +147,9 @@ TEST_P(ChannelContract, OnlyTheFirstDirectReplyIsSent) {
   const auto server = std::make_shared<PromptClerk>();
   Connect(server, std::make_shared<PromptClerk>());
 
-  EXPECT_EQ(*AskClerk(*channel_, kReplyTwice), EncodeBody(std::uint32_t{1}));
+  EXPECT_EQ(*SendRequest(*channel_, kReplyTwice), EncodeBody(std::uint32_t{1}));
 
-  EXPECT_TRUE(AskClerk(*channel_, kHowMany));
+  EXPECT_TRUE(SendRequest(*channel_, kHowMany));
   EXPECT_FALSE(server->has_replied_twice_);
 }
 
@@ -157,11 +157,11 @@ TEST_P(ChannelContract, AThrowingHandlerRefusesADirectRequest) {
   const auto server = std::make_shared<PromptClerk>();
   Connect(server, std::make_shared<PromptClerk>());
 
-  const auto reply = AskClerk(*channel_, kThrow);
+  const auto reply = SendRequest(*channel_, kThrow);
 
   ASSERT_FALSE(reply);
   EXPECT_EQ(reply.error().code, ErrorCode::kFailed);
-  EXPECT_TRUE(AskClerk(*channel_, kHowMany));
+  EXPECT_TRUE(SendRequest(*channel_, kHowMany));
 }
 
 TEST_P(ChannelContract, DirectRequestsToAHungPeerEndAtTheirDeadline) {
@@ -169,20 +169,20 @@ TEST_P(ChannelContract, DirectRequestsToAHungPeerEndAtTheirDeadline) {
   Connect(server, std::make_shared<PromptClerk>());
   std::unique_lock hung(server->gate_);
 
-  const auto reply = AskClerk(*channel_, kKeep, 0, std::chrono::milliseconds(30));
-  const auto next = AskClerk(*channel_, kHowMany, 0, std::chrono::milliseconds(30));
+  const auto reply = SendRequest(*channel_, kKeep, 0, std::chrono::milliseconds(30));
+  const auto next = SendRequest(*channel_, kHowMany, 0, std::chrono::milliseconds(30));
 
   ASSERT_FALSE(reply);
   EXPECT_EQ(reply.error().message, "no reply from robot within 30 ms; outcome unknown");
   EXPECT_FALSE(next);
   hung.unlock();
   EXPECT_TRUE(
-      AskClerk(*channel_, kHowMany));  // arrives after the late reply to the earlier kHowMany
+      SendRequest(*channel_, kHowMany));  // arrives after the late reply to the earlier kHowMany
   hung.lock();
   Responder kept = std::move(server->kept_.front());
   hung.unlock();
   kept.Reply({}, kOwnLane);
-  EXPECT_TRUE(AskClerk(*channel_, kHowMany));
+  EXPECT_TRUE(SendRequest(*channel_, kHowMany));
 }
 
 TEST_P(ChannelContract, ClosingTheLinkEndsADirectRequest) {
@@ -195,7 +195,7 @@ TEST_P(ChannelContract, ClosingTheLinkEndsADirectRequest) {
   const auto outcome = reply.get();
   ASSERT_FALSE(outcome);
   EXPECT_EQ(outcome.error().code, ErrorCode::kUnreachable);
-  EXPECT_EQ(AskClerk(*channel_, kHowMany).error().code, ErrorCode::kUnreachable);
+  EXPECT_EQ(SendRequest(*channel_, kHowMany).error().code, ErrorCode::kUnreachable);
 }
 
 TEST_P(ChannelContract, BothEndsMaySendDirectRequestsConcurrently) {
@@ -205,7 +205,8 @@ TEST_P(ChannelContract, BothEndsMaySendDirectRequestsConcurrently) {
   std::atomic<int> replies{0};
 
   auto there = std::async(std::launch::async, [&] {
-    for (int i = 0; i < 200; ++i) replies += static_cast<int>(AskClerk(*channel_, kHowMany).ok());
+    for (int i = 0; i < 200; ++i)
+      replies += static_cast<int>(SendRequest(*channel_, kHowMany).ok());
   });
   for (int i = 0; i < 200; ++i) {
     replies +=
