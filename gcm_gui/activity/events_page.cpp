@@ -4,7 +4,6 @@
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/views/link_button.h>
-#include <gcm_gui/views/row_delegate.h>
 #include <gcm_gui/views/row_view.h>
 #include <gcm_gui/views/tool_row.h>
 
@@ -12,7 +11,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <chrono>
 
 namespace tendon::gui {
@@ -41,13 +39,7 @@ EventsPage::EventsPage(SystemReports& reports, Selection& selection, QWidget* pa
   setObjectName(QStringLiteral("eventsPage"));
   list_ = MakeRowList(events_, QStringLiteral("events"), Words::tr("Events"),
                       Words::tr("No event has been raised since this page was opened."));
-  list_->rows().setAllLeft(true);
-  list_->setSelectionMode(QAbstractItemView::SingleSelection);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addWidget(buildBar());
-  column->addWidget(list_, 1);
+  FillPage(*this, buildBar(), list_);
   const auto choose = [this](const QModelIndex& index) {
     Q_EMIT pathChosen(index.data(kPathRole).toString());
   };

@@ -4,7 +4,6 @@
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/views/link_button.h>
-#include <gcm_gui/views/row_delegate.h>
 #include <gcm_gui/views/row_view.h>
 #include <gcm_gui/views/tool_row.h>
 
@@ -15,7 +14,6 @@
 #include <QMenu>
 #include <QScrollBar>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <memory>
 
 namespace tendon::gui {
@@ -40,14 +38,8 @@ LogPage::LogPage(SystemReports& reports, const CatalogueStore& store, SystemActi
   setObjectName(QStringLiteral("logPage"));
   list_ = MakeRowList(filter_, QStringLiteral("log"), Words::tr("Log"),
                       Words::tr("The log of all processes is listed here."));
-  list_->rows().setAllLeft(true);
-  list_->setSelectionMode(QAbstractItemView::SingleSelection);
   FollowEnd(*list_);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addWidget(buildBar());
-  column->addWidget(list_, 1);
+  FillPage(*this, buildBar(), list_);
   const auto choose = [this](const QModelIndex& index) {
     Q_EMIT pathChosen(index.data(kPathRole).toString());
   };

@@ -8,6 +8,7 @@
 #include <QHeaderView>
 #include <QPainter>
 #include <QScrollBar>
+#include <QVBoxLayout>
 
 namespace tendon::gui {
 namespace {
@@ -104,6 +105,16 @@ RowView* MakeRowList(QAbstractItemModel& model, const QString& name, const QStri
   list->setEmptyText(empty_text);
   list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
   return list;
+}
+
+void FillPage(QWidget& page, QWidget* bar, RowView* list) {
+  list->rows().setAllLeft(true);
+  list->setSelectionMode(QAbstractItemView::SingleSelection);
+  auto* column = new QVBoxLayout(&page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(bar);
+  column->addWidget(list, 1);
 }
 
 }  // namespace tendon::gui

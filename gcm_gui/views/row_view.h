@@ -40,4 +40,8 @@ class RowView : public QTreeView {
 [[nodiscard]] RowView* MakeRowList(QAbstractItemModel& model, const QString& name,
                                    const QString& title, const QString& empty_text);
 
+/// Fills `page` with `bar` and, below it, `list`. The list has one selected row at a time, and
+/// words are left-aligned in all of its columns.
+void FillPage(QWidget& page, QWidget* bar, RowView* list);
+
 }  // namespace tendon::gui

@@ -283,13 +283,7 @@ Result<CsvTables> CsvTablesOf(const mcap::Reader& reader, const mcap::Query& que
     return std::make_shared<CsvFile>(names.Take(FileNameOf(group.path), ".csv"), std::move(made),
                                      group.content);
   };
-  CsvTables tables;
-  for (const ChannelGroup& group : GroupsOf(reader, query)) {
-    if (stop && stop()) return os::StoppedError(folder);
-    if (auto added = tables.Add(reader, group, make); !added) return added.error();
-  }
-  if (tables.all().empty()) return NothingToExport(reader);
-  return tables;
+  return MakeTables<CsvFile>(reader, GroupsOf(reader, query), folder, stop, make);
 }
 
 Result<void> WriteFiles(mcap::Reader& reader, const mcap::Query& query, const CsvTables& tables,

@@ -102,6 +102,23 @@ class ExportTables {
   std::map<std::string, std::size_t> types_;  // their numbers, by their text
 };
 
+/// Makes the tables of these groups. Fails if `make` fails or if there is no table; fails with
+/// os::StoppedError(place) if `stop` returns true.
+template <typename Table>
+Result<ExportTables<Table>> MakeTables(const mcap::Reader& reader,
+                                       const std::vector<ChannelGroup>& groups,
+                                       const std::filesystem::path& place,
+                                       const os::StopRequest& stop,
+                                       const typename ExportTables<Table>::Make& make) {
+  ExportTables<Table> tables;
+  for (const ChannelGroup& group : groups) {
+    if (stop && stop()) return os::StoppedError(place);
+    if (auto added = tables.Add(reader, group, make); !added) return added.error();
+  }
+  if (tables.all().empty()) return NothingToExport(reader);
+  return tables;
+}
+
 /// Makes the names of the tables unique: the second "state" is "state-2".
 class TableNames {
  public:

@@ -530,15 +530,12 @@ Result<Hdf5Tables> Hdf5TablesOf(const mcap::Reader& reader, const mcap::Query& q
     }
     return std::make_shared<Table>(names.Take(GroupNameOf(group.path)), group.content, members);
   };
-  Hdf5Tables tables;
-  for (ChannelGroup& group : GroupsOf(reader, query)) {
-    if (stop && stop()) return os::StoppedError(file);
+  std::vector<ChannelGroup> groups = GroupsOf(reader, query);
+  for (ChannelGroup& group : groups) {
     std::erase_if(group.channels,
                   [&](const mcap::Channel* channel) { return !HasMessages(reader, *channel); });
-    if (auto added = tables.Add(reader, group, make); !added) return added.error();
   }
-  if (tables.all().empty()) return NothingToExport(reader);
-  return tables;
+  return MakeTables<Table>(reader, groups, file, stop, make);
 }
 
 /// Throws if HDF5 fails.
