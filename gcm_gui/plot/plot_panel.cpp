@@ -26,12 +26,13 @@ constexpr int kHeadPeriod = 250;  // ms
 
 }  // namespace
 
-PlotPanel::PlotPanel(QWidget* parent)
+PlotPanel::PlotPanel(QWidget* parent, std::size_t memory)
     : QWidget(parent),
       head_(new PlotHeader(this)),
       pages_(new QStackedWidget(this)),
       tabs_(head_->tabs(), *pages_),
-      files_(new PlotFiles(*this)) {
+      files_(new PlotFiles(*this)),
+      memory_(memory) {
   setObjectName("plotPanel");
   setAccessibleName(Words::tr("Plots"));
   auto* column = new QVBoxLayout(this);
@@ -325,11 +326,6 @@ void PlotPanel::showPlotMenu(PlotView& view, const QPoint& position) {
 
 void PlotPanel::toggleCursors() {
   currentPlot().cursors().show(!currentPlot().cursors().times().any());
-}
-
-void PlotPanel::setMemoryBudget(std::size_t bytes) {
-  memory_ = bytes;
-  shareMemory();
 }
 
 void PlotPanel::shareMemory() {

@@ -38,7 +38,8 @@ class PlotPanel : public QWidget {
  public:
   static constexpr std::size_t kDefaultMemory = 200'000'000;
 
-  explicit PlotPanel(QWidget* parent = nullptr);
+  /// `memory` in bytes is for the samples of all plots together.
+  explicit PlotPanel(QWidget* parent = nullptr, std::size_t memory = kDefaultMemory);
 
   // Signals and their samples.
 
@@ -71,8 +72,6 @@ class PlotPanel : public QWidget {
   using Standstills =
       std::function<QString(const QString& path, std::optional<std::int64_t> newest_ns)>;
   void setStandstills(Standstills standstills);
-  /// Sets the memory in bytes for the samples of all plots together.
-  void setMemoryBudget(std::size_t bytes);
 
   // Recordings.
 
@@ -161,7 +160,7 @@ class PlotPanel : public QWidget {
   std::function<RowLosses(const QString& path)> losses_;
   Standstills standstills_;
   QTimer head_timer_;
-  std::size_t memory_ = kDefaultMemory;
+  const std::size_t memory_;  // bytes
   bool paused_ = false;
   bool marks_shown_ = true;
 };

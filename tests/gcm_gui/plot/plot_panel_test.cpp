@@ -184,14 +184,15 @@ TEST_F(PlotPanelTest, ARestartIsAGapNotALoss) {
   EXPECT_EQ(samples(kX).endIndex(), 1100U);
 }
 
-TEST_F(PlotPanelTest, TheMemoryIsSharedAmongTheCurves) {
-  panel_.addSignal(kX, "rad");
-  panel_.addSignal(kY, "rad");
-  panel_.append(kX, Rows(0, 40'000));
+TEST(PlotPanelMemory, IsSharedAmongTheCurves) {
+  PlotPanel panel(nullptr, 2 * 16 * 10'000);  // 8192 samples per curve
+  panel.addSignal(kX, "rad");
+  panel.addSignal(kY, "rad");
 
-  panel_.setMemoryBudget(2 * 16 * 10'000);  // 8192 samples per curve
+  panel.append(kX, Rows(0, 40'000));
 
-  EXPECT_EQ(samples(kX).endIndex() - samples(kX).firstIndex(), 8192U);
+  const SampleRing& samples = panel.currentPlot().curve(kX)->samples();
+  EXPECT_EQ(samples.endIndex() - samples.firstIndex(), 8192U);
 }
 
 TEST_F(PlotPanelTest, AHundredSignalsInBatchesLoseNothing) {

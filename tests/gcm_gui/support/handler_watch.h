@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gcm_gui/window/watched_application.h>
+#include <sys/resource.h>
 #include <tendon/base/os/thread.h>
 
 #include <QEvent>
@@ -11,6 +12,15 @@
 #include <cstdint>
 
 namespace tendon::gui {
+
+/// Returns how often the calling thread has given up its processor to wait for a lock, a file or a
+/// reply. Preemption by another thread and page faults from the disk do not count. The difference
+/// of two calls is the number of waits in between.
+[[nodiscard]] inline std::int64_t ThreadWaits() noexcept {
+  rusage usage{};
+  getrusage(RUSAGE_THREAD, &usage);
+  return usage.ru_nvcsw - usage.ru_majflt;
+}
 
 /// Measures the event handlers of one phase of a test: which of them took longest, and which of
 /// them waited (gave up the processor). Three kinds of waiting do not count: waiting for the
@@ -44,9 +54,9 @@ class HandlerWatch : public WatchedApplication {
     ++depth_;
     painting_waits_ = 0;
     const auto before = os::ThreadCpuTime();
-    const std::int64_t waits_before = os::ThreadWaits();
+    const std::int64_t waits_before = ThreadWaits();
     const bool handled = WatchedApplication::notify(receiver, event);
-    const std::int64_t waits = os::ThreadWaits() - waits_before - painting_waits_;
+    const std::int64_t waits = ThreadWaits() - waits_before - painting_waits_;
     const auto used = os::ThreadCpuTime() - before;
     --depth_;
     if (used > phase_.longest) {
@@ -59,11 +69,11 @@ class HandlerWatch : public WatchedApplication {
 
  private:
   bool paint(QObject* receiver, QEvent* event) {
-    const std::int64_t before = os::ThreadWaits();
+    const std::int64_t before = ThreadWaits();
     const std::int64_t waits_so_far = painting_waits_;
     const bool handled = WatchedApplication::notify(receiver, event);
     // The difference includes the waits of nested paint events.
-    painting_waits_ = waits_so_far + os::ThreadWaits() - before;
+    painting_waits_ = waits_so_far + ThreadWaits() - before;
     return handled;
   }
 

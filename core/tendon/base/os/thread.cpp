@@ -79,10 +79,4 @@ std::chrono::nanoseconds ThreadCpuTime() noexcept {
   return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
 }
 
-std::int64_t ThreadWaits() noexcept {
-  rusage usage{};
-  getrusage(RUSAGE_THREAD, &usage);
-  return usage.ru_nvcsw - usage.ru_majflt;
-}
-
 }  // namespace tendon::os

@@ -50,9 +50,4 @@ void TouchStack(std::size_t bytes) noexcept;
 /// Processor time of the calling thread. It does not advance while the thread waits.
 [[nodiscard]] std::chrono::nanoseconds ThreadCpuTime() noexcept;
 
-/// Returns how often the calling thread has given up its processor to wait for a lock, a file or a
-/// reply. Preemption by another thread and page faults from the disk do not count. The difference
-/// of two calls is the number of waits in between.
-[[nodiscard]] std::int64_t ThreadWaits() noexcept;
-
 }  // namespace tendon::os

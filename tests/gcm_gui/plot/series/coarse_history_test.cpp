@@ -57,8 +57,7 @@ TEST(ThinnedCurve, KeepsThePeaksOfDroppedSamples) {
 }
 
 TEST(MemoryMeter, ShowsMemoryUseAndThinning) {
-  PlotPanel panel;
-  panel.setMemoryBudget(1'000'000);
+  PlotPanel panel(nullptr, 1'000'000);
   panel.addSignal("p/a/state.x", "rad");
   panel.append("p/a/state.x", Rows(0, 100'000));
   auto* meter = panel.findChild<MemoryMeter*>("memory");
