@@ -2,6 +2,7 @@
 
 #include <tendon/task/periodic_task.h>
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <utility>

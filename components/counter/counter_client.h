@@ -3,6 +3,7 @@
 #include <tendon/interface/function.h>
 #include <tendon/task/periodic_task.h>
 
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <utility>

@@ -4,6 +4,7 @@
 #include <components/host_monitor/host_text.h>
 #include <tendon/base/clock.h>
 
+#include <cstdint>
 #include <deque>
 
 namespace host {

@@ -6,6 +6,7 @@
 #include <components/simulated_arm/joint_path.h>
 
 #include <array>
+#include <cstddef>
 
 namespace arm {
 

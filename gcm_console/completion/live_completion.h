@@ -4,6 +4,7 @@
 #include <tendon/gcm/client.h>
 
 #include <chrono>
+#include <cstdint>
 #include <future>
 #include <map>
 #include <memory>

@@ -4,10 +4,12 @@
 #include <tendon/payload/numeric_field.h>
 #include <tendon/process/telemetry_client.h>
 
+#include <cstddef>
 #include <deque>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace console {

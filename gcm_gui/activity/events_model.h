@@ -5,6 +5,7 @@
 #include <QAbstractListModel>
 #include <QString>
 #include <QStringList>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <vector>

@@ -6,6 +6,7 @@
 
 #include <QTimer>
 #include <QWidget>
+#include <cstddef>
 
 class QComboBox;
 class QLabel;

@@ -4,6 +4,7 @@
 
 #include <QAbstractListModel>
 #include <QString>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 

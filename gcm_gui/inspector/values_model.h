@@ -12,6 +12,7 @@
 #include <QSet>
 #include <QString>
 #include <chrono>
+#include <cstddef>
 #include <optional>
 #include <vector>
 

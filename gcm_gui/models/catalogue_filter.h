@@ -6,6 +6,7 @@
 #include <QAbstractProxyModel>
 #include <QString>
 #include <QTimer>
+#include <cstddef>
 #include <optional>
 #include <unordered_map>
 #include <vector>

@@ -11,6 +11,7 @@
 #include <QTimer>
 #include <QWidget>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>

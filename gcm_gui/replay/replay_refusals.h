@@ -8,6 +8,8 @@
 
 #include <QString>
 #include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace tendon::gui {

@@ -7,6 +7,7 @@
 #include <tendon/process/telemetry_client.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <mutex>
 #include <optional>

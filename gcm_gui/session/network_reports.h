@@ -8,10 +8,13 @@
 
 #include <QSet>
 #include <QTimer>
+#include <cstddef>
 #include <deque>
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace tendon::gui {
 

@@ -7,6 +7,7 @@
 #include <QStringList>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace tendon::gui {

@@ -6,6 +6,7 @@
 
 #include <QString>
 #include <QWidget>
+#include <string>
 
 class QCheckBox;
 class QLabel;

@@ -3,6 +3,7 @@
 #include <gcm_gui/session/link_state.h>
 
 #include <QFrame>
+#include <cstdint>
 
 class QLabel;
 

@@ -75,6 +75,34 @@ PLAIN_TESTS = ("tests",)
 RIDDLE = re.compile(r"^(?:TEST|TEST_F|TEST_P|TYPED_TEST)"
                     r"\(\s*\w+,\s*((?:What|Who|Whoever|Whom|Whose|Which|That)[A-Z]\w*)", re.M)
 
+# Names of namespace std, with the headers that declare them by the standard; the first is the one to include.
+# Names with overloads in many headers are left out, such as swap, get and hash.
+STANDARD_HEADERS = {re.compile(rf"\bstd::(?:{names})\b"): headers for names, headers in {
+    "size_t": ("cstddef", "cstdio", "cstdlib", "cstring", "ctime", "cwchar"),
+    "byte|max_align_t|nullptr_t|ptrdiff_t|to_integer": ("cstddef",),
+    r"u?int(?:_fast|_least)?\d+_t|u?int(?:max|ptr)_t": ("cstdint", "cinttypes"),
+    "array|to_array": ("array",),
+    r"atomic\w*|memory_order\w*": ("atomic",),
+    "chrono|chrono_literals": ("chrono",),
+    "function|reference_wrapper|c?ref|invoke|bind_front|mem_fn|not_fn|less|greater|equal_to": ("functional",),
+    "map|multimap": ("map",),
+    r"(?:unique|shared|weak)_ptr|make_(?:unique|shared)\w*|\w+_pointer_cast|enable_shared_from_this|default_delete"
+    "|align|addressof|to_address|construct_at|destroy_at|allocator|allocator_traits": ("memory",),
+    r"(?:recursive_|timed_)?mutex|lock_guard|(?:unique|scoped|defer|adopt|try_to)_lock|once_flag|call_once": ("mutex",),
+    "optional|make_optional|nullopt|nullopt_t": ("optional",),
+    "span|as_bytes|as_writable_bytes|dynamic_extent": ("span",),
+    "string|basic_string|to_string|getline|sto[dfil]|stou?ll?": ("string",),
+    "string_view|basic_string_view": ("string_view",),
+    r"(?:is|has)_\w+_v|(?:add|make|remove)_\w+_t|(?:common_type|conditional|decay|enable_if|invoke_result)_t"
+    "|(?:type_identity|underlying_type|void)_t|(?:true|false)_type|(?:bool|integral)_constant": ("type_traits",),
+    r"move|forward|exchange|as_const|declval|pair|make_pair|in_place|in_range|cmp_\w+|\w*(?:index|integer)_sequence\w*":
+        ("utility",),
+    r"variant|variant_\w+|visit|holds_alternative|get_if|monostate": ("variant",),
+    "vector": ("vector",),
+}.items()}
+COMMENT_OR_LITERAL = re.compile(r"""//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\B'(?:\\.|[^'\\\n])+'""",
+                                re.S)
+
 LEFT_OVER = re.compile(r"\b(TO[D]O|FIX[M]E|HAC[K]|XX[X])\b")
 
 CODE = {".h", ".cpp"}
@@ -228,6 +256,17 @@ def code_has_no_macros(file):
 def headers_are_included_once(file):
     if file.suffix == ".h" and "#pragma once" not in file.lines:
         yield 1, "a header needs #pragma once"
+
+
+def headers_name_what_they_use(file):
+    """A header includes the standard header of each name that it uses, and does not rely on what others include."""
+    if file.suffix != ".h" or file.part not in PARTS:
+        return
+    code = COMMENT_OR_LITERAL.sub(lambda match: "\n" * match[0].count("\n"), "\n".join(file.lines))
+    included = {include.name for include in file.includes}
+    for names, headers in STANDARD_HEADERS.items():
+        if (match := names.search(code)) and included.isdisjoint(headers):
+            yield code.count("\n", 0, match.start()) + 1, f"{match[0]} needs #include <{headers[0]}> in this header"
 
 
 def tests_have_plain_names(file):
@@ -547,7 +586,7 @@ def in_namespaces(lines):
 FILE_RULES = (
     ice_stays_in_its_folder, qt_stays_in_the_window, parts_include_what_they_may, components_need_core_alone,
     layers_look_down, core_headers_need_the_standard_library_alone, the_operating_system_stays_in_base_os,
-    atomics_stay_in_lockfree_and_state, code_has_no_macros, headers_are_included_once,
+    atomics_stay_in_lockfree_and_state, code_has_no_macros, headers_are_included_once, headers_name_what_they_use,
     tests_have_plain_names, nothing_is_left_over, scripts_are_narrow, functions_are_short)
 TREE_RULES = (types_have_names_of_their_own, joined_sources_share_no_names, helpers_hide_no_declared_functions,
               folders_of_a_layer_have_no_cycle, installed_headers_include_no_internal_ones,

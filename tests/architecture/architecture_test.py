@@ -108,6 +108,15 @@ BROKEN = {
     "headers_are_included_once": [
         ({"lcm/a.h": "// nothing\n"}, "lcm/a.h:1", "#pragma once"),
     ],
+    "headers_name_what_they_use": [
+        ({"lcm/a.h": include("string") + "std::string_view name();\n"}, "lcm/a.h:3", "std::string_view needs #include"),
+        ({"core/tendon/base/a.h": include("cstring") + "/* the\nbytes */ std::byte first;\n"},
+         "core/tendon/base/a.h:4", "std::byte needs #include <cstddef> in this header"),
+        ({"gcm_gui/a.h": include("gcm_gui/b.h") + "std::size_t count();\n", "gcm_gui/b.h": include("cstddef")},
+         "gcm_gui/a.h:3", "std::size_t needs #include <cstddef> in this header"),
+        ({"program/a.h": include() + "void Set(int x = 1'000, char c = '\"', std::uint8_t y = '\"');\n"},
+         "program/a.h:2", "std::uint8_t needs #include <cstdint>"),
+    ],
     "tests_have_plain_names": [
         ({"tests/core/a_test.cpp": "\nTEST(Queue, WhatIsPushedIsPopped) {\n"},
          "tests/core/a_test.cpp:2", "is a riddle"),
@@ -231,6 +240,12 @@ KEPT = {
     ],
     "code_has_no_macros": [{"lcm/a.cpp": "#ifdef __linux__\n#endif\n"}],
     "headers_are_included_once": [{"lcm/a.h": "#pragma once\n"}],
+    "headers_name_what_they_use": [
+        {"lcm/a.h": include("cstring", "string") + "// std::vector\nstd::string b(std::size_t c);\n"
+         + "/* std::map\nstd::span */\n"
+         + 'constexpr auto kText = "std::move";\nconstexpr auto kLong = R"(\nstd::byte)";\n',
+         "lcm/b.cpp": "std::optional<int> a;\n", "tests/support/a.h": "#pragma once\nstd::array<int, 2> a;\n"},
+    ],
     "tests_have_plain_names": [
         {"tests/core/a_test.cpp": "TEST(Queue, ReturnsWhatWasPushed) {\nTEST(Queue, WholeBatchesAreKept) {\n",
          "core/a.cpp": "TEST(Queue, WhatIsPushedIsPopped) {\n"},

@@ -7,6 +7,7 @@
 #include <tendon/task/thread_options.h>
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <optional>

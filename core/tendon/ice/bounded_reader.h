@@ -2,6 +2,7 @@
 
 #include <tendon/middleware/frame.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <optional>

@@ -5,6 +5,7 @@
 #include <tendon/middleware/broadcast.h>
 #include <tendon/process/worker.h>
 
+#include <chrono>
 #include <map>
 #include <memory>
 #include <mutex>

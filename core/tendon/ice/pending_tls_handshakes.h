@@ -4,6 +4,7 @@
 #include <tendon/base/clock.h>
 
 #include <chrono>
+#include <cstddef>
 #include <map>
 #include <mutex>
 

@@ -4,6 +4,7 @@
 #include <tendon/ice/ice_link.h>
 #include <tendon/ice/pending_calls.h>
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>

@@ -6,6 +6,8 @@
 #include <tendon/interface/required_interface.h>
 
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>

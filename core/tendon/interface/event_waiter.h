@@ -9,6 +9,7 @@
 #include <tendon/lockfree/wakeup.h>
 
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <type_traits>
 #include <utility>

@@ -3,6 +3,7 @@
 #include <tendon/lockfree/slot_array.h>
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cstddef>
 #include <cstdint>

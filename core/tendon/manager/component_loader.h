@@ -4,6 +4,7 @@
 #include <tendon/manager/plugin_files.h>
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>

@@ -3,6 +3,7 @@
 #include <tendon/base/clock.h>
 #include <tendon/task/component.h>
 
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <set>

@@ -5,6 +5,7 @@
 #include <tendon/payload/codec.h>
 
 #include <concepts>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <utility>

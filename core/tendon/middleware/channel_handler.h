@@ -5,6 +5,7 @@
 #include <tendon/middleware/hello.h>
 #include <tendon/middleware/responder.h>
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>

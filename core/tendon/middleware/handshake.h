@@ -5,6 +5,7 @@
 #include <tendon/security/certificate.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>

@@ -4,6 +4,7 @@
 #include <tendon/middleware/frame.h>
 #include <tendon/security/role.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>

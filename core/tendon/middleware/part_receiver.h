@@ -6,6 +6,7 @@
 #include <tendon/middleware/part_assembly.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <mutex>
 #include <span>

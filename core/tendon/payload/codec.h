@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 /// Converts values to bytes and back. The format is that of DDS and ROS 2: CDR (XCDR1,

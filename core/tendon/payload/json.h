@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 /// Converts payloads to JSON for people and scripts, and back. The functions need only a schema. A

@@ -5,6 +5,7 @@
 #include <tendon/process/worker.h>
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <utility>

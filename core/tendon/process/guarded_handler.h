@@ -4,6 +4,7 @@
 #include <tendon/process/audit_log.h>
 #include <tendon/security/rights.h>
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <span>

@@ -3,6 +3,7 @@
 #include <tendon/manager/component_description.h>
 #include <tendon/middleware/frame.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>

@@ -3,6 +3,7 @@
 #include <tendon/interface/required_interface.h>
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>

@@ -10,12 +10,15 @@
 #include <tendon/proxy/proxy_reports.h>
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 
 namespace tendon {
 

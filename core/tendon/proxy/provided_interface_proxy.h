@@ -10,6 +10,8 @@
 #include <tendon/proxy/worker_pool.h>
 
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>

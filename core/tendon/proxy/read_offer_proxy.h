@@ -6,10 +6,12 @@
 #include <tendon/proxy/proxy_reports.h>
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 
 namespace tendon {
 

@@ -12,6 +12,8 @@
 #include <tendon/proxy/queued_offer_proxy.h>
 #include <tendon/proxy/worker_pool.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>

@@ -4,6 +4,8 @@
 #include <tendon/security/openssl_handles.h>
 
 #include <chrono>
+#include <string>
+#include <vector>
 
 /// Functions that create the certificates and lists of a CA. Their validity begins one hour in the
 /// past, because the clocks of machines differ.

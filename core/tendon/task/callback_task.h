@@ -2,8 +2,10 @@
 
 #include <tendon/task/task.h>
 
+#include <cstdint>
 #include <mutex>
 #include <string>
+#include <utility>
 
 namespace tendon {
 

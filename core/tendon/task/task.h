@@ -7,6 +7,7 @@
 #include <tendon/task/cycle_meter.h>
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <mutex>

@@ -5,6 +5,7 @@
 #include <gcm_gui/theme/tokens.h>
 
 #include <QGraphicsItem>
+#include <cstddef>
 #include <vector>
 
 namespace tendon::gui {

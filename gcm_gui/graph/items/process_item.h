@@ -4,6 +4,7 @@
 
 #include <QColor>
 #include <QGraphicsItem>
+#include <cstdint>
 
 namespace tendon::gui {
 

@@ -4,6 +4,7 @@
 #include <gcm_gui/plot/series/time_window.h>
 #include <qwt_plot_item.h>
 
+#include <cstdint>
 #include <vector>
 
 namespace tendon::gui {

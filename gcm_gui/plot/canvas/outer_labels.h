@@ -6,6 +6,7 @@
 #include <QColor>
 #include <QRect>
 #include <QString>
+#include <cstddef>
 #include <vector>
 
 class QPainter;

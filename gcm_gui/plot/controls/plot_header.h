@@ -4,6 +4,7 @@
 #include <gcm_gui/theme/header_row.h>
 
 #include <chrono>
+#include <cstddef>
 #include <vector>
 
 class QActionGroup;

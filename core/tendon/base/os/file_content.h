@@ -3,6 +3,7 @@
 #include <tendon/base/result.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>

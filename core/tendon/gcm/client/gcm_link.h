@@ -7,6 +7,7 @@
 #include <tendon/process/description_pool.h>
 #include <tendon/process/worker.h>
 
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>

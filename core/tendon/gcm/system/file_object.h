@@ -3,9 +3,11 @@
 #include <tendon/base/name.h>
 #include <tendon/payload/json/strict_json.h>
 
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 

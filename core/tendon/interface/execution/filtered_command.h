@@ -4,6 +4,7 @@
 #include <tendon/interface/execution/call_observer.h>
 
 #include <chrono>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <utility>

@@ -4,6 +4,7 @@
 #include <tendon/interface/execution/component_access.h>
 #include <tendon/interface/offer.h>
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <utility>

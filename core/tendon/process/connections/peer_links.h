@@ -6,6 +6,7 @@
 #include <tendon/process/process_description.h>
 
 #include <chrono>
+#include <cstdint>
 #include <deque>
 #include <map>
 #include <memory>

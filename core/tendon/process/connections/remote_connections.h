@@ -6,6 +6,7 @@
 #include <tendon/process/membership_messages.h>
 
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>

@@ -9,6 +9,7 @@
 #include <tendon/proxy/required_interface_proxy.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <list>
 #include <memory>

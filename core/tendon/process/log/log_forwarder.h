@@ -6,9 +6,11 @@
 #include <tendon/proxy/network_thread.h>
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <string_view>
 
 namespace tendon {
 

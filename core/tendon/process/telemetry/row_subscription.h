@@ -4,11 +4,14 @@
 #include <tendon/process/telemetry_client.h>
 #include <tendon/process/viewer_messages.h>
 
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace tendon {

@@ -3,6 +3,7 @@
 #include <tendon/base/cxx_abi.h>
 #include <tendon/recording/hdf5/hdf5_export.h>
 
+#include <cstddef>
 #include <string>
 
 namespace tendon::recording {

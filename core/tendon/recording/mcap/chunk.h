@@ -4,8 +4,10 @@
 #include <tendon/base/result.h>
 #include <tendon/recording/mcap/records.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 

@@ -4,6 +4,7 @@
 #include <tendon/recording/mcap/records.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>

@@ -6,14 +6,17 @@
 #include <tendon/recording/mcap/contents.h>
 #include <tendon/recording/mcap/records.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <queue>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tendon::mcap {

@@ -5,6 +5,7 @@
 #include <tendon/recording/mcap/compression.h>
 #include <tendon/recording/mcap/records.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
