@@ -1,8 +1,9 @@
+#include <gcm_console/console.h>
+
 #include <gcm_console/command_line/command_line.h>
 #include <gcm_console/command_line/help_text.h>
 #include <gcm_console/completion/path_completion.h>
 #include <gcm_console/completion/shell_completion.h>
-#include <gcm_console/console.h>
 #include <gcm_console/output/table.h>
 #include <tendon/base/text.h>
 

@@ -1,4 +1,5 @@
 #include <gcm_console/context.h>
+
 #include <tendon/base/os/termination.h>
 #include <tendon/base/text.h>
 

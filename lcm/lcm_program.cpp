@@ -1,4 +1,5 @@
 #include <lcm/lcm_program.h>
+
 #include <tendon/base/log.h>
 #include <tendon/base/os/process.h>
 #include <tendon/base/os/termination.h>

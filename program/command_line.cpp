@@ -1,4 +1,5 @@
 #include <program/command_line.h>
+
 #include <tendon/base/name.h>
 #include <tendon/base/text.h>
 #include <tendon/payload/json/number_literal.h>

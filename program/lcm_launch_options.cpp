@@ -1,4 +1,5 @@
 #include <program/lcm_launch_options.h>
+
 #include <tendon/base/os/process.h>
 
 #include <filesystem>

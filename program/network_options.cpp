@@ -1,4 +1,5 @@
 #include <program/network_options.h>
+
 #include <tendon/base/os/process.h>
 #include <tendon/base/text.h>
 #include <tendon/middleware/tcp.h>

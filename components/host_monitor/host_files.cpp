@@ -1,4 +1,5 @@
 #include <components/host_monitor/host_files.h>
+
 #include <components/host_monitor/host_text.h>
 
 #include <algorithm>

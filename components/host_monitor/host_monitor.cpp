@@ -1,4 +1,5 @@
 #include <components/host_monitor/host_monitor.h>
+
 #include <components/host_monitor/host_text.h>
 #include <tendon/base/clock.h>
 #include <tendon/payload/encoded_size.h>

@@ -1,4 +1,5 @@
 #include <components/recorder/recorder_component.h>
+
 #include <tendon/base/log.h>
 #include <tendon/base/text.h>
 #include <tendon/process/process.h>

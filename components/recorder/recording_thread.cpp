@@ -1,4 +1,5 @@
 #include <components/recorder/recording_thread.h>
+
 #include <tendon/payload/numeric_value.h>
 #include <tendon/recording/save_last.h>
 

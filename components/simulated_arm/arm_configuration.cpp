@@ -1,4 +1,5 @@
 #include <components/simulated_arm/arm_configuration.h>
+
 #include <tendon/base/error.h>
 #include <tendon/payload/numeric_value.h>
 

@@ -1,5 +1,6 @@
-#include <components/simulated_arm/arm_kinematics.h>
 #include <components/simulated_arm/simulated_arm.h>
+
+#include <components/simulated_arm/arm_kinematics.h>
 #include <tendon/base/log.h>
 
 #include <chrono>

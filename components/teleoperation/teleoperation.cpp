@@ -1,4 +1,5 @@
 #include <components/teleoperation/teleoperation.h>
+
 #include <tendon/base/error.h>
 #include <tendon/payload/numeric_value.h>
 

@@ -1,4 +1,5 @@
 #include <gcm_console/catalogue/event_choice.h>
+
 #include <gcm_console/catalogue/path_target.h>
 #include <tendon/base/path.h>
 #include <tendon/interface/observed_call.h>

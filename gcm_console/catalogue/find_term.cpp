@@ -1,4 +1,5 @@
 #include <gcm_console/catalogue/find_term.h>
+
 #include <re2/re2.h>
 #include <tendon/base/path.h>
 #include <tendon/base/text.h>

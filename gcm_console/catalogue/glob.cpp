@@ -1,4 +1,5 @@
 #include <gcm_console/catalogue/glob.h>
+
 #include <tendon/base/path.h>
 
 #include <set>

@@ -1,4 +1,5 @@
 #include <gcm_console/catalogue/path_target.h>
+
 #include <tendon/base/path.h>
 #include <tendon/gcm/lookup.h>
 

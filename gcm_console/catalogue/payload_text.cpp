@@ -1,4 +1,5 @@
 #include <gcm_console/catalogue/payload_text.h>
+
 #include <tendon/payload/schema/values_text.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-#include <gcm_console/catalogue/path_target.h>
 #include <gcm_console/catalogue/system_items.h>
+
+#include <gcm_console/catalogue/path_target.h>
 #include <gcm_console/catalogue/telemetry_column.h>
 #include <tendon/gcm/waiting.h>
 

@@ -1,4 +1,5 @@
 #include <gcm_console/catalogue/telemetry_column.h>
+
 #include <gcm_console/output/text.h>
 #include <tendon/base/path.h>
 #include <tendon/gcm/lookup.h>

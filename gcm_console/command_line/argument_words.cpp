@@ -1,4 +1,5 @@
 #include <gcm_console/command_line/argument_words.h>
+
 #include <tendon/base/name.h>
 #include <tendon/base/text.h>
 #include <tendon/payload/json/typed_value.h>

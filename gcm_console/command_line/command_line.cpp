@@ -1,5 +1,6 @@
-#include <gcm_console/catalogue/glob.h>
 #include <gcm_console/command_line/command_line.h>
+
+#include <gcm_console/catalogue/glob.h>
 #include <gcm_console/output/table.h>
 #include <program/command_line.h>
 #include <program/network_options.h>

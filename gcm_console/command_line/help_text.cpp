@@ -1,4 +1,5 @@
 #include <gcm_console/command_line/help_text.h>
+
 #include <gcm_console/output/text.h>
 
 #include <algorithm>

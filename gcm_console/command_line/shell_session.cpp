@@ -1,4 +1,5 @@
 #include <gcm_console/command_line/shell_session.h>
+
 #include <tendon/base/os/process.h>
 
 #include <utility>

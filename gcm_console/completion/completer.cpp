@@ -1,5 +1,6 @@
-#include <gcm_console/command_line/command_line.h>
 #include <gcm_console/completion/completer.h>
+
+#include <gcm_console/command_line/command_line.h>
 #include <gcm_console/completion/path_completion.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-#include <gcm_console/command_line/argument_words.h>
 #include <gcm_console/completion/live_completion.h>
+
+#include <gcm_console/command_line/argument_words.h>
 #include <tendon/base/path.h>
 #include <tendon/gcm/lifecycle/parameters.h>
 #include <tendon/gcm/lookup.h>

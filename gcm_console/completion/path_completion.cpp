@@ -1,7 +1,8 @@
+#include <gcm_console/completion/path_completion.h>
+
 #include <gcm_console/catalogue/path_target.h>
 #include <gcm_console/catalogue/telemetry_column.h>
 #include <gcm_console/command_line/command_line.h>
-#include <gcm_console/completion/path_completion.h>
 #include <tendon/interface/observed_call.h>
 
 #include <algorithm>

@@ -1,7 +1,8 @@
+#include <gcm_console/completion/shell_completion.h>
+
 #include <gcm_console/command_line/command_line.h>
 #include <gcm_console/completion/completer.h>
 #include <gcm_console/completion/live_completion.h>
-#include <gcm_console/completion/shell_completion.h>
 
 #include <algorithm>
 #include <map>

@@ -1,4 +1,5 @@
 #include <gcm_console/feeds/connection_feed.h>
+
 #include <tendon/base/clock.h>
 
 #include <chrono>

@@ -1,4 +1,5 @@
 #include <gcm_console/feeds/event_inbox.h>
+
 #include <tendon/gcm/text.h>
 #include <tendon/interface/observed_call.h>
 

@@ -1,4 +1,5 @@
 #include <gcm_console/feeds/row_inbox.h>
+
 #include <tendon/gcm/client/json_field.h>
 #include <tendon/payload/json.h>
 

@@ -1,5 +1,6 @@
-#include <gcm_console/catalogue/telemetry_column.h>
 #include <gcm_console/feeds/task_feed.h>
+
+#include <gcm_console/catalogue/telemetry_column.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/staleness.h>
 #include <tendon/gcm/waiting.h>

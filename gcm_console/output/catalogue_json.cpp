@@ -1,5 +1,6 @@
-#include <gcm_console/catalogue/path_target.h>
 #include <gcm_console/output/catalogue_json.h>
+
+#include <gcm_console/catalogue/path_target.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text.h>
 #include <tendon/gcm/waiting.h>

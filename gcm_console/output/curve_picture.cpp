@@ -1,4 +1,5 @@
 #include <gcm_console/output/curve_picture.h>
+
 #include <gcm_console/output/table.h>
 #include <gcm_console/output/text.h>
 #include <tendon/payload/numeric_axis.h>

@@ -1,5 +1,6 @@
-#include <gcm_console/catalogue/telemetry_column.h>
 #include <gcm_console/output/diagram.h>
+
+#include <gcm_console/catalogue/telemetry_column.h>
 #include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
 

@@ -1,4 +1,5 @@
 #include <gcm_console/output/dot.h>
+
 #include <gcm_console/output/table.h>
 
 #include <locale>

@@ -1,4 +1,5 @@
 #include <gcm_console/output/recording_text.h>
+
 #include <gcm_console/output/text.h>
 
 #include <array>

@@ -1,4 +1,5 @@
 #include <gcm_console/output/table.h>
+
 #include <tendon/base/text.h>
 
 #include <algorithm>

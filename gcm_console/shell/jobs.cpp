@@ -1,7 +1,8 @@
+#include <gcm_console/shell/jobs.h>
+
 #include <gcm_console/command_line/shell_session.h>
 #include <gcm_console/console.h>
 #include <gcm_console/output/table.h>
-#include <gcm_console/shell/jobs.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/base/text.h>
 

@@ -1,7 +1,8 @@
+#include <gcm_console/shell/line_editor.h>
+
 #include <gcm_console/completion/completer.h>
 #include <gcm_console/context.h>
 #include <gcm_console/output/table.h>
-#include <gcm_console/shell/line_editor.h>
 #include <histedit.h>
 #include <tendon/base/os/file.h>
 #include <tendon/base/os/keyboard.h>

@@ -1,7 +1,8 @@
+#include <gcm_console/shell/shell.h>
+
 #include <gcm_console/catalogue/path_target.h>
 #include <gcm_console/command_line/command_line.h>
 #include <gcm_console/completion/path_completion.h>
-#include <gcm_console/shell/shell.h>
 #include <tendon/base/os/termination.h>
 
 #include <utility>

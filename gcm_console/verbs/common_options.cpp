@@ -1,4 +1,5 @@
 #include <gcm_console/verbs/common_options.h>
+
 #include <program/command_line.h>
 #include <tendon/base/clock.h>
 

@@ -1,4 +1,5 @@
 #include <gcm_console/verbs/configured_component.h>
+
 #include <tendon/gcm/lookup.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-#include <gcm_console/output/table.h>
 #include <gcm_console/verbs/outcomes.h>
+
+#include <gcm_console/output/table.h>
 #include <tendon/base/os/terminal.h>
 
 #include <algorithm>

@@ -1,7 +1,8 @@
+#include <gcm_console/verbs/path_details.h>
+
 #include <gcm_console/catalogue/system_items.h>
 #include <gcm_console/output/catalogue_json.h>
 #include <gcm_console/output/text.h>
-#include <gcm_console/verbs/path_details.h>
 #include <gcm_console/verbs/queries.h>
 #include <tendon/gcm/waiting.h>
 

@@ -1,6 +1,7 @@
+#include <gcm_console/verbs/recording_part.h>
+
 #include <gcm_console/output/recording_text.h>
 #include <gcm_console/output/text.h>
-#include <gcm_console/verbs/recording_part.h>
 #include <program/command_line.h>
 #include <tendon/base/os/termination.h>
 #include <tendon/base/path.h>

@@ -1,4 +1,5 @@
 #include <gcm_gui/activity/activity_model.h>
+
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/state_marks.h>

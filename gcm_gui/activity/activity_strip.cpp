@@ -1,4 +1,5 @@
 #include <gcm_gui/activity/activity_strip.h>
+
 #include <gcm_gui/activity/events_page.h>
 #include <gcm_gui/activity/log_page.h>
 #include <gcm_gui/console/console_page.h>

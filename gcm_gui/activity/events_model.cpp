@@ -1,4 +1,5 @@
 #include <gcm_gui/activity/events_model.h>
+
 #include <gcm_gui/activity/log_filter.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/text.h>

@@ -1,4 +1,5 @@
 #include <gcm_gui/activity/log_filter.h>
+
 #include <gcm_gui/models/text.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #include <gcm_gui/activity/log_model.h>
+
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/state_marks.h>
 #include <gcm_gui/models/text.h>

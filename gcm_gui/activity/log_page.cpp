@@ -1,4 +1,5 @@
 #include <gcm_gui/activity/log_page.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>

@@ -1,4 +1,5 @@
 #include <gcm_gui/activity/redo_stack.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 

@@ -1,4 +1,5 @@
 #include <gcm_gui/call/call_panel.h>
+
 #include <gcm_gui/call/hold_button.h>
 #include <gcm_gui/call/repeat_row.h>
 #include <gcm_gui/call/value_form.h>

@@ -1,4 +1,5 @@
 #include <gcm_gui/call/entries.h>
+
 #include <gcm_gui/call/number_field.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>

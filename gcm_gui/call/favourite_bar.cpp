@@ -1,4 +1,5 @@
 #include <gcm_gui/call/favourite_bar.h>
+
 #include <gcm_gui/call/hold_button.h>
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>

@@ -1,4 +1,5 @@
 #include <gcm_gui/call/favourites.h>
+
 #include <gcm_gui/files/file_writer.h>
 
 #include <QDir>

@@ -1,4 +1,5 @@
 #include <gcm_gui/call/number_box.h>
+
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/number_flaw.h>
 

@@ -1,4 +1,5 @@
 #include <gcm_gui/call/pasted_numbers.h>
+
 #include <gcm_gui/language/words.h>
 #include <tendon/payload/json/number_literal.h>
 

@@ -1,6 +1,7 @@
+#include <gcm_gui/call/repeat_row.h>
+
 #include <gcm_gui/call/hold_button.h>
 #include <gcm_gui/call/number_box.h>
-#include <gcm_gui/call/repeat_row.h>
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>

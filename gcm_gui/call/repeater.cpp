@@ -1,4 +1,5 @@
 #include <gcm_gui/call/repeater.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/models/text.h>
 

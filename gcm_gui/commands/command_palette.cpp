@@ -1,4 +1,5 @@
 #include <gcm_gui/commands/command_palette.h>
+
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/views/row_view.h>

@@ -1,4 +1,5 @@
 #include <gcm_gui/commands/commands.h>
+
 #include <gcm_gui/language/words.h>
 
 #include <QAction>

@@ -1,6 +1,7 @@
+#include <gcm_gui/commands/graph_commands.h>
+
 #include <gcm_gui/activity/activity_model.h>
 #include <gcm_gui/commands/commands.h>
-#include <gcm_gui/commands/graph_commands.h>
 #include <gcm_gui/graph/graph_export.h>
 #include <gcm_gui/graph/graph_map.h>
 #include <gcm_gui/graph/graph_search.h>

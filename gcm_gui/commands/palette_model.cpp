@@ -1,5 +1,6 @@
-#include <gcm_gui/commands/commands.h>
 #include <gcm_gui/commands/palette_model.h>
+
+#include <gcm_gui/commands/commands.h>
 #include <gcm_gui/models/row_roles.h>
 
 #include <QAction>

@@ -1,9 +1,10 @@
+#include <gcm_gui/commands/window_commands.h>
+
 #include <gcm_gui/activity/activity_strip.h>
 #include <gcm_gui/activity/redo_stack.h>
 #include <gcm_gui/commands/command_palette.h>
 #include <gcm_gui/commands/commands.h>
 #include <gcm_gui/commands/graph_commands.h>
-#include <gcm_gui/commands/window_commands.h>
 #include <gcm_gui/diagnosis/diagnosis_binding.h>
 #include <gcm_gui/graph/graph_search.h>
 #include <gcm_gui/graph/graph_view.h>

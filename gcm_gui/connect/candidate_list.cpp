@@ -1,4 +1,5 @@
 #include <gcm_gui/connect/candidate_list.h>
+
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>

@@ -1,5 +1,6 @@
-#include <gcm_gui/connect/candidate_list.h>
 #include <gcm_gui/connect/candidate_panel.h>
+
+#include <gcm_gui/connect/candidate_list.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/header_row.h>

@@ -1,4 +1,5 @@
 #include <gcm_gui/connect/match_card.h>
+
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/header_row.h>

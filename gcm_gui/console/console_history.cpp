@@ -1,4 +1,5 @@
 #include <gcm_gui/console/console_history.h>
+
 #include <gcm_gui/files/file_writer.h>
 
 #include <QDir>

@@ -1,6 +1,7 @@
+#include <gcm_gui/console/console_page.h>
+
 #include <gcm_console/completion/completer.h>
 #include <gcm_console/shell/command_parser.h>
-#include <gcm_gui/console/console_page.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>

@@ -1,6 +1,7 @@
+#include <gcm_gui/console/console_runner.h>
+
 #include <gcm_console/completion/completer.h>
 #include <gcm_console/shell/shell.h>
-#include <gcm_gui/console/console_runner.h>
 #include <gcm_gui/console/output_pipe.h>
 #include <gcm_gui/files/file_writer.h>
 #include <gcm_gui/guard/exception_guard.h>

@@ -1,4 +1,5 @@
 #include <gcm_gui/diagnosis/diagnosis_binding.h>
+
 #include <gcm_gui/diagnosis/diagnosis_card.h>
 #include <gcm_gui/diagnosis/diagnosis_report.h>
 #include <gcm_gui/guard/exception_guard.h>

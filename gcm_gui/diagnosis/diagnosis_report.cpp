@@ -1,4 +1,5 @@
 #include <gcm_gui/diagnosis/diagnosis_report.h>
+
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 

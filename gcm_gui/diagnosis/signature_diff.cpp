@@ -1,4 +1,5 @@
 #include <gcm_gui/diagnosis/signature_diff.h>
+
 #include <gcm_gui/language/words.h>
 #include <tendon/base/name.h>
 

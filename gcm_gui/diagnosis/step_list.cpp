@@ -1,6 +1,7 @@
+#include <gcm_gui/diagnosis/step_list.h>
+
 #include <gcm_gui/diagnosis/diagnosis_report.h>
 #include <gcm_gui/diagnosis/signature_model.h>
-#include <gcm_gui/diagnosis/step_list.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>

@@ -1,4 +1,5 @@
 #include <gcm_gui/files/background.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 
 #include <QCoreApplication>

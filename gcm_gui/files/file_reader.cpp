@@ -1,4 +1,5 @@
 #include <gcm_gui/files/file_reader.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 
 #include <QFile>

@@ -1,4 +1,5 @@
 #include <gcm_gui/files/file_writer.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 

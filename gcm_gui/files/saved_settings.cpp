@@ -1,5 +1,6 @@
-#include <gcm_gui/files/file_writer.h>
 #include <gcm_gui/files/saved_settings.h>
+
+#include <gcm_gui/files/file_writer.h>
 
 #include <QCoreApplication>
 #include <QDir>

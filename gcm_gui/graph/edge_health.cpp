@@ -1,4 +1,5 @@
 #include <gcm_gui/graph/edge_health.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>

@@ -1,7 +1,8 @@
+#include <gcm_gui/graph/graph_export.h>
+
 #include <gcm_console/output/dot.h>
 #include <gcm_console/output/svg.h>
 #include <gcm_gui/files/file_writer.h>
-#include <gcm_gui/graph/graph_export.h>
 #include <gcm_gui/graph/graph_hover.h>
 #include <gcm_gui/graph/graph_scene.h>
 #include <gcm_gui/graph/highlight.h>

@@ -1,4 +1,5 @@
 #include <gcm_gui/graph/graph_map.h>
+
 #include <gcm_gui/graph/graph_view.h>
 #include <gcm_gui/graph/items/component_item.h>
 #include <gcm_gui/graph/items/process_item.h>

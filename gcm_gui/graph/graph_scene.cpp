@@ -1,6 +1,7 @@
+#include <gcm_gui/graph/graph_scene.h>
+
 #include <gcm_gui/graph/card_placement.h>
 #include <gcm_gui/graph/graph_hover.h>
-#include <gcm_gui/graph/graph_scene.h>
 #include <gcm_gui/graph/highlight.h>
 #include <gcm_gui/graph/items/card_item.h>
 #include <gcm_gui/graph/items/component_item.h>

@@ -1,4 +1,5 @@
 #include <gcm_gui/graph/graph_search.h>
+
 #include <gcm_gui/graph/graph_view.h>
 #include <gcm_gui/graph/highlight.h>
 #include <gcm_gui/graph/items/component_item.h>

@@ -1,5 +1,6 @@
-#include <gcm_gui/graph/graph_hover.h>
 #include <gcm_gui/graph/graph_view.h>
+
+#include <gcm_gui/graph/graph_hover.h>
 #include <gcm_gui/graph/items/component_item.h>
 #include <gcm_gui/graph/items/port_item.h>
 #include <gcm_gui/graph/items/process_item.h>

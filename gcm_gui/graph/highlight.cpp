@@ -1,5 +1,6 @@
-#include <gcm_gui/graph/graph_scene.h>
 #include <gcm_gui/graph/highlight.h>
+
+#include <gcm_gui/graph/graph_scene.h>
 #include <gcm_gui/graph/items/component_item.h>
 #include <gcm_gui/graph/items/dimming_item.h>
 #include <gcm_gui/graph/items/edge_item.h>

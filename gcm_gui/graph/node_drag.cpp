@@ -1,7 +1,8 @@
+#include <gcm_gui/graph/node_drag.h>
+
 #include <gcm_gui/graph/graph_scene.h>
 #include <gcm_gui/graph/items/component_item.h>
 #include <gcm_gui/graph/layout/node_positions.h>
-#include <gcm_gui/graph/node_drag.h>
 #include <gcm_gui/theme/metrics.h>
 
 #include <cmath>

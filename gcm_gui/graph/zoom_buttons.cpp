@@ -1,5 +1,6 @@
-#include <gcm_gui/graph/graph_view.h>
 #include <gcm_gui/graph/zoom_buttons.h>
+
+#include <gcm_gui/graph/graph_view.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/theme/icon.h>
 #include <gcm_gui/theme/metrics.h>

@@ -1,5 +1,6 @@
-#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/guard/guarded_application.h>
+
+#include <gcm_gui/guard/exception_guard.h>
 
 #include <QBackingStore>
 #include <QEvent>

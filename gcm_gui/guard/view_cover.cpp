@@ -1,4 +1,5 @@
 #include <gcm_gui/guard/view_cover.h>
+
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>

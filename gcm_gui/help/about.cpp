@@ -1,4 +1,5 @@
 #include <gcm_gui/help/about.h>
+
 #include <gcm_gui/help/libraries.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/theme/icon.h>

@@ -1,4 +1,5 @@
 #include <gcm_gui/help/libraries.h>
+
 #include <gcm_gui/models/text.h>
 #include <program/network_options.h>
 #include <qwt_global.h>

@@ -1,5 +1,6 @@
-#include <gcm_gui/commands/commands.h>
 #include <gcm_gui/help/shortcuts_card.h>
+
+#include <gcm_gui/commands/commands.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/theme/header_row.h>
 #include <gcm_gui/theme/metrics.h>

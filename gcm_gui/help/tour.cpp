@@ -1,4 +1,5 @@
 #include <gcm_gui/help/tour.h>
+
 #include <gcm_gui/help/tour_card.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/theme/metrics.h>

@@ -1,5 +1,6 @@
-#include <gcm_gui/activity/activity_strip.h>
 #include <gcm_gui/help/window_tour.h>
+
+#include <gcm_gui/activity/activity_strip.h>
 #include <gcm_gui/inspector/inspector.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/plot_panel.h>

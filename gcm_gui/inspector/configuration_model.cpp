@@ -1,4 +1,5 @@
 #include <gcm_gui/inspector/configuration_model.h>
+
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/text.h>
 #include <tendon/payload/json/strict_json.h>

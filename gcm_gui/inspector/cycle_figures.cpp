@@ -1,5 +1,6 @@
-#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/inspector/cycle_figures.h>
+
+#include <gcm_gui/guard/exception_guard.h>
 
 #include <algorithm>
 #include <string_view>

@@ -1,6 +1,7 @@
+#include <gcm_gui/inspector/event_list.h>
+
 #include <gcm_gui/activity/events_page.h>
 #include <gcm_gui/guard/exception_guard.h>
-#include <gcm_gui/inspector/event_list.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/views/link_button.h>
 #include <gcm_gui/views/row_delegate.h>

@@ -1,5 +1,6 @@
-#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/inspector/health_figures.h>
+
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/state_marks.h>
 #include <gcm_gui/models/text.h>

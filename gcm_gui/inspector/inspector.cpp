@@ -1,8 +1,9 @@
+#include <gcm_gui/inspector/inspector.h>
+
 #include <gcm_gui/call/call_panel.h>
 #include <gcm_gui/call/hold_button.h>
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/inspector/event_list.h>
-#include <gcm_gui/inspector/inspector.h>
 #include <gcm_gui/inspector/thread_facts.h>
 #include <gcm_gui/inspector/values_page.h>
 #include <gcm_gui/language/words.h>

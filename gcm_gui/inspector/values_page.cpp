@@ -1,5 +1,6 @@
-#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/inspector/values_page.h>
+
+#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/views/image_list.h>

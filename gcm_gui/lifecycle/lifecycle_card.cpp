@@ -1,6 +1,7 @@
+#include <gcm_gui/lifecycle/lifecycle_card.h>
+
 #include <gcm_gui/call/hold_button.h>
 #include <gcm_gui/language/words.h>
-#include <gcm_gui/lifecycle/lifecycle_card.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/header_row.h>
 #include <gcm_gui/theme/metrics.h>

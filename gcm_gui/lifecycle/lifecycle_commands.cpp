@@ -1,7 +1,8 @@
+#include <gcm_gui/lifecycle/lifecycle_commands.h>
+
 #include <gcm_gui/commands/commands.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/lifecycle/lifecycle_card.h>
-#include <gcm_gui/lifecycle/lifecycle_commands.h>
 #include <gcm_gui/models/text.h>
 #include <tendon/gcm/lifecycle/lifecycle_plan.h>
 

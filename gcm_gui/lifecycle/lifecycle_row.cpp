@@ -1,6 +1,7 @@
+#include <gcm_gui/lifecycle/lifecycle_row.h>
+
 #include <gcm_gui/call/hold_button.h>
 #include <gcm_gui/language/words.h>
-#include <gcm_gui/lifecycle/lifecycle_row.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
 #include <tendon/gcm/lifecycle/lifecycle_plan.h>

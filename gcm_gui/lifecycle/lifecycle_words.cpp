@@ -1,5 +1,6 @@
-#include <gcm_gui/language/words.h>
 #include <gcm_gui/lifecycle/lifecycle_words.h>
+
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/state_marks.h>
 #include <gcm_gui/models/text.h>
 

@@ -1,5 +1,6 @@
-#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/catalogue_item.h>
+
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/table_columns.h>
 #include <gcm_gui/models/text.h>
 

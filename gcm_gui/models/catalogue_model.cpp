@@ -1,5 +1,6 @@
-#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/catalogue_model.h>
+
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/plot/controls/rate_badge.h>

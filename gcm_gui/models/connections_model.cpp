@@ -1,5 +1,6 @@
-#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/connections_model.h>
+
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/state_marks.h>
 #include <gcm_gui/models/text.h>

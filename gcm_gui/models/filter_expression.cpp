@@ -1,4 +1,5 @@
 #include <gcm_gui/models/filter_expression.h>
+
 #include <tendon/base/path.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/number_flaw.h>
+
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 
 #include <QStringList>

@@ -1,5 +1,6 @@
-#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/plugin_words.h>
+
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <tendon/gcm/text.h>
 

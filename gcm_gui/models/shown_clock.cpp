@@ -1,4 +1,5 @@
 #include <gcm_gui/models/shown_clock.h>
+
 #include <gcm_gui/plot/series/shown_time.h>
 
 #include <chrono>

@@ -1,4 +1,5 @@
 #include <gcm_gui/models/sparkline.h>
+
 #include <tendon/payload/numeric_axis.h>
 
 #include <limits>

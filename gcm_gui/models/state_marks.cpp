@@ -1,6 +1,7 @@
+#include <gcm_gui/models/state_marks.h>
+
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/connection_index.h>
-#include <gcm_gui/models/state_marks.h>
 #include <gcm_gui/models/text.h>
 #include <tendon/gcm/waiting.h>
 

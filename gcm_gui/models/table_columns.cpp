@@ -1,4 +1,5 @@
 #include <gcm_gui/models/table_columns.h>
+
 #include <tendon/task/cycle_statistics.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-#include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
+
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/series/shown_time.h>
 #include <tendon/gcm/staleness.h>
 

@@ -1,8 +1,9 @@
+#include <gcm_gui/plot/plot_files.h>
+
 #include <gcm_gui/files/file_reader.h>
 #include <gcm_gui/files/file_writer.h>
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
-#include <gcm_gui/plot/plot_files.h>
 #include <gcm_gui/plot/plot_layout.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_picture.h>

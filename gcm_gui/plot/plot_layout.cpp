@@ -1,5 +1,6 @@
-#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/plot_layout.h>
+
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
 #include <gcm_gui/plot/series/time_shift.h>

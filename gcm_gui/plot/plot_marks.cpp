@@ -1,5 +1,6 @@
-#include <gcm_gui/plot/canvas/mark_flags.h>
 #include <gcm_gui/plot/plot_marks.h>
+
+#include <gcm_gui/plot/canvas/mark_flags.h>
 #include <qwt_plot.h>
 #include <qwt_scale_map.h>
 

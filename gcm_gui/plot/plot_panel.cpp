@@ -1,10 +1,11 @@
+#include <gcm_gui/plot/plot_panel.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/controls/plot_header.h>
 #include <gcm_gui/plot/controls/plot_menu.h>
 #include <gcm_gui/plot/plot_files.h>
 #include <gcm_gui/plot/plot_page.h>
-#include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_view.h>
 #include <gcm_gui/plot/series/time_shift.h>
 

@@ -1,6 +1,7 @@
+#include <gcm_gui/plot/plot_picture.h>
+
 #include <gcm_gui/files/file_writer.h>
 #include <gcm_gui/language/words.h>
-#include <gcm_gui/plot/plot_picture.h>
 #include <gcm_gui/plot/plot_view.h>
 #include <gcm_gui/theme/theme.h>
 #include <qwt_plot_canvas.h>

@@ -1,7 +1,8 @@
+#include <gcm_gui/plot/plot_tabs.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/plot_page.h>
-#include <gcm_gui/plot/plot_tabs.h>
 #include <gcm_gui/plot/plot_view.h>
 #include <gcm_gui/plot/series/signal_path.h>
 

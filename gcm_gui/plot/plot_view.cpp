@@ -1,3 +1,5 @@
+#include <gcm_gui/plot/plot_view.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/canvas/cursor_lines.h>
@@ -9,7 +11,6 @@
 #include <gcm_gui/plot/controls/legend_entries.h>
 #include <gcm_gui/plot/controls/plot_navigator.h>
 #include <gcm_gui/plot/controls/plot_overlay.h>
-#include <gcm_gui/plot/plot_view.h>
 #include <gcm_gui/plot/series/shown_time.h>
 #include <gcm_gui/plot/series/time_shift.h>
 #include <gcm_gui/theme/icon.h>

@@ -1,4 +1,5 @@
 #include <gcm_gui/plot/recorded_curves.h>
+
 #include <gcm_gui/plot/series/time_shift.h>
 
 #include <cmath>

@@ -1,6 +1,7 @@
+#include <gcm_gui/plot/shared_time_axis.h>
+
 #include <gcm_gui/plot/series/shown_time.h>
 #include <gcm_gui/plot/series/time_shift.h>
-#include <gcm_gui/plot/shared_time_axis.h>
 
 #include <algorithm>
 

@@ -1,8 +1,9 @@
+#include <gcm_gui/recording/recording_controller.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/plot/series/signal_path.h>
-#include <gcm_gui/recording/recording_controller.h>
 #include <gcm_gui/recording/recording_words.h>
 
 #include <QDateTime>

@@ -1,6 +1,7 @@
+#include <gcm_gui/recording/recording_strip.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
-#include <gcm_gui/recording/recording_strip.h>
 #include <gcm_gui/recording/recording_words.h>
 #include <gcm_gui/theme/icon.h>
 #include <gcm_gui/theme/metrics.h>

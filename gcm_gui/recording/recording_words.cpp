@@ -1,9 +1,10 @@
+#include <gcm_gui/recording/recording_words.h>
+
 #include <gcm_console/output/recording_text.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/plot/series/row_losses.h>
 #include <gcm_gui/recording/recording_runner.h>
-#include <gcm_gui/recording/recording_words.h>
 
 #include <cmath>
 

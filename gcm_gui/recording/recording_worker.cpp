@@ -1,7 +1,8 @@
+#include <gcm_gui/recording/recording_worker.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
-#include <gcm_gui/recording/recording_worker.h>
 #include <tendon/recording/save_last.h>
 
 #include <algorithm>

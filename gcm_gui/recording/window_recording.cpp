@@ -1,9 +1,10 @@
+#include <gcm_gui/recording/window_recording.h>
+
 #include <gcm_gui/commands/commands.h>
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/recording/record_button.h>
 #include <gcm_gui/recording/recording_strip.h>
-#include <gcm_gui/recording/window_recording.h>
 #include <tendon/base/os/termination.h>
 
 #include <QAction>

@@ -1,6 +1,7 @@
+#include <gcm_gui/replay/recorded_signal_dialog.h>
+
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
-#include <gcm_gui/replay/recorded_signal_dialog.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/views/row_delegate.h>

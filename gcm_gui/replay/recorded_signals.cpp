@@ -1,8 +1,9 @@
+#include <gcm_gui/replay/recorded_signals.h>
+
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/series/shown_time.h>
 #include <gcm_gui/plot/series/signal_path.h>
 #include <gcm_gui/plot/series/time_shift.h>
-#include <gcm_gui/replay/recorded_signals.h>
 #include <gcm_gui/replay/replay_signals.h>
 
 #include <QFileInfo>

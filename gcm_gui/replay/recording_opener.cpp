@@ -1,5 +1,6 @@
-#include <gcm_gui/language/words.h>
 #include <gcm_gui/replay/recording_opener.h>
+
+#include <gcm_gui/language/words.h>
 #include <tendon/base/os/termination.h>
 
 #include <QFileDialog>

@@ -1,3 +1,5 @@
+#include <gcm_gui/replay/recording_overlay.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/plot_panel.h>
@@ -7,7 +9,6 @@
 #include <gcm_gui/replay/recorded_signal_dialog.h>
 #include <gcm_gui/replay/recording_notes.h>
 #include <gcm_gui/replay/recording_opener.h>
-#include <gcm_gui/replay/recording_overlay.h>
 
 #include <QFileDialog>
 #include <QSet>

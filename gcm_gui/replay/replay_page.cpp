@@ -1,6 +1,7 @@
+#include <gcm_gui/replay/replay_page.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
-#include <gcm_gui/replay/replay_page.h>
 #include <gcm_gui/replay/replay_session.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>

@@ -1,6 +1,7 @@
+#include <gcm_gui/replay/replay_reader.h>
+
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
-#include <gcm_gui/replay/replay_reader.h>
 #include <tendon/base/path.h>
 #include <tendon/lockfree/flag.h>
 #include <tendon/payload/json.h>

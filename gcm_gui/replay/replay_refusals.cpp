@@ -1,6 +1,7 @@
+#include <gcm_gui/replay/replay_refusals.h>
+
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
-#include <gcm_gui/replay/replay_refusals.h>
 #include <tendon/gcm/diagnosis.h>
 #include <tendon/payload/fingerprint.h>
 

@@ -1,7 +1,8 @@
+#include <gcm_gui/replay/replay_session.h>
+
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/plot/series/shown_time.h>
-#include <gcm_gui/replay/replay_session.h>
 
 #include <QFileInfo>
 #include <algorithm>

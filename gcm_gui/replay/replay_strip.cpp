@@ -1,9 +1,10 @@
+#include <gcm_gui/replay/replay_strip.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/recording/recording_words.h>
 #include <gcm_gui/replay/replay_session.h>
-#include <gcm_gui/replay/replay_strip.h>
 #include <gcm_gui/replay/replay_stripe.h>
 #include <gcm_gui/theme/icon.h>
 #include <gcm_gui/theme/metrics.h>

@@ -1,3 +1,5 @@
+#include <gcm_gui/replay/window_replay.h>
+
 #include <gcm_gui/commands/commands.h>
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
@@ -7,7 +9,6 @@
 #include <gcm_gui/replay/recording_notes.h>
 #include <gcm_gui/replay/replay_session.h>
 #include <gcm_gui/replay/replay_strip.h>
-#include <gcm_gui/replay/window_replay.h>
 
 #include <QMenu>
 #include <algorithm>

@@ -1,5 +1,6 @@
-#include <gcm_gui/models/text.h>
 #include <gcm_gui/session/catalogue_store.h>
+
+#include <gcm_gui/models/text.h>
 
 #include <utility>
 

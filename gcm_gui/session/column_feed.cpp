@@ -1,5 +1,6 @@
-#include <gcm_gui/models/text.h>
 #include <gcm_gui/session/column_feed.h>
+
+#include <gcm_gui/models/text.h>
 #include <gcm_gui/views/raw_image.h>
 #include <tendon/payload/json.h>
 

@@ -1,5 +1,6 @@
-#include <gcm_gui/models/text.h>
 #include <gcm_gui/session/column_signals.h>
+
+#include <gcm_gui/models/text.h>
 #include <tendon/base/path.h>
 
 #include <optional>

@@ -1,6 +1,7 @@
+#include <gcm_gui/session/gcm_session.h>
+
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
-#include <gcm_gui/session/gcm_session.h>
 #include <tendon/gcm/diagnosis.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text.h>

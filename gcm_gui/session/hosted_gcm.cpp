@@ -1,4 +1,5 @@
 #include <gcm_gui/session/hosted_gcm.h>
+
 #include <tendon/base/log.h>
 #include <tendon/gcm/global_manager.h>
 #include <tendon/process/process.h>

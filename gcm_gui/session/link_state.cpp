@@ -1,5 +1,6 @@
-#include <gcm_gui/models/text.h>
 #include <gcm_gui/session/link_state.h>
+
+#include <gcm_gui/models/text.h>
 
 namespace tendon::gui {
 

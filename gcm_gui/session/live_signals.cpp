@@ -1,4 +1,5 @@
 #include <gcm_gui/session/live_signals.h>
+
 #include <tendon/base/path.h>
 
 #include <chrono>

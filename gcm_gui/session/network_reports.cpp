@@ -1,7 +1,8 @@
+#include <gcm_gui/session/network_reports.h>
+
 #include <gcm_console/catalogue/event_choice.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
-#include <gcm_gui/session/network_reports.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/payload/json.h>
 

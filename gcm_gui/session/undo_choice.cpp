@@ -1,6 +1,7 @@
+#include <gcm_gui/session/undo_choice.h>
+
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
-#include <gcm_gui/session/undo_choice.h>
 #include <tendon/base/os/process.h>
 #include <tendon/gcm/step_history.h>
 #include <tendon/gcm/text.h>

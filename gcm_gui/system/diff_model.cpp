@@ -1,7 +1,8 @@
+#include <gcm_gui/system/diff_model.h>
+
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/text.h>
-#include <gcm_gui/system/diff_model.h>
 #include <gcm_gui/theme/state_mark.h>
 
 #include <algorithm>

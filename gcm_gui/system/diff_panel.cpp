@@ -1,6 +1,7 @@
+#include <gcm_gui/system/diff_panel.h>
+
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
-#include <gcm_gui/system/diff_panel.h>
 #include <gcm_gui/system/system_parts.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>

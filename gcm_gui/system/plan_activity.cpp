@@ -1,5 +1,6 @@
-#include <gcm_gui/models/text.h>
 #include <gcm_gui/system/plan_activity.h>
+
+#include <gcm_gui/models/text.h>
 #include <gcm_gui/system/plan_controller.h>
 
 #include <utility>

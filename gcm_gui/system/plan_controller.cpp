@@ -1,5 +1,6 @@
-#include <gcm_gui/language/words.h>
 #include <gcm_gui/system/plan_controller.h>
+
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/system/system_parts.h>
 #include <tendon/gcm/lookup.h>
 

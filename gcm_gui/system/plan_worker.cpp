@@ -1,5 +1,6 @@
-#include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/system/plan_worker.h>
+
+#include <gcm_gui/guard/exception_guard.h>
 #include <tendon/gcm/system/client_executor.h>
 
 #include <utility>

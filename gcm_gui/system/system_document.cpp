@@ -1,7 +1,8 @@
+#include <gcm_gui/system/system_document.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
-#include <gcm_gui/system/system_document.h>
 #include <gcm_gui/system/system_parts.h>
 #include <tendon/gcm/system/component_manager_file.h>
 #include <tendon/gcm/system/running_system.h>

@@ -1,9 +1,10 @@
+#include <gcm_gui/system/system_files.h>
+
 #include <gcm_gui/commands/commands.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/session/link_state.h>
 #include <gcm_gui/system/diff_panel.h>
-#include <gcm_gui/system/system_files.h>
 #include <gcm_gui/views/tab_panel.h>
 
 #include <QAction>

@@ -1,4 +1,5 @@
 #include <gcm_gui/system/system_parts.h>
+
 #include <tendon/gcm/system/running_system.h>
 
 #include <algorithm>

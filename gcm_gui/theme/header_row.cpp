@@ -1,4 +1,5 @@
 #include <gcm_gui/theme/header_row.h>
+
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 

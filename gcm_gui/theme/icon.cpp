@@ -1,4 +1,5 @@
 #include <gcm_gui/theme/icon.h>
+
 #include <gcm_gui/theme/theme.h>
 
 #include <QFile>

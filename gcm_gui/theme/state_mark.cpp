@@ -1,5 +1,6 @@
-#include <gcm_gui/language/words.h>
 #include <gcm_gui/theme/state_mark.h>
+
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/theme/theme.h>
 
 #include <QPainter>

@@ -1,5 +1,6 @@
-#include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/tendon_style.h>
+
+#include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 
 #include <QAbstractItemView>

@@ -1,7 +1,8 @@
+#include <gcm_gui/theme/theme.h>
+
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/system_appearance.h>
 #include <gcm_gui/theme/tendon_style.h>
-#include <gcm_gui/theme/theme.h>
 
 #include <QApplication>
 #include <QFile>

@@ -1,6 +1,7 @@
+#include <gcm_gui/views/catalogue_columns.h>
+
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/catalogue_model.h>
-#include <gcm_gui/views/catalogue_columns.h>
 #include <gcm_gui/views/row_delegate.h>
 #include <gcm_gui/views/row_view.h>
 

@@ -1,10 +1,11 @@
+#include <gcm_gui/views/catalogue_panel.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/header_row.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
-#include <gcm_gui/views/catalogue_panel.h>
 #include <gcm_gui/views/catalogue_tree.h>
 #include <gcm_gui/views/link_button.h>
 

@@ -1,8 +1,9 @@
+#include <gcm_gui/views/catalogue_tree.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/views/catalogue_columns.h>
-#include <gcm_gui/views/catalogue_tree.h>
 
 #include <QContextMenuEvent>
 #include <QScopedValueRollback>

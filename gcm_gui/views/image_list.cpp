@@ -1,4 +1,5 @@
 #include <gcm_gui/views/image_list.h>
+
 #include <gcm_gui/views/image_view.h>
 
 #include <QVBoxLayout>

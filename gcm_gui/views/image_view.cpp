@@ -1,8 +1,9 @@
+#include <gcm_gui/views/image_view.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
-#include <gcm_gui/views/image_view.h>
 
 #include <QLabel>
 #include <QPainter>

@@ -1,5 +1,6 @@
-#include <gcm_gui/theme/theme.h>
 #include <gcm_gui/views/link_button.h>
+
+#include <gcm_gui/theme/theme.h>
 
 #include <QToolButton>
 

@@ -1,9 +1,10 @@
+#include <gcm_gui/views/overlay_card.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/theme/header_row.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
-#include <gcm_gui/views/overlay_card.h>
 
 #include <QAbstractButton>
 #include <QCheckBox>

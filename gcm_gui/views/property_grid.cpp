@@ -1,6 +1,7 @@
+#include <gcm_gui/views/property_grid.h>
+
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
-#include <gcm_gui/views/property_grid.h>
 
 #include <QGridLayout>
 #include <QLabel>

@@ -1,5 +1,6 @@
-#include <gcm_gui/language/words.h>
 #include <gcm_gui/views/raw_image.h>
+
+#include <gcm_gui/language/words.h>
 #include <tendon/payload/cdr.h>
 
 #include <QtEndian>

@@ -1,10 +1,11 @@
+#include <gcm_gui/views/row_delegate.h>
+
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/sparkline.h>
 #include <gcm_gui/models/state_marks.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/state_mark.h>
 #include <gcm_gui/theme/theme.h>
-#include <gcm_gui/views/row_delegate.h>
 
 #include <QAbstractItemView>
 #include <QFontMetrics>

@@ -1,9 +1,10 @@
+#include <gcm_gui/views/row_view.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/tendon_style.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/views/row_delegate.h>
-#include <gcm_gui/views/row_view.h>
 
 #include <QHeaderView>
 #include <QPainter>

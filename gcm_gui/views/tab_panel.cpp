@@ -1,6 +1,7 @@
+#include <gcm_gui/views/tab_panel.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/theme/header_row.h>
-#include <gcm_gui/views/tab_panel.h>
 
 #include <QStackedWidget>
 #include <QTabBar>

@@ -1,5 +1,6 @@
-#include <gcm_gui/models/text.h>
 #include <gcm_gui/window/audit_line.h>
+
+#include <gcm_gui/models/text.h>
 
 namespace tendon::gui {
 namespace {

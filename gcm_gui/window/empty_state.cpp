@@ -1,10 +1,11 @@
+#include <gcm_gui/window/empty_state.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/views/link_button.h>
-#include <gcm_gui/window/empty_state.h>
 #include <tendon/process/membership/advertised_address.h>
 
 #include <QClipboard>

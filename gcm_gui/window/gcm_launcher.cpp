@@ -1,5 +1,6 @@
-#include <gcm_gui/language/words.h>
 #include <gcm_gui/window/gcm_launcher.h>
+
+#include <gcm_gui/language/words.h>
 
 #include <QProcess>
 #include <utility>

@@ -1,6 +1,7 @@
+#include <gcm_gui/window/gcm_switcher.h>
+
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/session/link_state.h>
-#include <gcm_gui/window/gcm_switcher.h>
 
 #include <QCoreApplication>
 #include <QInputDialog>

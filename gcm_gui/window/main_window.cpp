@@ -1,3 +1,5 @@
+#include <gcm_gui/window/main_window.h>
+
 #include <gcm_gui/activity/activity_strip.h>
 #include <gcm_gui/call/favourite_bar.h>
 #include <gcm_gui/commands/graph_commands.h>
@@ -43,7 +45,6 @@
 #include <gcm_gui/window/gcm_launcher.h>
 #include <gcm_gui/window/gcm_switcher.h>
 #include <gcm_gui/window/lost_banner.h>
-#include <gcm_gui/window/main_window.h>
 #include <gcm_gui/window/mark_binding.h>
 #include <gcm_gui/window/notice_line.h>
 #include <gcm_gui/window/plot_binding.h>

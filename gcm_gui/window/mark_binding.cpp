@@ -1,3 +1,5 @@
+#include <gcm_gui/window/mark_binding.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/state_marks.h>
@@ -5,7 +7,6 @@
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/series/shown_time.h>
 #include <gcm_gui/window/audit_line.h>
-#include <gcm_gui/window/mark_binding.h>
 #include <tendon/base/path.h>
 #include <tendon/gcm/lookup.h>
 

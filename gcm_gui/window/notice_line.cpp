@@ -1,10 +1,11 @@
+#include <gcm_gui/window/notice_line.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/lifecycle/lifecycle_words.h>
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
-#include <gcm_gui/window/notice_line.h>
 
 #include <QFontMetrics>
 #include <QPainter>

@@ -1,5 +1,6 @@
-#include <gcm_gui/language/words.h>
 #include <gcm_gui/window/panels.h>
+
+#include <gcm_gui/language/words.h>
 
 #include <QAction>
 #include <QDataStream>

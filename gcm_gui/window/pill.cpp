@@ -1,6 +1,7 @@
+#include <gcm_gui/window/pill.h>
+
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
-#include <gcm_gui/window/pill.h>
 
 #include <QFontMetrics>
 #include <QPainter>

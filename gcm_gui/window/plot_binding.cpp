@@ -1,10 +1,11 @@
+#include <gcm_gui/window/plot_binding.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/catalogue_model.h>
 #include <gcm_gui/models/row_roles.h>
 #include <gcm_gui/models/shown_clock.h>
 #include <gcm_gui/plot/plot_panel.h>
-#include <gcm_gui/window/plot_binding.h>
 
 #include <algorithm>
 #include <chrono>

@@ -1,3 +1,5 @@
+#include <gcm_gui/window/top_bar.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/models/state_marks.h>
@@ -7,7 +9,6 @@
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 #include <gcm_gui/window/pill.h>
-#include <gcm_gui/window/top_bar.h>
 
 #include <QHBoxLayout>
 #include <QLabel>

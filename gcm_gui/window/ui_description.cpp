@@ -1,3 +1,5 @@
+#include <gcm_gui/window/ui_description.h>
+
 #include <gcm_gui/activity/activity_model.h>
 #include <gcm_gui/connect/candidate_list.h>
 #include <gcm_gui/connect/candidate_panel.h>
@@ -19,7 +21,6 @@
 #include <gcm_gui/views/catalogue_tree.h>
 #include <gcm_gui/window/main_window.h>
 #include <gcm_gui/window/top_bar.h>
-#include <gcm_gui/window/ui_description.h>
 #include <gcm_gui/window/watched_application.h>
 
 #include <QJsonArray>

@@ -1,4 +1,5 @@
 #include <gcm_gui/window/watched_application.h>
+
 #include <tendon/base/os/thread.h>
 
 #include <QEvent>

@@ -1,6 +1,7 @@
+#include <gcm_gui/window/window_parts.h>
+
 #include <gcm_gui/replay/replay_session.h>
 #include <gcm_gui/session/gcm_session.h>
-#include <gcm_gui/window/window_parts.h>
 
 namespace tendon::gui {
 

@@ -269,6 +269,17 @@ def headers_name_what_they_use(file):
             yield code.count("\n", 0, match.start()) + 1, f"{match[0]} needs #include <{headers[0]}> in this header"
 
 
+def own_header_first(file):
+    """The own header of a source comes first, so that the compiler sees whether the header includes what it needs."""
+    own = str(PurePosixPath(file.path).with_suffix(".h"))
+    if file.suffix != ".cpp" or file.part not in PARTS or not (file.root / own).is_file():
+        return
+    if not file.includes:
+        yield 1, f"the first include must be its own header, {own}"
+    elif file.includes[0].target != own:
+        yield file.includes[0].line, f"the first include must be its own header, {own}, not <{file.includes[0].name}>"
+
+
 def tests_have_plain_names(file):
     if not file.is_code or not file.is_under(*PLAIN_TESTS):
         return
@@ -587,7 +598,7 @@ FILE_RULES = (
     ice_stays_in_its_folder, qt_stays_in_the_window, parts_include_what_they_may, components_need_core_alone,
     layers_look_down, core_headers_need_the_standard_library_alone, the_operating_system_stays_in_base_os,
     atomics_stay_in_lockfree_and_state, code_has_no_macros, headers_are_included_once, headers_name_what_they_use,
-    tests_have_plain_names, nothing_is_left_over, scripts_are_narrow, functions_are_short)
+    own_header_first, tests_have_plain_names, nothing_is_left_over, scripts_are_narrow, functions_are_short)
 TREE_RULES = (types_have_names_of_their_own, joined_sources_share_no_names, helpers_hide_no_declared_functions,
               folders_of_a_layer_have_no_cycle, installed_headers_include_no_internal_ones,
               headers_of_core_are_in_a_file_set, folders_are_built, folders_are_described, readme_names_the_layers,

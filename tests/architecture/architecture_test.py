@@ -117,6 +117,12 @@ BROKEN = {
         ({"program/a.h": include() + "void Set(int x = 1'000, char c = '\"', std::uint8_t y = '\"');\n"},
          "program/a.h:2", "std::uint8_t needs #include <cstdint>"),
     ],
+    "own_header_first": [
+        ({"core/tendon/task/b.cpp": include("tendon/task/a.h", "tendon/task/b.h"), "core/tendon/task/a.h": include(),
+          "core/tendon/task/b.h": include()},
+         "core/tendon/task/b.cpp:2", "its own header, core/tendon/task/b.h, not <tendon/task/a.h>"),
+        ({"lcm/a.cpp": "", "lcm/a.h": include()}, "lcm/a.cpp:1", "its own header, lcm/a.h"),
+    ],
     "tests_have_plain_names": [
         ({"tests/core/a_test.cpp": "\nTEST(Queue, WhatIsPushedIsPopped) {\n"},
          "tests/core/a_test.cpp:2", "is a riddle"),
@@ -245,6 +251,12 @@ KEPT = {
          + "/* std::map\nstd::span */\n"
          + 'constexpr auto kText = "std::move";\nconstexpr auto kLong = R"(\nstd::byte)";\n',
          "lcm/b.cpp": "std::optional<int> a;\n", "tests/support/a.h": "#pragma once\nstd::array<int, 2> a;\n"},
+    ],
+    "own_header_first": [
+        {"core/tendon/task/b.cpp": "// a comment\n" + include("tendon/task/b.h", "tendon/task/a.h"),
+         "core/tendon/task/a.h": include(), "core/tendon/task/b.h": include(),
+         "lcm/main.cpp": include("lcm/a.h"), "lcm/a.h": include(),
+         "tests/lcm/a.cpp": include("string"), "tests/lcm/a.h": include()},
     ],
     "tests_have_plain_names": [
         {"tests/core/a_test.cpp": "TEST(Queue, ReturnsWhatWasPushed) {\nTEST(Queue, WholeBatchesAreKept) {\n",

@@ -1,4 +1,5 @@
 #include <tendon/base/backoff.h>
+
 #include <tendon/base/os/process.h>
 
 #include <algorithm>

@@ -1,6 +1,7 @@
+#include <tendon/base/log.h>
+
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
-#include <tendon/base/log.h>
 
 #include <memory>
 #include <mutex>

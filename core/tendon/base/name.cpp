@@ -1,4 +1,5 @@
 #include <tendon/base/name.h>
+
 #include <tendon/base/text.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-#include <tendon/base/log.h>
 #include <tendon/base/rate_limited_warning.h>
+
+#include <tendon/base/log.h>
 
 namespace tendon {
 

@@ -1,5 +1,6 @@
-#include <tendon/base/text.h>
 #include <tendon/gcm/catalogue.h>
+
+#include <tendon/base/text.h>
 #include <tendon/payload/codec.h>
 
 #include <algorithm>

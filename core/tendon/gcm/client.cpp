@@ -1,6 +1,7 @@
+#include <tendon/gcm/client.h>
+
 #include <tendon/base/os/process.h>
 #include <tendon/base/path.h>
-#include <tendon/gcm/client.h>
 #include <tendon/gcm/client/event_feed.h>
 #include <tendon/gcm/client/gcm_link.h>
 #include <tendon/gcm/client/process_links.h>

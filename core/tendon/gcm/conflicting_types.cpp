@@ -1,4 +1,5 @@
 #include <tendon/gcm/conflicting_types.h>
+
 #include <tendon/gcm/lookup.h>
 
 #include <string_view>

@@ -1,5 +1,6 @@
-#include <tendon/base/text.h>
 #include <tendon/gcm/connection_health.h>
+
+#include <tendon/base/text.h>
 
 namespace tendon {
 namespace {

@@ -1,6 +1,7 @@
+#include <tendon/gcm/diagnosis.h>
+
 #include <tendon/base/os/process.h>
 #include <tendon/base/os/route.h>
-#include <tendon/gcm/diagnosis.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/process/membership/advertised_address.h>
 

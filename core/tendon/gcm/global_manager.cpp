@@ -1,5 +1,6 @@
-#include <tendon/base/os/process.h>
 #include <tendon/gcm/global_manager.h>
+
+#include <tendon/base/os/process.h>
 #include <tendon/gcm/server/server.h>
 #include <tendon/gcm/supervisor/lcm_launcher.h>
 

@@ -1,4 +1,5 @@
 #include <tendon/gcm/initial_arguments.h>
+
 #include <tendon/gcm/lookup.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #include <tendon/gcm/interface_matching.h>
+
 #include <tendon/gcm/lookup.h>
 #include <tendon/interface/compatibility.h>
 

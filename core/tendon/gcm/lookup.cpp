@@ -1,5 +1,6 @@
-#include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
+
+#include <tendon/base/text.h>
 #include <tendon/interface/compatibility.h>
 #include <tendon/interface/observed_call.h>
 

@@ -1,7 +1,8 @@
+#include <tendon/gcm/step_history.h>
+
 #include <tendon/base/log.h>
 #include <tendon/base/os/file.h>
 #include <tendon/base/text.h>
-#include <tendon/gcm/step_history.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/json/strict_json.h>
 

@@ -1,9 +1,10 @@
+#include <tendon/gcm/system_file.h>
+
 #include <tendon/base/os/file.h>
 #include <tendon/base/text.h>
 #include <tendon/gcm/system/file_object.h>
 #include <tendon/gcm/system/leaders.h>
 #include <tendon/gcm/system/system_index.h>
-#include <tendon/gcm/system_file.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/json/strict_json.h>
 #include <tendon/task/thread_setup.h>

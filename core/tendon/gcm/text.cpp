@@ -1,7 +1,8 @@
+#include <tendon/gcm/text.h>
+
 #include <tendon/base/text.h>
 #include <tendon/gcm/gcm_messages.h>
 #include <tendon/gcm/step_history.h>
-#include <tendon/gcm/text.h>
 #include <tendon/middleware/body.h>
 #include <tendon/payload/json/strict_json.h>
 

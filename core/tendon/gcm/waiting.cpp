@@ -1,5 +1,6 @@
-#include <tendon/gcm/lookup.h>
 #include <tendon/gcm/waiting.h>
+
+#include <tendon/gcm/lookup.h>
 
 namespace tendon {
 namespace {

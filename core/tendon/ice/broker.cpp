@@ -1,8 +1,9 @@
+#include <tendon/ice/broker.h>
+
 #include <Ice/Ice.h>
 #include <openssl/evp.h>
 #include <tendon/base/os/shared_library.h>
 #include <tendon/base/text.h>
-#include <tendon/ice/broker.h>
 #include <tendon/middleware/hello.h>
 #include <tendon/middleware/middleware.h>
 

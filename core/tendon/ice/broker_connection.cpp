@@ -1,6 +1,7 @@
+#include <tendon/ice/broker_connection.h>
+
 #include <tendon/base/os/socket.h>
 #include <tendon/ice/broker.h>
-#include <tendon/ice/broker_connection.h>
 #include <tendon/ice/connection_socket.h>
 #include <tendon/ice/tls.h>
 #include <tendon/middleware/middleware.h>

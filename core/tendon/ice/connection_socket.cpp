@@ -1,5 +1,6 @@
-#include <tendon/base/os/socket.h>
 #include <tendon/ice/connection_socket.h>
+
+#include <tendon/base/os/socket.h>
 #include <tendon/middleware/middleware.h>
 
 #include <cstdint>

@@ -1,7 +1,8 @@
+#include <tendon/ice/ice_broadcast.h>
+
 #include <tendon/base/os/process.h>
 #include <tendon/ice/bounded_reader.h>
 #include <tendon/ice/broker.h>
-#include <tendon/ice/ice_broadcast.h>
 #include <tendon/ice/ice_topic.h>
 #include <tendon/ice/settings.h>
 #include <tendon/ice/tls.h>

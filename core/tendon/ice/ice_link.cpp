@@ -1,7 +1,8 @@
+#include <tendon/ice/ice_link.h>
+
 #include <tendon/base/os/socket.h>
 #include <tendon/ice/bounded_reader.h>
 #include <tendon/ice/connection_socket.h>
-#include <tendon/ice/ice_link.h>
 #include <tendon/ice/outgoing_message.h>
 #include <tendon/ice/tls.h>
 #include <tendon/middleware/body.h>

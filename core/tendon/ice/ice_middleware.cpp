@@ -1,3 +1,5 @@
+#include <tendon/ice/ice_middleware.h>
+
 #include <Ice/Ice.h>
 #include <IceUtil/Timer.h>
 #include <tendon/base/log.h>
@@ -5,7 +7,6 @@
 #include <tendon/base/os/socket.h>
 #include <tendon/base/text.h>
 #include <tendon/ice/ice_broadcast.h>
-#include <tendon/ice/ice_middleware.h>
 #include <tendon/ice/pending_handshakes.h>
 #include <tendon/ice/sequence_size_check.h>
 #include <tendon/ice/servants.h>

@@ -1,6 +1,7 @@
+#include <tendon/ice/ice_topic.h>
+
 #include <tendon/base/log.h>
 #include <tendon/ice/bounded_reader.h>
-#include <tendon/ice/ice_topic.h>
 #include <tendon/middleware/middleware.h>
 
 #include <chrono>

@@ -1,4 +1,5 @@
 #include <tendon/ice/pending_calls.h>
+
 #include <tendon/middleware/pending_requests.h>
 
 #include <exception>

@@ -1,5 +1,6 @@
-#include <tendon/base/os/socket.h>
 #include <tendon/ice/pending_handshakes.h>
+
+#include <tendon/base/os/socket.h>
 
 #include <utility>
 

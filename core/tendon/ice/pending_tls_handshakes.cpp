@@ -1,6 +1,7 @@
+#include <tendon/ice/pending_tls_handshakes.h>
+
 #include <tendon/base/log.h>
 #include <tendon/base/os/socket.h>
-#include <tendon/ice/pending_tls_handshakes.h>
 
 #include <exception>
 #include <string>

@@ -1,5 +1,6 @@
-#include <Ice/IncomingAsync.h>
 #include <tendon/ice/replies.h>
+
+#include <Ice/IncomingAsync.h>
 
 #include <utility>
 

@@ -1,7 +1,8 @@
+#include <tendon/ice/servants.h>
+
 #include <Ice/Incoming.h>
 #include <tendon/ice/bounded_reader.h>
 #include <tendon/ice/replies.h>
-#include <tendon/ice/servants.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
+#include <tendon/ice/settings.h>
+
 #include <tendon/base/log.h>
 #include <tendon/base/rate_limited_warning.h>
-#include <tendon/ice/settings.h>
 #include <tendon/middleware/part_sender.h>
 #include <tendon/process/audit_log.h>
 

@@ -1,10 +1,11 @@
+#include <tendon/ice/tls.h>
+
 #include <IceSSL/IceSSL.h>
 #include <IceSSL/OpenSSL.h>
 #include <openssl/err.h>
 #include <openssl/ssl.h>
 #include <tendon/base/log.h>
 #include <tendon/ice/settings.h>
-#include <tendon/ice/tls.h>
 #include <tendon/security/certificate_check.h>
 
 #include <chrono>

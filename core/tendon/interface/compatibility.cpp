@@ -1,4 +1,5 @@
 #include <tendon/interface/compatibility.h>
+
 #include <tendon/payload/schema.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-#include <tendon/interface/compatibility.h>
 #include <tendon/interface/connection.h>
+
+#include <tendon/interface/compatibility.h>
 
 #include <algorithm>
 #include <optional>

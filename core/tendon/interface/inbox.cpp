@@ -1,5 +1,6 @@
-#include <tendon/interface/command.h>
 #include <tendon/interface/inbox.h>
+
+#include <tendon/interface/command.h>
 
 #include <algorithm>
 #include <cassert>

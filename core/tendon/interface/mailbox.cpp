@@ -1,6 +1,7 @@
+#include <tendon/interface/mailbox.h>
+
 #include <tendon/base/clock.h>
 #include <tendon/interface/execution/block_when_full.h>
-#include <tendon/interface/mailbox.h>
 
 #include <algorithm>
 #include <bit>

@@ -1,5 +1,6 @@
-#include <tendon/base/error.h>
 #include <tendon/interface/offer.h>
+
+#include <tendon/base/error.h>
 
 namespace tendon {
 

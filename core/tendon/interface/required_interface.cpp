@@ -1,5 +1,6 @@
-#include <tendon/base/text.h>
 #include <tendon/interface/required_interface.h>
+
+#include <tendon/base/text.h>
 
 #include <algorithm>
 

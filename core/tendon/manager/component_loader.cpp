@@ -1,7 +1,8 @@
+#include <tendon/manager/component_loader.h>
+
 #include <tendon/base/name.h>
 #include <tendon/base/os/process.h>
 #include <tendon/base/text.h>
-#include <tendon/manager/component_loader.h>
 #include <tendon/manager/plugin.h>
 
 #include <cstdlib>

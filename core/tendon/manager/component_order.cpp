@@ -1,4 +1,5 @@
 #include <tendon/manager/component_order.h>
+
 #include <tendon/task/task.h>
 
 #include <algorithm>

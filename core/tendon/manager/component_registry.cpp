@@ -1,6 +1,7 @@
+#include <tendon/manager/component_registry.h>
+
 #include <tendon/base/name.h>
 #include <tendon/base/text.h>
-#include <tendon/manager/component_registry.h>
 #include <tendon/payload/json/strict_json.h>
 
 #include <exception>

@@ -1,6 +1,7 @@
+#include <tendon/manager/local_manager.h>
+
 #include <tendon/base/log.h>
 #include <tendon/manager/component_order.h>
-#include <tendon/manager/local_manager.h>
 #include <tendon/manager/state_requests.h>
 #include <tendon/task/threaded_task.h>
 

@@ -1,6 +1,7 @@
+#include <tendon/manager/orderly_shutdown.h>
+
 #include <tendon/base/log.h>
 #include <tendon/interface/execution/block_when_full.h>
-#include <tendon/manager/orderly_shutdown.h>
 
 #include <algorithm>
 #include <chrono>

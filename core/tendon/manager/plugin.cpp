@@ -1,9 +1,10 @@
+#include <tendon/manager/plugin.h>
+
 #include <tendon/base/os/child_process.h>
 #include <tendon/base/os/library_copy.h>
 #include <tendon/base/os/process.h>
 #include <tendon/base/os/shared_library.h>
 #include <tendon/base/text.h>
-#include <tendon/manager/plugin.h>
 #include <tendon/manager/plugin_abi.h>
 
 #include <array>

@@ -1,4 +1,5 @@
 #include <tendon/manager/request_serializer.h>
+
 #include <tendon/task/task.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-#include <tendon/manager/local_manager.h>
 #include <tendon/manager/state_requests.h>
+
+#include <tendon/manager/local_manager.h>
 #include <tendon/task/task.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-#include <tendon/base/os/thread.h>
 #include <tendon/manager/watchdog.h>
+
+#include <tendon/base/os/thread.h>
 #include <tendon/task/task.h>
 
 #include <algorithm>

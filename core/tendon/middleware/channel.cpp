@@ -1,6 +1,7 @@
+#include <tendon/middleware/channel.h>
+
 #include <tendon/base/log.h>
 #include <tendon/base/rate_limited_warning.h>
-#include <tendon/middleware/channel.h>
 #include <tendon/middleware/connect_cancellation.h>
 #include <tendon/middleware/large_message_in_progress.h>
 

@@ -1,8 +1,9 @@
+#include <tendon/middleware/handshake.h>
+
 #include <openssl/crypto.h>
 #include <openssl/evp.h>
 #include <openssl/hmac.h>
 #include <tendon/base/os/process.h>
-#include <tendon/middleware/handshake.h>
 
 #include <cstring>
 #include <stdexcept>

@@ -1,8 +1,9 @@
+#include <tendon/middleware/hello.h>
+
 #include <tendon/base/os/file.h>
 #include <tendon/base/os/process.h>
 #include <tendon/base/text.h>
 #include <tendon/middleware/body.h>
-#include <tendon/middleware/hello.h>
 
 #include <array>
 #include <charconv>

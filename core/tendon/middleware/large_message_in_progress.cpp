@@ -1,5 +1,6 @@
-#include <tendon/lockfree/flag.h>
 #include <tendon/middleware/large_message_in_progress.h>
+
+#include <tendon/lockfree/flag.h>
 
 #include <algorithm>
 #include <mutex>

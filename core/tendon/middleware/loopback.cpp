@@ -1,7 +1,8 @@
+#include <tendon/middleware/loopback.h>
+
 #include <tendon/base/clock.h>
 #include <tendon/base/os/thread.h>
 #include <tendon/lockfree/flag.h>
-#include <tendon/middleware/loopback.h>
 
 #include <cassert>
 #include <condition_variable>

@@ -1,5 +1,6 @@
-#include <tendon/base/log.h>
 #include <tendon/middleware/middleware.h>
+
+#include <tendon/base/log.h>
 
 #include <charconv>
 #include <optional>

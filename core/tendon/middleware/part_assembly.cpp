@@ -1,4 +1,5 @@
 #include <tendon/middleware/part_assembly.h>
+
 #include <tendon/middleware/part_sender.h>
 #include <tendon/middleware/payload_limit.h>
 

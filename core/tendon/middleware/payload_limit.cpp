@@ -1,5 +1,6 @@
-#include <tendon/middleware/middleware.h>
 #include <tendon/middleware/payload_limit.h>
+
+#include <tendon/middleware/middleware.h>
 
 #include <string>
 

@@ -1,5 +1,6 @@
-#include <tendon/base/log.h>
 #include <tendon/middleware/pending_requests.h>
+
+#include <tendon/base/log.h>
 
 #include <algorithm>
 #include <exception>

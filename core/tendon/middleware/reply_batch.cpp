@@ -1,6 +1,7 @@
+#include <tendon/middleware/reply_batch.h>
+
 #include <tendon/middleware/channel.h>
 #include <tendon/middleware/pending_requests.h>
-#include <tendon/middleware/reply_batch.h>
 
 #include <cassert>
 #include <cstring>

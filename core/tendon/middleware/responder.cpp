@@ -1,7 +1,8 @@
+#include <tendon/middleware/responder.h>
+
 #include <tendon/middleware/channel.h>
 #include <tendon/middleware/pending_requests.h>
 #include <tendon/middleware/reply_batch.h>
-#include <tendon/middleware/responder.h>
 
 #include <algorithm>
 #include <cassert>

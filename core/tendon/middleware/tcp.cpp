@@ -1,9 +1,10 @@
+#include <tendon/middleware/tcp.h>
+
 #include <tendon/base/clock.h>
 #include <tendon/base/os/poller.h>
 #include <tendon/base/os/thread.h>
 #include <tendon/base/rate_limited_warning.h>
 #include <tendon/middleware/connect_cancellation.h>
-#include <tendon/middleware/tcp.h>
 
 #include <cassert>
 #include <future>

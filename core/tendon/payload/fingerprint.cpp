@@ -1,4 +1,5 @@
 #include <tendon/payload/fingerprint.h>
+
 #include <xxhash.h>
 
 #include <array>

@@ -1,6 +1,7 @@
+#include <tendon/payload/numeric_field.h>
+
 #include <tendon/base/name.h>
 #include <tendon/payload/body_reader.h>
-#include <tendon/payload/numeric_field.h>
 
 #include <charconv>
 

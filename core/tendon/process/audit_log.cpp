@@ -1,5 +1,6 @@
-#include <tendon/base/text.h>
 #include <tendon/process/audit_log.h>
+
+#include <tendon/base/text.h>
 
 #include <chrono>
 

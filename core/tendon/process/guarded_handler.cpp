@@ -1,5 +1,6 @@
-#include <tendon/base/text.h>
 #include <tendon/process/guarded_handler.h>
+
+#include <tendon/base/text.h>
 
 #include <algorithm>
 #include <string>

@@ -1,7 +1,8 @@
+#include <tendon/process/heartbeat.h>
+
 #include <tendon/base/text.h>
 #include <tendon/middleware/large_message_in_progress.h>
 #include <tendon/process/ask.h>
-#include <tendon/process/heartbeat.h>
 #include <tendon/proxy/connection_messages.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-#include <tendon/middleware/loopback.h>
 #include <tendon/process/local_access.h>
+
+#include <tendon/middleware/loopback.h>
 
 namespace tendon {
 

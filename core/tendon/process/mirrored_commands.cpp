@@ -1,4 +1,5 @@
 #include <tendon/process/mirrored_commands.h>
+
 #include <tendon/proxy/connection_messages.h>
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+#include <tendon/process/process.h>
+
 #include <tendon/base/os/process.h>
 #include <tendon/middleware/tcp.h>
 #include <tendon/process/connections/peer_session.h>
@@ -8,7 +10,6 @@
 #include <tendon/process/local_access.h>
 #include <tendon/process/membership/advertised_address.h>
 #include <tendon/process/membership/membership.h>
-#include <tendon/process/process.h>
 #include <tendon/proxy/component_proxy.h>
 
 #include <future>

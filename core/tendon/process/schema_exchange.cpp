@@ -1,6 +1,7 @@
+#include <tendon/process/schema_exchange.h>
+
 #include <tendon/base/log.h>
 #include <tendon/process/ask.h>
-#include <tendon/process/schema_exchange.h>
 
 #include <algorithm>
 #include <string>

@@ -1,5 +1,6 @@
-#include <tendon/base/text.h>
 #include <tendon/process/version_messages.h>
+
+#include <tendon/base/text.h>
 #include <tendon/security/rights.h>
 
 #include <string_view>

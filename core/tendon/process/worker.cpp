@@ -1,7 +1,8 @@
+#include <tendon/process/worker.h>
+
 #include <tendon/base/log.h>
 #include <tendon/base/os/thread.h>
 #include <tendon/middleware/connect_cancellation.h>
-#include <tendon/process/worker.h>
 
 #include <condition_variable>
 #include <exception>

@@ -1,5 +1,6 @@
-#include <tendon/payload/cdr.h>
 #include <tendon/proxy/call_batch.h>
+
+#include <tendon/payload/cdr.h>
 
 #include <array>
 #include <bit>

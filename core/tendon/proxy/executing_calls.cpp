@@ -1,5 +1,6 @@
-#include <tendon/middleware/reply_batch.h>
 #include <tendon/proxy/executing_calls.h>
+
+#include <tendon/middleware/reply_batch.h>
 
 #include <algorithm>
 #include <cstdint>

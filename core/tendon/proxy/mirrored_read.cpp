@@ -1,5 +1,6 @@
-#include <tendon/base/clock.h>
 #include <tendon/proxy/mirrored_read.h>
+
+#include <tendon/base/clock.h>
 #include <tendon/state/cell.h>
 
 #include <algorithm>

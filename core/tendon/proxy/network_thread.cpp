@@ -1,5 +1,6 @@
-#include <tendon/base/os/thread.h>
 #include <tendon/proxy/network_thread.h>
+
+#include <tendon/base/os/thread.h>
 
 #include <utility>
 

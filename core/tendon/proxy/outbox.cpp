@@ -1,6 +1,7 @@
+#include <tendon/proxy/outbox.h>
+
 #include <tendon/proxy/connection_messages.h>
 #include <tendon/proxy/executing_calls.h>
-#include <tendon/proxy/outbox.h>
 
 #include <algorithm>
 #include <cassert>

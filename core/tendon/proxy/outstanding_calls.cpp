@@ -1,4 +1,5 @@
 #include <tendon/proxy/outstanding_calls.h>
+
 #include <tendon/proxy/read_offer_proxy.h>
 
 #include <utility>

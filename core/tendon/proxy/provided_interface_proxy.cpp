@@ -1,8 +1,9 @@
+#include <tendon/proxy/provided_interface_proxy.h>
+
 #include <tendon/base/text.h>
 #include <tendon/interface/connection.h>
 #include <tendon/proxy/function_proxy.h>
 #include <tendon/proxy/mirrored_read.h>
-#include <tendon/proxy/provided_interface_proxy.h>
 #include <tendon/proxy/queued_offer_proxy.h>
 #include <tendon/proxy/read_offer_proxy.h>
 

@@ -1,5 +1,6 @@
-#include <tendon/middleware/payload_limit.h>
 #include <tendon/proxy/proxy_reports.h>
+
+#include <tendon/middleware/payload_limit.h>
 
 #include <algorithm>
 #include <chrono>

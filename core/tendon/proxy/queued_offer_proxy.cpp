@@ -1,9 +1,10 @@
+#include <tendon/proxy/queued_offer_proxy.h>
+
 #include <tendon/base/clock.h>
 #include <tendon/interface/command.h>
 #include <tendon/interface/execution/blocking_call_entry.h>
 #include <tendon/interface/execution/component_access.h>
 #include <tendon/interface/execution/latest_value.h>
-#include <tendon/proxy/queued_offer_proxy.h>
 
 #include <algorithm>
 #include <array>

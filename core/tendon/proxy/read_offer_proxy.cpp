@@ -1,5 +1,6 @@
-#include <tendon/proxy/connection_messages.h>
 #include <tendon/proxy/read_offer_proxy.h>
+
+#include <tendon/proxy/connection_messages.h>
 
 #include <string>
 #include <utility>

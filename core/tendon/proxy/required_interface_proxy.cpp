@@ -1,7 +1,8 @@
+#include <tendon/proxy/required_interface_proxy.h>
+
 #include <tendon/base/text.h>
 #include <tendon/middleware/large_message_in_progress.h>
 #include <tendon/proxy/read_offer_proxy.h>
-#include <tendon/proxy/required_interface_proxy.h>
 
 #include <algorithm>
 #include <functional>

@@ -1,6 +1,7 @@
+#include <tendon/proxy/worker_pool.h>
+
 #include <tendon/base/os/thread.h>
 #include <tendon/middleware/pending_requests.h>
-#include <tendon/proxy/worker_pool.h>
 
 #include <chrono>
 #include <condition_variable>

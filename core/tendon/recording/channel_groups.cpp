@@ -1,6 +1,7 @@
+#include <tendon/recording/channel_groups.h>
+
 #include <tendon/base/text.h>
 #include <tendon/payload/schema/ros_parser.h>
-#include <tendon/recording/channel_groups.h>
 #include <tendon/recording/recording_format.h>
 
 #include <algorithm>

@@ -1,6 +1,7 @@
+#include <tendon/recording/condition.h>
+
 #include <tendon/base/text.h>
 #include <tendon/payload/schema/values_text.h>
-#include <tendon/recording/condition.h>
 
 #include <array>
 #include <charconv>

@@ -1,7 +1,8 @@
+#include <tendon/recording/csv_export.h>
+
 #include <tendon/payload/body_reader.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/numeric_field.h>
-#include <tendon/recording/csv_export.h>
 #include <tendon/recording/export_tables.h>
 #include <tendon/recording/row_assembler.h>
 

@@ -1,8 +1,9 @@
+#include <tendon/recording/local_system.h>
+
 #include <tendon/base/os/process.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text.h>
 #include <tendon/process/telemetry/make_telemetry_client.h>
-#include <tendon/recording/local_system.h>
 
 #include <string_view>
 #include <thread>

@@ -1,7 +1,8 @@
+#include <tendon/recording/playback.h>
+
 #include <tendon/base/path.h>
 #include <tendon/payload/codec.h>
 #include <tendon/payload/fingerprint.h>
-#include <tendon/recording/playback.h>
 
 #include <algorithm>
 #include <charconv>

@@ -1,8 +1,9 @@
+#include <tendon/recording/recorder.h>
+
 #include <tendon/base/os/thread.h>
 #include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text.h>
-#include <tendon/recording/recorder.h>
 #include <tendon/recording/recording_selection.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-#include <tendon/interface/observed_call.h>
 #include <tendon/recording/recording_queue.h>
+
+#include <tendon/interface/observed_call.h>
 
 #include <algorithm>
 #include <optional>

@@ -1,8 +1,9 @@
+#include <tendon/recording/recording_reader.h>
+
 #include <tendon/base/path.h>
 #include <tendon/interface/observed_call.h>
 #include <tendon/payload/codec.h>
 #include <tendon/process/process_description.h>
-#include <tendon/recording/recording_reader.h>
 #include <tendon/recording/row_assembler.h>
 
 #include <algorithm>

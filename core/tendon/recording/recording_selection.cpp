@@ -1,9 +1,10 @@
+#include <tendon/recording/recording_selection.h>
+
 #include <tendon/base/os/process.h>
 #include <tendon/base/path.h>
 #include <tendon/base/text.h>
 #include <tendon/gcm/system/running_system.h>
 #include <tendon/interface/observed_call.h>
-#include <tendon/recording/recording_selection.h>
 
 #include <algorithm>
 #include <utility>

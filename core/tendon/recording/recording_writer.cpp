@@ -1,7 +1,8 @@
+#include <tendon/recording/recording_writer.h>
+
 #include <tendon/gcm/text.h>
 #include <tendon/interface/observed_call.h>
 #include <tendon/payload/codec.h>
-#include <tendon/recording/recording_writer.h>
 
 #include <algorithm>
 #include <system_error>

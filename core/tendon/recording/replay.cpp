@@ -1,6 +1,7 @@
+#include <tendon/recording/replay.h>
+
 #include <tendon/base/error.h>
 #include <tendon/base/text.h>
-#include <tendon/recording/replay.h>
 
 #include <algorithm>
 #include <cmath>

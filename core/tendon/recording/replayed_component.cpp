@@ -1,6 +1,7 @@
+#include <tendon/recording/replayed_component.h>
+
 #include <tendon/interface/column_offer.h>
 #include <tendon/interface/observed_call.h>
-#include <tendon/recording/replayed_component.h>
 
 #include <algorithm>
 #include <optional>

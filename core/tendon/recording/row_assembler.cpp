@@ -1,5 +1,6 @@
-#include <tendon/recording/recording_format.h>
 #include <tendon/recording/row_assembler.h>
+
+#include <tendon/recording/recording_format.h>
 
 #include <utility>
 

@@ -1,8 +1,9 @@
+#include <tendon/recording/save_last.h>
+
 #include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text.h>
 #include <tendon/recording/recording_selection.h>
-#include <tendon/recording/save_last.h>
 
 #include <algorithm>
 #include <deque>

@@ -1,8 +1,9 @@
+#include <tendon/recording/trigger.h>
+
 #include <tendon/base/name.h>
 #include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/interface/observed_call.h>
-#include <tendon/recording/trigger.h>
 
 #include <chrono>
 #include <cstddef>

@@ -1,5 +1,6 @@
-#include <tendon/base/os/file.h>
 #include <tendon/security/authority_folder.h>
+
+#include <tendon/base/os/file.h>
 #include <tendon/security/pem.h>
 
 #include <array>

@@ -1,4 +1,5 @@
 #include <tendon/security/certificate.h>
+
 #include <tendon/security/pem.h>
 
 #include <array>

@@ -1,9 +1,10 @@
+#include <tendon/security/certificate_authority.h>
+
 #include <tendon/base/name.h>
 #include <tendon/base/os/file.h>
 #include <tendon/base/os/process.h>
 #include <tendon/base/text.h>
 #include <tendon/security/authority_folder.h>
-#include <tendon/security/certificate_authority.h>
 #include <tendon/security/certificate_builder.h>
 #include <tendon/security/pem.h>
 

@@ -1,6 +1,7 @@
+#include <tendon/security/certificate_builder.h>
+
 #include <openssl/ec.h>
 #include <openssl/rand.h>
-#include <tendon/security/certificate_builder.h>
 #include <tendon/security/pem.h>
 
 #include <algorithm>

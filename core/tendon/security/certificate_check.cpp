@@ -1,7 +1,8 @@
+#include <tendon/security/certificate_check.h>
+
 #include <openssl/err.h>
 #include <openssl/x509_vfy.h>
 #include <tendon/security/authority_folder.h>
-#include <tendon/security/certificate_check.h>
 #include <tendon/security/pem.h>
 #include <tendon/security/trusted_authority.h>
 

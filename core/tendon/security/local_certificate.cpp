@@ -1,6 +1,7 @@
+#include <tendon/security/local_certificate.h>
+
 #include <tendon/base/log.h>
 #include <tendon/security/authority_folder.h>
-#include <tendon/security/local_certificate.h>
 #include <tendon/security/pem.h>
 
 #include <chrono>

@@ -1,8 +1,9 @@
+#include <tendon/security/pem.h>
+
 #include <openssl/crypto.h>
 #include <openssl/err.h>
 #include <openssl/pem.h>
 #include <tendon/base/name.h>
-#include <tendon/security/pem.h>
 
 #include <ctime>
 #include <utility>

@@ -1,5 +1,6 @@
-#include <tendon/base/text.h>
 #include <tendon/security/role.h>
+
+#include <tendon/base/text.h>
 
 namespace tendon {
 

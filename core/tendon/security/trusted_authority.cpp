@@ -1,6 +1,7 @@
+#include <tendon/security/trusted_authority.h>
+
 #include <openssl/x509_vfy.h>
 #include <tendon/security/authority_folder.h>
-#include <tendon/security/trusted_authority.h>
 
 namespace tendon::openssl {
 namespace {

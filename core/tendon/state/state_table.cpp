@@ -1,5 +1,6 @@
-#include <tendon/base/name.h>
 #include <tendon/state/state_table.h>
+
+#include <tendon/base/name.h>
 
 #include <algorithm>
 #include <cassert>

@@ -1,4 +1,5 @@
 #include <tendon/task/callback_task.h>
+
 #include <tendon/task/task_lifecycle.h>
 
 namespace tendon {

@@ -1,9 +1,10 @@
+#include <tendon/task/component.h>
+
 #include <tendon/base/clock.h>
 #include <tendon/base/log.h>
 #include <tendon/base/name.h>
 #include <tendon/base/text.h>
 #include <tendon/interface/execution/block_when_full.h>
-#include <tendon/task/component.h>
 
 #include <algorithm>
 #include <utility>

@@ -1,5 +1,6 @@
-#include <tendon/base/error.h>
 #include <tendon/task/cycle_grid.h>
+
+#include <tendon/base/error.h>
 
 namespace tendon {
 

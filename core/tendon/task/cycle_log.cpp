@@ -1,6 +1,7 @@
+#include <tendon/task/cycle_log.h>
+
 #include <tendon/base/clock.h>
 #include <tendon/base/os/thread.h>
-#include <tendon/task/cycle_log.h>
 
 #include <algorithm>
 #include <array>

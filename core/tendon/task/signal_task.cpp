@@ -1,4 +1,5 @@
 #include <tendon/task/signal_task.h>
+
 #include <tendon/task/task_lifecycle.h>
 
 #include <algorithm>

@@ -1,9 +1,10 @@
+#include <tendon/task/task.h>
+
 #include <tendon/base/log.h>
 #include <tendon/base/name.h>
 #include <tendon/base/text.h>
 #include <tendon/interface/column_offer.h>
 #include <tendon/task/cycle_log.h>
-#include <tendon/task/task.h>
 #include <tendon/task/task_lifecycle.h>
 
 #include <algorithm>

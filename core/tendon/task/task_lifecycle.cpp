@@ -1,6 +1,7 @@
+#include <tendon/task/task_lifecycle.h>
+
 #include <tendon/interface/execution/block_when_full.h>
 #include <tendon/task/cycle_log.h>
-#include <tendon/task/task_lifecycle.h>
 
 #include <algorithm>
 #include <mutex>

@@ -1,7 +1,8 @@
+#include <tendon/task/thread_setup.h>
+
 #include <tendon/base/error.h>
 #include <tendon/base/log.h>
 #include <tendon/base/os/thread.h>
-#include <tendon/task/thread_setup.h>
 
 #include <chrono>
 #include <mutex>

@@ -1,5 +1,6 @@
-#include <tendon/task/thread_setup.h>
 #include <tendon/task/threaded_task.h>
+
+#include <tendon/task/thread_setup.h>
 
 #include <system_error>
 

@@ -1,4 +1,5 @@
 #include <gcm_gui/graph/items/dimming_item.h>
+
 #include <gcm_gui/graph/layout/node_metrics.h>
 #include <gcm_gui/theme/theme.h>
 

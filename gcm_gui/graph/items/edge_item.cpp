@@ -1,4 +1,5 @@
 #include <gcm_gui/graph/items/edge_item.h>
+
 #include <gcm_gui/graph/layout/node_metrics.h>
 #include <gcm_gui/guard/exception_guard.h>
 #include <gcm_gui/models/text.h>

@@ -1,4 +1,5 @@
 #include <gcm_gui/graph/layout/affinities.h>
+
 #include <gcm_gui/models/text.h>
 #include <tendon/interface/compatibility.h>
 

@@ -1,4 +1,5 @@
 #include <gcm_gui/graph/layout/graph_layout.h>
+
 #include <gcm_gui/graph/layout/node_metrics.h>
 
 #include <QRectF>

@@ -1,4 +1,5 @@
 #include <gcm_gui/graph/layout/layout_worker.h>
+
 #include <gcm_gui/guard/exception_guard.h>
 
 #include <utility>

@@ -1,4 +1,5 @@
 #include <gcm_gui/graph/layout/node_metrics.h>
+
 #include <gcm_gui/models/text.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>

@@ -1,5 +1,6 @@
-#include <gcm_gui/files/file_writer.h>
 #include <gcm_gui/graph/layout/node_positions.h>
+
+#include <gcm_gui/files/file_writer.h>
 
 #include <QDir>
 #include <QFile>

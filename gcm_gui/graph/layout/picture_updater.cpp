@@ -1,6 +1,7 @@
+#include <gcm_gui/graph/layout/picture_updater.h>
+
 #include <gcm_gui/graph/layout/affinities.h>
 #include <gcm_gui/graph/layout/node_metrics.h>
-#include <gcm_gui/graph/layout/picture_updater.h>
 #include <gcm_gui/models/connection_index.h>
 #include <gcm_gui/models/state_marks.h>
 #include <gcm_gui/models/text.h>

@@ -1,5 +1,6 @@
-#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/canvas/axis_labels.h>
+
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/series/axis_range.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #include <gcm_gui/plot/canvas/cursor_lines.h>
+
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 #include <qwt_scale_map.h>

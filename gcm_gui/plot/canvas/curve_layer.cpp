@@ -1,4 +1,5 @@
 #include <gcm_gui/plot/canvas/curve_layer.h>
+
 #include <gcm_gui/plot/canvas/late_samples.h>
 #include <gcm_gui/plot/series/time_shift.h>
 #include <gcm_gui/theme/theme.h>

@@ -1,5 +1,6 @@
-#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/canvas/gap_bands.h>
+
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/theme/theme.h>
 #include <qwt_scale_map.h>
 

@@ -1,4 +1,5 @@
 #include <gcm_gui/plot/canvas/outer_labels.h>
+
 #include <gcm_gui/plot/canvas/plot_axes.h>
 #include <gcm_gui/theme/theme.h>
 

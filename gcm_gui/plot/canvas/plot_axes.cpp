@@ -1,5 +1,6 @@
-#include <gcm_gui/plot/canvas/axis_labels.h>
 #include <gcm_gui/plot/canvas/plot_axes.h>
+
+#include <gcm_gui/plot/canvas/axis_labels.h>
 #include <gcm_gui/plot/series/axis_range.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>

@@ -1,4 +1,5 @@
 #include <gcm_gui/plot/canvas/sweep_painter.h>
+
 #include <gcm_gui/theme/theme.h>
 #include <qwt_axis.h>
 #include <qwt_plot.h>

@@ -1,5 +1,6 @@
-#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/controls/curve_editor.h>
+
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/series/time_shift.h>
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>

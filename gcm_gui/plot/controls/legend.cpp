@@ -1,5 +1,6 @@
-#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/controls/legend.h>
+
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/theme/theme.h>
 
 #include <QGridLayout>

@@ -1,5 +1,6 @@
-#include <gcm_gui/plot/canvas/plot_axes.h>
 #include <gcm_gui/plot/controls/legend_area.h>
+
+#include <gcm_gui/plot/canvas/plot_axes.h>
 #include <gcm_gui/theme/metrics.h>
 #include <qwt_plot.h>
 

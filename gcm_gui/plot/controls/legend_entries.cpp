@@ -1,5 +1,6 @@
-#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/controls/legend_entries.h>
+
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/controls/rate_badge.h>
 #include <gcm_gui/plot/series/sample_statistics.h>
 #include <gcm_gui/plot/series/time_shift.h>

@@ -1,5 +1,6 @@
-#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/controls/legend_row.h>
+
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/series/signal_path.h>
 #include <gcm_gui/theme/icon.h>
 #include <gcm_gui/theme/theme.h>

@@ -1,6 +1,7 @@
+#include <gcm_gui/plot/controls/plot_header.h>
+
 #include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/controls/memory_meter.h>
-#include <gcm_gui/plot/controls/plot_header.h>
 #include <gcm_gui/plot/controls/rate_badge.h>
 #include <gcm_gui/theme/icon.h>
 #include <gcm_gui/theme/metrics.h>

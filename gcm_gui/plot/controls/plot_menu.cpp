@@ -1,5 +1,6 @@
-#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/controls/plot_menu.h>
+
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/plot_files.h>
 #include <gcm_gui/plot/plot_panel.h>
 #include <gcm_gui/plot/plot_picture.h>

@@ -1,4 +1,5 @@
 #include <gcm_gui/plot/controls/plot_navigator.h>
+
 #include <gcm_gui/plot/controls/plot_overlay.h>
 #include <gcm_gui/plot/plot_view.h>
 

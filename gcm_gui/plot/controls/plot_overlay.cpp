@@ -1,4 +1,5 @@
 #include <gcm_gui/plot/controls/plot_overlay.h>
+
 #include <gcm_gui/theme/metrics.h>
 #include <gcm_gui/theme/theme.h>
 

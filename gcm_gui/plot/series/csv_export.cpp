@@ -1,6 +1,7 @@
+#include <gcm_gui/plot/series/csv_export.h>
+
 #include <gcm_gui/files/file_writer.h>
 #include <gcm_gui/language/words.h>
-#include <gcm_gui/plot/series/csv_export.h>
 
 #include <algorithm>
 #include <memory>

@@ -1,5 +1,6 @@
-#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/series/curve.h>
+
+#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/series/time_shift.h>
 
 #include <algorithm>

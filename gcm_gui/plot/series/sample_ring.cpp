@@ -1,4 +1,5 @@
 #include <gcm_gui/plot/series/sample_ring.h>
+
 #include <gcm_gui/plot/series/time_shift.h>
 
 #include <algorithm>

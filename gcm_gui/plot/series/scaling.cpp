@@ -1,5 +1,6 @@
-#include <gcm_gui/language/words.h>
 #include <gcm_gui/plot/series/scaling.h>
+
+#include <gcm_gui/language/words.h>
 
 #include <QLocale>
 #include <QStringList>

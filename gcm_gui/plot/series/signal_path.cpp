@@ -1,5 +1,6 @@
-#include <gcm_gui/plot/series/shown_time.h>
 #include <gcm_gui/plot/series/signal_path.h>
+
+#include <gcm_gui/plot/series/shown_time.h>
 
 #include <QDir>
 #include <QFileInfo>

@@ -1,8 +1,9 @@
+#include <tendon/base/os/child_process.h>
+
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
-#include <tendon/base/os/child_process.h>
 #include <tendon/base/os/file.h>
 #include <tendon/base/text.h>
 #include <unistd.h>

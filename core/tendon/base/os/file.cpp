@@ -1,6 +1,7 @@
+#include <tendon/base/os/file.h>
+
 #include <fcntl.h>
 #include <sys/stat.h>
-#include <tendon/base/os/file.h>
 #include <tendon/base/os/process.h>
 #include <unistd.h>
 

@@ -1,7 +1,8 @@
+#include <tendon/base/os/file_content.h>
+
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <tendon/base/os/file.h>
-#include <tendon/base/os/file_content.h>
 #include <unistd.h>
 #include <xxhash.h>
 

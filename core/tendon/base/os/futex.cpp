@@ -1,8 +1,9 @@
+#include <tendon/base/os/futex.h>
+
 #include <linux/futex.h>
 #include <linux/membarrier.h>
 #include <sys/syscall.h>
 #include <tendon/base/log.h>
-#include <tendon/base/os/futex.h>
 #include <unistd.h>
 
 #include <climits>

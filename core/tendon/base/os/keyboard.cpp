@@ -1,6 +1,7 @@
+#include <tendon/base/os/keyboard.h>
+
 #include <fcntl.h>
 #include <poll.h>
-#include <tendon/base/os/keyboard.h>
 #include <termios.h>
 #include <unistd.h>
 

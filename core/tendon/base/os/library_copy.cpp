@@ -1,9 +1,10 @@
+#include <tendon/base/os/library_copy.h>
+
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <sys/statvfs.h>
-#include <tendon/base/os/library_copy.h>
 #include <tendon/base/os/process.h>
 #include <unistd.h>
 

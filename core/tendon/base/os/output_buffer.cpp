@@ -1,6 +1,7 @@
+#include <tendon/base/os/output_buffer.h>
+
 #include <poll.h>
 #include <sys/stat.h>
-#include <tendon/base/os/output_buffer.h>
 #include <tendon/base/os/termination.h>
 #include <unistd.h>
 

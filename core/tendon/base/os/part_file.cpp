@@ -1,7 +1,8 @@
+#include <tendon/base/os/part_file.h>
+
 #include <fcntl.h>
 #include <sys/file.h>
 #include <tendon/base/os/file.h>
-#include <tendon/base/os/part_file.h>
 
 #include <cerrno>
 #include <system_error>

@@ -1,6 +1,7 @@
+#include <tendon/base/os/poller.h>
+
 #include <sys/epoll.h>
 #include <sys/eventfd.h>
-#include <tendon/base/os/poller.h>
 #include <unistd.h>
 
 #include <array>

@@ -1,7 +1,8 @@
+#include <tendon/base/os/process.h>
+
 #include <pwd.h>
 #include <sys/random.h>
 #include <sys/resource.h>
-#include <tendon/base/os/process.h>
 #include <unistd.h>
 
 #include <algorithm>

@@ -1,10 +1,11 @@
+#include <tendon/base/os/random_access_file.h>
+
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/statvfs.h>
 #include <sys/uio.h>
 #include <tendon/base/os/file.h>
-#include <tendon/base/os/random_access_file.h>
 #include <unistd.h>
 
 #include <algorithm>

@@ -1,8 +1,9 @@
+#include <tendon/base/os/route.h>
+
 #include <netdb.h>
 #include <sys/socket.h>
 #include <tendon/base/os/file.h>
 #include <tendon/base/os/process.h>
-#include <tendon/base/os/route.h>
 
 #include <array>
 #include <cerrno>

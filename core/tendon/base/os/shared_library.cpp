@@ -1,8 +1,9 @@
+#include <tendon/base/os/shared_library.h>
+
 #include <cxxabi.h>
 #include <dlfcn.h>
 #include <elf.h>
 #include <link.h>
-#include <tendon/base/os/shared_library.h>
 #include <tendon/base/text.h>
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+#include <tendon/base/os/socket.h>
+
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <netdb.h>
@@ -6,7 +8,6 @@
 #include <poll.h>
 #include <sys/socket.h>
 #include <tendon/base/os/route.h>
-#include <tendon/base/os/socket.h>
 #include <tendon/base/text.h>
 #include <unistd.h>
 

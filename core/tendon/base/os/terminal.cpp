@@ -1,6 +1,7 @@
+#include <tendon/base/os/terminal.h>
+
 #include <fcntl.h>
 #include <sys/ioctl.h>
-#include <tendon/base/os/terminal.h>
 #include <unistd.h>
 
 #include <csignal>

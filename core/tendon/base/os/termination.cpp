@@ -1,6 +1,7 @@
+#include <tendon/base/os/termination.h>
+
 #include <pthread.h>
 #include <tendon/base/os/terminal.h>
-#include <tendon/base/os/termination.h>
 
 #include <atomic>
 #include <csignal>

@@ -1,9 +1,10 @@
+#include <tendon/base/os/thread.h>
+
 #include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
-#include <tendon/base/os/thread.h>
 #include <unistd.h>
 
 #include <array>

@@ -1,4 +1,5 @@
 #include <tendon/gcm/client/event_feed.h>
+
 #include <tendon/process/ask.h>
 #include <tendon/process/viewer_messages.h>
 #include <tendon/proxy/call_batch.h>

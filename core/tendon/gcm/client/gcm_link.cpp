@@ -1,5 +1,6 @@
-#include <tendon/base/os/process.h>
 #include <tendon/gcm/client/gcm_link.h>
+
+#include <tendon/base/os/process.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/process/guarded_handler.h>
 #include <tendon/process/heartbeat.h>

@@ -1,5 +1,6 @@
-#include <tendon/base/name.h>
 #include <tendon/gcm/client/json_field.h>
+
+#include <tendon/base/name.h>
 #include <tendon/payload/json/json_scanner.h>
 #include <tendon/payload/json/strict_json.h>
 

@@ -1,4 +1,5 @@
 #include <tendon/gcm/client/past_events_reading.h>
+
 #include <tendon/gcm/client/source_clock.h>
 
 #include <algorithm>

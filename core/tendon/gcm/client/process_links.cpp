@@ -1,5 +1,6 @@
-#include <tendon/base/os/process.h>
 #include <tendon/gcm/client/process_links.h>
+
+#include <tendon/base/os/process.h>
 #include <tendon/process/guarded_handler.h>
 
 #include <cstddef>

@@ -1,5 +1,6 @@
-#include <tendon/gcm/client/json_field.h>
 #include <tendon/gcm/client/process_requests.h>
+
+#include <tendon/gcm/client/json_field.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/payload/json.h>
 #include <tendon/process/ask.h>

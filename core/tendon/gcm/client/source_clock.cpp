@@ -1,4 +1,5 @@
 #include <tendon/gcm/client/source_clock.h>
+
 #include <tendon/process/ask.h>
 #include <tendon/proxy/connection_messages.h>
 

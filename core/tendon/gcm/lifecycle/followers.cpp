@@ -1,4 +1,5 @@
 #include <tendon/gcm/lifecycle/followers.h>
+
 #include <tendon/payload/json/strict_json.h>
 
 #include <nlohmann/json.hpp>

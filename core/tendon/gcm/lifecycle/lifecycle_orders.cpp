@@ -1,6 +1,7 @@
+#include <tendon/gcm/lifecycle/lifecycle_orders.h>
+
 #include <tendon/base/clock.h>
 #include <tendon/gcm/lifecycle/followers.h>
-#include <tendon/gcm/lifecycle/lifecycle_orders.h>
 #include <tendon/gcm/lifecycle/lifecycle_plan.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text.h>

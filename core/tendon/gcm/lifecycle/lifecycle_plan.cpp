@@ -1,5 +1,6 @@
-#include <tendon/gcm/lifecycle/followers.h>
 #include <tendon/gcm/lifecycle/lifecycle_plan.h>
+
+#include <tendon/gcm/lifecycle/followers.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/waiting.h>
 #include <tendon/process/lifecycle/configuration_base.h>

@@ -1,6 +1,7 @@
+#include <tendon/gcm/lifecycle/parameters.h>
+
 #include <tendon/base/name.h>
 #include <tendon/base/text.h>
-#include <tendon/gcm/lifecycle/parameters.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/json/strict_json.h>
 #include <tendon/payload/json/typed_value.h>

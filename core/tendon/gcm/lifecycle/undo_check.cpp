@@ -1,5 +1,6 @@
-#include <tendon/gcm/lifecycle/lifecycle_plan.h>
 #include <tendon/gcm/lifecycle/undo_check.h>
+
+#include <tendon/gcm/lifecycle/lifecycle_plan.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/text.h>
 

@@ -1,5 +1,6 @@
-#include <tendon/gcm/lookup.h>
 #include <tendon/gcm/members/connection_restorer.h>
+
+#include <tendon/gcm/lookup.h>
 
 #include <algorithm>
 

@@ -1,7 +1,8 @@
+#include <tendon/gcm/members/registry.h>
+
 #include <tendon/base/os/process.h>
 #include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/members/registry.h>
 #include <tendon/gcm/members/sanitize.h>
 #include <tendon/gcm/text.h>
 #include <tendon/middleware/channel.h>

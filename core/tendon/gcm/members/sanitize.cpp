@@ -1,5 +1,6 @@
-#include <tendon/base/text.h>
 #include <tendon/gcm/members/sanitize.h>
+
+#include <tendon/base/text.h>
 #include <tendon/process/lifecycle/lifecycle_messages.h>
 
 #include <set>

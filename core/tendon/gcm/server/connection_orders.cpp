@@ -1,8 +1,9 @@
+#include <tendon/gcm/server/connection_orders.h>
+
 #include <tendon/base/log.h>
 #include <tendon/gcm/conflicting_types.h>
 #include <tendon/gcm/lifecycle/undo_check.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/server/connection_orders.h>
 #include <tendon/gcm/text.h>
 #include <tendon/process/schema_exchange.h>
 

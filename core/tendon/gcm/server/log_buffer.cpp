@@ -1,5 +1,6 @@
-#include <tendon/base/text.h>
 #include <tendon/gcm/server/log_buffer.h>
+
+#include <tendon/base/text.h>
 #include <tendon/gcm/text.h>
 
 #include <algorithm>

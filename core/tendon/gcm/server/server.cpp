@@ -1,9 +1,10 @@
+#include <tendon/gcm/server/server.h>
+
 #include <tendon/base/log.h>
 #include <tendon/base/os/process.h>
 #include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/members/sanitize.h>
-#include <tendon/gcm/server/server.h>
 #include <tendon/gcm/text.h>
 #include <tendon/middleware/hello.h>
 #include <tendon/process/ask.h>

@@ -1,7 +1,8 @@
+#include <tendon/gcm/supervisor/lcm_launcher.h>
+
 #include <tendon/base/log.h>
 #include <tendon/base/os/child_process.h>
 #include <tendon/base/text.h>
-#include <tendon/gcm/supervisor/lcm_launcher.h>
 
 #include <algorithm>
 #include <fstream>

@@ -1,8 +1,9 @@
+#include <tendon/gcm/supervisor/supervisor.h>
+
 #include <tendon/base/log.h>
 #include <tendon/base/os/process.h>
 #include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/supervisor/supervisor.h>
 #include <tendon/gcm/system/running_system.h>
 #include <tendon/gcm/text.h>
 #include <tendon/middleware/hello.h>

@@ -1,5 +1,6 @@
-#include <tendon/gcm/lookup.h>
 #include <tendon/gcm/system/client_executor.h>
+
+#include <tendon/gcm/lookup.h>
 #include <tendon/payload/json.h>
 
 #include <optional>

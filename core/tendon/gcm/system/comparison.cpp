@@ -1,4 +1,5 @@
 #include <tendon/gcm/system/comparison.h>
+
 #include <tendon/gcm/system/system_index.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/json/strict_json.h>

@@ -1,5 +1,6 @@
-#include <tendon/base/text.h>
 #include <tendon/gcm/system/component_manager_file.h>
+
+#include <tendon/base/text.h>
 #include <tendon/gcm/system/file_object.h>
 #include <tendon/gcm/system/system_index.h>
 

@@ -1,5 +1,6 @@
-#include <tendon/base/text.h>
 #include <tendon/gcm/system/file_object.h>
+
+#include <tendon/base/text.h>
 #include <tendon/gcm/system_file.h>
 #include <tendon/payload/json/json_place.h>
 

@@ -1,8 +1,9 @@
+#include <tendon/gcm/system/plan.h>
+
 #include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
 #include <tendon/gcm/system/comparison.h>
 #include <tendon/gcm/system/leaders.h>
-#include <tendon/gcm/system/plan.h>
 #include <tendon/gcm/system/running_system.h>
 #include <tendon/gcm/system/start_order.h>
 #include <tendon/manager/unsatisfied_interface.h>

@@ -1,4 +1,5 @@
 #include <tendon/gcm/system/plan_execution.h>
+
 #include <tendon/gcm/system/system_index.h>
 
 #include <map>

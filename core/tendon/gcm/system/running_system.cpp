@@ -1,6 +1,7 @@
+#include <tendon/gcm/system/running_system.h>
+
 #include <tendon/base/text.h>
 #include <tendon/gcm/lookup.h>
-#include <tendon/gcm/system/running_system.h>
 #include <tendon/gcm/system/system_index.h>
 #include <tendon/middleware/hello.h>
 

@@ -1,6 +1,7 @@
+#include <tendon/gcm/system/start_order.h>
+
 #include <tendon/base/dependency_order.h>
 #include <tendon/gcm/system/leaders.h>
-#include <tendon/gcm/system/start_order.h>
 
 #include <cstddef>
 #include <map>

@@ -1,5 +1,6 @@
-#include <tendon/base/name.h>
 #include <tendon/interface/execution/member_names.h>
+
+#include <tendon/base/name.h>
 
 namespace tendon {
 

@@ -1,4 +1,5 @@
 #include <tendon/payload/json/json_place.h>
+
 #include <tendon/payload/json/json_scanner.h>
 
 #include <algorithm>

@@ -1,6 +1,7 @@
+#include <tendon/payload/json/number_literal.h>
+
 #include <tendon/base/text.h>
 #include <tendon/payload/body_reader.h>
-#include <tendon/payload/json/number_literal.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,8 @@
+#include <tendon/payload/json/strict_json.h>
+
 #include <tendon/base/text.h>
 #include <tendon/payload/json/json_place.h>
 #include <tendon/payload/json/number_literal.h>
-#include <tendon/payload/json/strict_json.h>
 
 #include <algorithm>
 #include <cctype>

@@ -1,8 +1,9 @@
+#include <tendon/payload/json/typed_value.h>
+
 #include <tendon/base/text.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/json/number_literal.h>
 #include <tendon/payload/json/strict_json.h>
-#include <tendon/payload/json/typed_value.h>
 #include <tendon/payload/schema.h>
 
 #include <nlohmann/json.hpp>

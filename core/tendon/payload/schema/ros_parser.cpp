@@ -1,5 +1,6 @@
-#include <tendon/base/text.h>
 #include <tendon/payload/schema/ros_parser.h>
+
+#include <tendon/base/text.h>
 
 #include <algorithm>
 #include <charconv>

@@ -1,5 +1,6 @@
-#include <tendon/payload/schema/range.h>
 #include <tendon/payload/schema/values_text.h>
+
+#include <tendon/payload/schema/range.h>
 
 namespace tendon {
 namespace {

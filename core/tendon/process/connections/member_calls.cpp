@@ -1,4 +1,5 @@
 #include <tendon/process/connections/member_calls.h>
+
 #include <tendon/proxy/executing_calls.h>
 
 #include <utility>

@@ -1,6 +1,7 @@
+#include <tendon/process/connections/peer_link.h>
+
 #include <tendon/process/ask.h>
 #include <tendon/process/channel_opening.h>
-#include <tendon/process/connections/peer_link.h>
 #include <tendon/process/heartbeat.h>
 #include <tendon/process/schema_exchange.h>
 #include <tendon/process/telemetry/row_batch.h>

@@ -1,4 +1,5 @@
 #include <tendon/process/connections/peer_links.h>
+
 #include <tendon/process/heartbeat.h>
 
 #include <algorithm>

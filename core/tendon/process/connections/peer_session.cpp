@@ -1,4 +1,5 @@
 #include <tendon/process/connections/peer_session.h>
+
 #include <tendon/process/heartbeat.h>
 #include <tendon/process/schema_exchange.h>
 #include <tendon/process/version_messages.h>

@@ -1,7 +1,8 @@
+#include <tendon/process/connections/remote_connections.h>
+
 #include <tendon/base/log.h>
 #include <tendon/base/name.h>
 #include <tendon/process/ask.h>
-#include <tendon/process/connections/remote_connections.h>
 
 #include <algorithm>
 #include <utility>

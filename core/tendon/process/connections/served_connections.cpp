@@ -1,7 +1,8 @@
+#include <tendon/process/connections/served_connections.h>
+
 #include <tendon/base/text.h>
 #include <tendon/interface/compatibility.h>
 #include <tendon/process/ask.h>
-#include <tendon/process/connections/served_connections.h>
 #include <tendon/process/schema_exchange.h>
 
 #include <algorithm>

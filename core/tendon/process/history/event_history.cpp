@@ -1,7 +1,8 @@
+#include <tendon/process/history/event_history.h>
+
 #include <tendon/base/os/process.h>
 #include <tendon/lockfree/completion.h>
 #include <tendon/payload/fingerprint.h>
-#include <tendon/process/history/event_history.h>
 
 #include <algorithm>
 #include <bit>

@@ -1,5 +1,6 @@
-#include <tendon/payload/codec.h>
 #include <tendon/process/history/history_ring.h>
+
+#include <tendon/payload/codec.h>
 
 #include <algorithm>
 #include <cstring>

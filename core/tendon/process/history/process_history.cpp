@@ -1,6 +1,7 @@
+#include <tendon/process/history/process_history.h>
+
 #include <tendon/base/os/thread.h>
 #include <tendon/payload/codec.h>
-#include <tendon/process/history/process_history.h>
 
 #include <algorithm>
 #include <exception>

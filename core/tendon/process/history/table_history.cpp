@@ -1,5 +1,6 @@
-#include <tendon/payload/codec.h>
 #include <tendon/process/history/table_history.h>
+
+#include <tendon/payload/codec.h>
 
 #include <algorithm>
 #include <cstring>

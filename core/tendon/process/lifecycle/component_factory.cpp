@@ -1,6 +1,7 @@
+#include <tendon/process/lifecycle/component_factory.h>
+
 #include <tendon/payload/json.h>
 #include <tendon/payload/json/strict_json.h>
-#include <tendon/process/lifecycle/component_factory.h>
 #include <tendon/task/threaded_task.h>
 
 #include <nlohmann/json.hpp>

@@ -1,8 +1,9 @@
+#include <tendon/process/lifecycle/lifecycle_executor.h>
+
 #include <tendon/base/log.h>
 #include <tendon/manager/unsatisfied_interface.h>
 #include <tendon/payload/json.h>
 #include <tendon/process/lifecycle/configuration_base.h>
-#include <tendon/process/lifecycle/lifecycle_executor.h>
 
 #include <algorithm>
 #include <chrono>

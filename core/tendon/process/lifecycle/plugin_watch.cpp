@@ -1,5 +1,6 @@
-#include <tendon/base/os/thread.h>
 #include <tendon/process/lifecycle/plugin_watch.h>
+
+#include <tendon/base/os/thread.h>
 
 #include <chrono>
 #include <cstdint>

@@ -1,6 +1,7 @@
+#include <tendon/process/lifecycle/thread_per_task.h>
+
 #include <tendon/base/log.h>
 #include <tendon/base/os/thread.h>
-#include <tendon/process/lifecycle/thread_per_task.h>
 
 #include <exception>
 #include <system_error>

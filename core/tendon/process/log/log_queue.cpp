@@ -1,5 +1,6 @@
-#include <tendon/base/text.h>
 #include <tendon/process/log/log_queue.h>
+
+#include <tendon/base/text.h>
 
 #include <algorithm>
 #include <chrono>

@@ -1,6 +1,7 @@
+#include <tendon/process/membership/advertised_address.h>
+
 #include <tendon/base/os/route.h>
 #include <tendon/middleware/middleware.h>
-#include <tendon/process/membership/advertised_address.h>
 #include <tendon/process/process.h>
 
 #include <optional>

@@ -1,5 +1,6 @@
-#include <tendon/base/os/process.h>
 #include <tendon/process/membership/health_reporter.h>
+
+#include <tendon/base/os/process.h>
 #include <tendon/process/membership_messages.h>
 
 #include <algorithm>

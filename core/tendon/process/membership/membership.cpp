@@ -1,3 +1,5 @@
+#include <tendon/process/membership/membership.h>
+
 #include <tendon/base/log.h>
 #include <tendon/base/os/route.h>
 #include <tendon/base/text.h>
@@ -7,7 +9,6 @@
 #include <tendon/process/channel_opening.h>
 #include <tendon/process/log/log_messages.h>
 #include <tendon/process/membership/advertised_address.h>
-#include <tendon/process/membership/membership.h>
 #include <tendon/process/schema_exchange.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #include <tendon/process/telemetry/make_telemetry_client.h>
+
 #include <tendon/process/telemetry/past_rows_reading.h>
 #include <tendon/process/telemetry/row_source.h>
 

@@ -1,5 +1,6 @@
-#include <tendon/payload/codec.h>
 #include <tendon/process/telemetry/row_batch.h>
+
+#include <tendon/payload/codec.h>
 
 #include <algorithm>
 #include <cassert>

@@ -1,7 +1,8 @@
+#include <tendon/process/telemetry/row_source.h>
+
 #include <tendon/base/log.h>
 #include <tendon/process/ask.h>
 #include <tendon/process/heartbeat.h>
-#include <tendon/process/telemetry/row_source.h>
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,5 @@
 #include <tendon/process/telemetry/row_stream.h>
+
 #include <tendon/process/viewer_messages.h>
 
 #include <utility>

@@ -1,5 +1,6 @@
-#include <tendon/process/telemetry/row_batch.h>
 #include <tendon/process/telemetry/row_subscription.h>
+
+#include <tendon/process/telemetry/row_batch.h>
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,5 @@
 #include <tendon/process/telemetry/row_viewers.h>
+
 #include <tendon/process/viewer_messages.h>
 
 namespace tendon {

@@ -1,7 +1,8 @@
+#include <tendon/process/telemetry/telemetry_server.h>
+
 #include <tendon/base/os/process.h>
 #include <tendon/middleware/broadcast.h>
 #include <tendon/process/history/kept_rows.h>
-#include <tendon/process/telemetry/telemetry_server.h>
 
 #include <algorithm>
 #include <set>

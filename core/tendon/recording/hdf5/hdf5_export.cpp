@@ -1,6 +1,7 @@
+#include <tendon/recording/hdf5/hdf5_export.h>
+
 #include <tendon/base/os/shared_library.h>
 #include <tendon/base/text.h>
-#include <tendon/recording/hdf5/hdf5_export.h>
 #include <tendon/recording/hdf5/hdf5_module.h>
 
 #include <system_error>

@@ -1,9 +1,10 @@
+#include <tendon/recording/hdf5/hdf5_module.h>
+
 #include <hdf5.h>
 #include <tendon/payload/body_reader.h>
 #include <tendon/payload/json.h>
 #include <tendon/payload/numeric_value.h>
 #include <tendon/recording/export_tables.h>
-#include <tendon/recording/hdf5/hdf5_module.h>
 #include <tendon/recording/row_assembler.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-#include <tendon/base/text.h>
 #include <tendon/recording/mcap/chunk.h>
+
+#include <tendon/base/text.h>
 #include <tendon/recording/mcap/compression.h>
 
 #include <algorithm>

@@ -1,6 +1,7 @@
+#include <tendon/recording/mcap/compression.h>
+
 #include <lz4frame.h>
 #include <tendon/base/text.h>
-#include <tendon/recording/mcap/compression.h>
 #include <zlib.h>
 #include <zstd.h>
 

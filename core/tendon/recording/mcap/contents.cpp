@@ -1,5 +1,6 @@
-#include <tendon/recording/mcap/compression.h>
 #include <tendon/recording/mcap/contents.h>
+
+#include <tendon/recording/mcap/compression.h>
 
 #include <algorithm>
 #include <set>

@@ -1,5 +1,6 @@
-#include <tendon/gcm/text.h>
 #include <tendon/recording/mcap/log_time_text.h>
+
+#include <tendon/gcm/text.h>
 
 #include <array>
 #include <cstdio>

@@ -1,6 +1,7 @@
+#include <tendon/recording/mcap/reader.h>
+
 #include <tendon/base/text.h>
 #include <tendon/recording/mcap/compression.h>
-#include <tendon/recording/mcap/reader.h>
 
 #include <algorithm>
 #include <exception>

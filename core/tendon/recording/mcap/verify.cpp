@@ -1,5 +1,6 @@
-#include <tendon/recording/mcap/compression.h>
 #include <tendon/recording/mcap/verify.h>
+
+#include <tendon/recording/mcap/compression.h>
 
 #include <algorithm>
 #include <exception>

@@ -1,5 +1,6 @@
-#include <tendon/recording/mcap/log_time_text.h>
 #include <tendon/recording/mcap/writer.h>
+
+#include <tendon/recording/mcap/log_time_text.h>
 
 #include <algorithm>
 #include <array>
