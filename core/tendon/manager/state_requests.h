@@ -7,6 +7,7 @@
 #include <tendon/manager/request_serializer.h>
 #include <tendon/task/component.h>
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <mutex>
