@@ -20,11 +20,8 @@ struct ComponentClass {
   std::string defaults;  ///< the default configuration, as JSON
 };
 
-/// The component classes that can be created by name. A plug-in adds its classes in a function
-///
-///     extern "C" void TendonRegisterComponents(tendon::ComponentRegistry& registry) {
-///       registry.Add<arm::SimulatedArm>("SimulatedArm");
-///     }
+/// The component classes that can be created by name. A plug-in adds its classes in
+/// TendonRegisterComponents(), which is declared below.
 ///
 /// The constructor of a class takes a name, or a name and a configuration. The configuration has
 /// the type `Configuration`, a described payload inside the class. Members that are missing in the
@@ -94,3 +91,14 @@ class ComponentRegistry {
 };
 
 }  // namespace tendon
+
+/// Each plug-in defines this function, outside of any namespace, to add its classes:
+///
+///     void TendonRegisterComponents(tendon::ComponentRegistry& registry) {
+///       registry.Add<arm::SimulatedArm>("SimulatedArm");
+///     }
+///
+/// This declaration gives it C linkage and exports it, also from a library that is built with
+/// -fvisibility=hidden.
+extern "C" [[gnu::visibility("default")]] void TendonRegisterComponents(
+    tendon::ComponentRegistry& registry);

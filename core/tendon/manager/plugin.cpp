@@ -66,7 +66,10 @@ Result<ComponentRegistry> LetRegister(void* library, const fs::path& original) {
   void* const entry = os::FindSymbol(library, kRegister);
   if (entry == nullptr) {
     return LoadError(original, std::string("expected the function ") + kRegister +
-                                   ", found none; the file is not a plug-in with components");
+                                   ", found none: either the file is not a plug-in, or "
+                                   "-fvisibility=hidden or a missing extern \"C\" hides the "
+                                   "function; define it outside of any namespace, and include "
+                                   "tendon/manager/component_registry.h");
   }
   if (auto checked = CheckAbi(library); !checked)
     return LoadError(original, checked.error().message);

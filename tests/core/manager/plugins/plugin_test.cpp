@@ -137,8 +137,16 @@ TEST_F(PluginTest, NamesAMissingSymbol) {
 
 TEST_F(PluginTest, RefusesALibraryWithoutEntryPoint) {
   EXPECT_EQ(Refusal("no_entry"),
-            "expected the function TendonRegisterComponents, found none; the file is not a plug-in "
-            "with components");
+            "expected the function TendonRegisterComponents, found none: either the file is not a "
+            "plug-in, or -fvisibility=hidden or a missing extern \"C\" hides the function; define it "
+            "outside of any namespace, and include tendon/manager/component_registry.h");
+}
+
+TEST_F(PluginTest, TheHeaderExportsTheEntryOfALibraryThatHidesItsFunctions) {
+  const auto loaded = LoadPlugin(kBuilt / "hidden.so");
+
+  ASSERT_TRUE(loaded) << loaded.error().message;
+  EXPECT_EQ(loaded->registry.class_names(), std::vector<std::string>{"Lamp"});
 }
 
 TEST_F(PluginTest, NamesBothBinaryInterfacesIfTheyDiffer) {
