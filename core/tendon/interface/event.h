@@ -22,7 +22,8 @@ class Event final : public EventBase {
 
  private:
   [[nodiscard]] std::unique_ptr<CommandBase> Adapt(CommandBase& command) const override {
-    return AdaptByLayout<T, None>(command);
+    if constexpr (Payload<T>) return AdaptByLayout<T, None>(command);
+    return nullptr;
   }
 
   void Raise(const T& value) {

@@ -87,12 +87,11 @@ class Function final : public MemberCaller {
   friend class RequiredInterface;
 
   [[nodiscard]] std::unique_ptr<CommandBase> Adapt(CommandBase& command) const override {
-    return AdaptByLayout<In, Out>(command);
+    if constexpr (Payload<In> && Payload<Out>) return AdaptByLayout<In, Out>(command);
+    return nullptr;
   }
 
-  static Command<In, Out>& Typed(CommandBase& command) {
-    return static_cast<Command<In, Out>&>(command);
-  }
+  static auto& Typed(CommandBase& command) { return static_cast<Command<In, Out>&>(command); }
 
   Status Call(const In& in, Out& out) {
     if (binding_ == nullptr) return Status::kNotConnected;

@@ -80,15 +80,18 @@ class Offer : public CallSwitches {
   /// or if the client of the last call is gone. Every executed call renews the effect, even if the
   /// command's own code refuses the request.
   ///
-  /// `method` runs in the component's thread, in ProcessQueuedCommands() or at the end of the next
-  /// cycle. It also runs if another command has ended or replaced the effect, so it must check
-  /// whether the effect still lasts.
+  /// `method`, or `function`, runs in the component's thread, in ProcessQueuedCommands() or at the
+  /// end of the next cycle. It also runs if another command has ended or replaced the effect, so it
+  /// must check whether the effect still lasts.
   ///
   /// Call this function in the constructor, for queued commands of a task. Throws
   /// ConfigurationError for commands that are not queued.
   template <typename Owner, std::derived_from<Owner> Object>
   Offer& ExpiresAfter(std::chrono::nanoseconds after, void (Owner::*method)(), Object* object) {
     return SetExpiry(after, [method, object] { (object->*method)(); });
+  }
+  Offer& ExpiresAfter(std::chrono::nanoseconds after, std::function<void()> function) {
+    return SetExpiry(after, std::move(function));
   }
   /// Null if the effect of a call has no time limit.
   [[nodiscard]] Expiry* expiry() const { return expiry_.get(); }

@@ -3,6 +3,7 @@
 #include <tendon/base/name.h>
 #include <tendon/base/source_location.h>
 #include <tendon/interface/event.h>
+#include <tendon/interface/execution/command_function.h>
 #include <tendon/interface/execution/member_names.h>
 #include <tendon/interface/execution/scratch.h>
 #include <tendon/interface/execution/shared_read_command.h>
@@ -13,6 +14,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <cstdlib>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -38,48 +40,55 @@ class ProvidedInterface {
   [[nodiscard]] const std::string& name() const { return name_; }
 
   // Commands whose calls are queued until the component's thread executes them in
-  // ProcessQueuedCommands().
+  // ProcessQueuedCommands(). A command is a method and its object, or a lambda or another function
+  // alone; command_function.h lists the forms that a function may have.
 
-  template <typename Owner, std::derived_from<Owner> Object>
-  Offer& AddCommandVoid(void (Owner::*method)(), Object* object, LocatedName name) {
-    return AddQueued<None, None>(CommandKind::kVoid, std::move(name),
-                                 [method, object](const None&, None&) { (object->*method)(); });
+  template <typename Method, typename Object>
+  Offer& AddCommandVoid(Method method, Object* object, LocatedName name) {
+    return AddQueued<CommandKind::kVoid>(callable::BoundMethod{method, object}, std::move(name));
   }
-  template <typename Owner, typename Argument, std::derived_from<Owner> Object>
-  Offer& AddCommandWrite(void (Owner::*method)(Argument), Object* object, LocatedName name) {
-    using In = std::remove_cvref_t<Argument>;
-    return AddQueued<In, None>(CommandKind::kWrite, std::move(name),
-                               [method, object](const In& in, None&) { (object->*method)(in); });
+  template <typename Callable>
+  Offer& AddCommandVoid(Callable function, LocatedName name) {
+    return AddQueued<CommandKind::kVoid>(std::move(function), std::move(name));
+  }
+  template <typename Method, typename Object>
+  Offer& AddCommandWrite(Method method, Object* object, LocatedName name) {
+    return AddQueued<CommandKind::kWrite>(callable::BoundMethod{method, object}, std::move(name));
+  }
+  template <typename Callable>
+  Offer& AddCommandWrite(Callable function, LocatedName name) {
+    return AddQueued<CommandKind::kWrite>(std::move(function), std::move(name));
   }
   /// Adds a command whose caller waits for the reply until a deadline. Use it only for quick
-  /// methods, because a reply after the deadline is lost.
-  template <typename Owner, typename Out, std::derived_from<Owner> Object>
-  Offer& AddCommandVoidReturn(void (Owner::*method)(Out&), Object* object, LocatedName name) {
-    return AddQueued<None, Out>(
-        CommandKind::kVoidReturn, std::move(name),
-        [method, object](const None&, Out& out) { (object->*method)(out); });
+  /// functions, because a reply after the deadline is lost.
+  template <typename Method, typename Object>
+  Offer& AddCommandVoidReturn(Method method, Object* object, LocatedName name) {
+    return AddQueued<CommandKind::kVoidReturn>(callable::BoundMethod{method, object},
+                                               std::move(name));
   }
-  template <typename Owner, typename Argument, typename Out, std::derived_from<Owner> Object>
-  Offer& AddCommandWriteReturn(void (Owner::*method)(Argument, Out&), Object* object,
-                               LocatedName name) {
-    using In = std::remove_cvref_t<Argument>;
-    return AddQueued<In, Out>(
-        CommandKind::kWriteReturn, std::move(name),
-        [method, object](const In& in, Out& out) { (object->*method)(in, out); });
+  template <typename Callable>
+  Offer& AddCommandVoidReturn(Callable function, LocatedName name) {
+    return AddQueued<CommandKind::kVoidReturn>(std::move(function), std::move(name));
   }
-  /// Adds a write command with the argument type `In`. `filter(in, filtered)` runs in the caller's
-  /// thread, and `filtered` is queued. If `filter` throws, the caller gets kFailed.
-  template <typename In, typename Filtered, typename Owner, typename Argument,
-            std::derived_from<Owner> Object>
-  Offer& AddCommandFilteredWrite(void (*filter)(const In&, Filtered&),
-                                 void (Owner::*method)(Argument), Object* object,
-                                 LocatedName name) {
-    static_assert(RequirePayload<In>() && RequirePayload<Filtered>());
-    const auto handler = [method, object](const Filtered& in, None&) { (object->*method)(in); };
-    return AddOffer(
-        std::make_unique<FilteredOffer<In, Filtered, decltype(filter), decltype(handler)>>(
-            DescribeMember<In, None>(std::move(name.text), CommandKind::kWrite), filter, handler),
-        name.location);
+  template <typename Method, typename Object>
+  Offer& AddCommandWriteReturn(Method method, Object* object, LocatedName name) {
+    return AddQueued<CommandKind::kWriteReturn>(callable::BoundMethod{method, object},
+                                                std::move(name));
+  }
+  template <typename Callable>
+  Offer& AddCommandWriteReturn(Callable function, LocatedName name) {
+    return AddQueued<CommandKind::kWriteReturn>(std::move(function), std::move(name));
+  }
+  /// Adds a write command with the argument of `filter`, a function of the form
+  /// `void f(const In&, Filtered&)` or `Filtered f(const In&)`. `filter` runs in the caller's
+  /// thread, and its result is queued. If `filter` throws, the caller gets kFailed.
+  template <typename Filter, typename Method, typename Object>
+  Offer& AddCommandFilteredWrite(Filter filter, Method method, Object* object, LocatedName name) {
+    return AddFiltered(std::move(filter), callable::BoundMethod{method, object}, std::move(name));
+  }
+  template <typename Filter, typename Callable>
+  Offer& AddCommandFilteredWrite(Filter filter, Callable function, LocatedName name) {
+    return AddFiltered(std::move(filter), std::move(function), std::move(name));
   }
 
   // Commands that run in the caller's thread and read only rows of a state table.
@@ -89,8 +98,8 @@ class ProvidedInterface {
   template <Payload T>
   Offer& AddCommandReadState(const StateTable& table, const T& variable, LocatedName name) {
     const Column<T>& column = table.Find(variable);
-    return AddDirect<None, T>(CommandKind::kRead, std::move(name),
-                              [&column](const None&, T& out) { return column.ReadNewest(out); })
+    return AddBody<CommandKind::kRead, None, T>(
+               std::move(name), [&column](const None&, T& out) { return column.ReadNewest(out); })
         .SetSource({&table, &column})
         .SetReadsTableOnly();
   }
@@ -100,74 +109,127 @@ class ProvidedInterface {
   Offer& AddCommandReadState(const StateTable& table, const T& variable, LocatedName name,
                              std::size_t delay) {
     const Column<T>& column = table.Find(variable);
-    return AddDirect<None, T>(CommandKind::kRead, std::move(name),
-                              [&column, delay](const None&, T& out) {
-                                return ToStatus(column.ReadDelayed(delay, out));
-                              })
+    return AddBody<CommandKind::kRead, None, T>(std::move(name),
+                                                [&column, delay](const None&, T& out) {
+                                                  return ToStatus(column.ReadDelayed(delay, out));
+                                                })
         .SetReadsTableOnly();
   }
   /// Adds a read that runs `function(row, argument, result)` with the newest value of a column.
-  template <Payload T, typename In, typename Out>
-  Offer& AddCommandQualifiedRead(const StateTable& table, const T& variable,
-                                 void (*function)(const T&, const In&, Out&), LocatedName name) {
-    const Column<T>& column = table.Find(variable);
-    return AddDirect<In, Out>(
-        CommandKind::kQualifiedRead, std::move(name),
-        [&column, function, scratch = Scratch<T>()](const In& in, Out& out) mutable -> Status {
-          typename Scratch<T>::Use row(scratch);
-          const Status status = column.ReadNewest(*row);
-          if (status) function(*row, in, out);
-          return status;
-        });
+  template <Payload T, typename Callable>
+  Offer& AddCommandQualifiedRead(const StateTable& table, const T& variable, Callable function,
+                                 LocatedName name) {
+    using Form = callable::Traits<Callable>;
+    static_assert(RequireRowFunction<Callable, T>());
+    if constexpr (RowFunction<Callable, T>) {
+      const Column<T>& column = table.Find(variable);
+      return AddBody<CommandKind::kQualifiedRead, typename Form::In, typename Form::Out>(
+          std::move(name),
+          [&column, handler = callable::Handler<Callable>(std::move(function)),
+           scratch = Scratch<T>()](const auto& in, auto& out) mutable -> Status {
+            typename Scratch<T>::Use row(scratch);
+            const Status status = column.ReadNewest(*row);
+            if (status) handler(*row, in, out);
+            return status;
+          });
+    } else {
+      std::abort();
+    }
   }
 
-  // Commands that run in the caller's thread at any time; the tag ThreadSafe confirms that the
-  // method allows it.
+  // Commands that run in the caller's thread at any time; the tag kThreadSafe confirms that the
+  // function allows it.
+
+  template <typename Method, typename Object>
+  Offer& AddCommandVoid(Method method, Object* object, LocatedName name, ThreadSafe) {
+    return AddDirect<CommandKind::kVoid>(callable::BoundMethod{method, object}, std::move(name));
+  }
+  template <typename Callable>
+  Offer& AddCommandVoid(Callable function, LocatedName name, ThreadSafe) {
+    return AddDirect<CommandKind::kVoid>(std::move(function), std::move(name));
+  }
+  template <typename Method, typename Object>
+  Offer& AddCommandWrite(Method method, Object* object, LocatedName name, ThreadSafe) {
+    return AddDirect<CommandKind::kWrite>(callable::BoundMethod{method, object}, std::move(name));
+  }
+  template <typename Callable>
+  Offer& AddCommandWrite(Callable function, LocatedName name, ThreadSafe) {
+    return AddDirect<CommandKind::kWrite>(std::move(function), std::move(name));
+  }
+  /// Adds a read. If the function returns a std::shared_ptr<const T>, the command reads a T, such
+  /// as an image or a map, which must never change after the function has returned it. For another
+  /// process, this value is encoded without copying it first; callers in this process get a copy.
+  /// If the function returns null, the caller gets kNoSample. The last thread that uses the value
+  /// frees it; this may be the caller's thread.
+  template <typename Method, typename Object, typename Tag = Untagged>
+  Offer& AddCommandRead(Method method, Object* object, LocatedName name, Tag = {}) {
+    static_assert(RequireThreadSafe<Tag>());
+    return AddRead(callable::BoundMethod{method, object}, std::move(name));
+  }
+  template <typename Callable, typename Tag = Untagged>
+  Offer& AddCommandRead(Callable function, LocatedName name, Tag = {}) {
+    static_assert(RequireThreadSafe<Tag>());
+    return AddRead(std::move(function), std::move(name));
+  }
+  template <typename Method, typename Object, typename Tag = Untagged>
+  Offer& AddCommandQualifiedRead(Method method, Object* object, LocatedName name, Tag = {}) {
+    static_assert(RequireThreadSafe<Tag>());
+    return AddDirect<CommandKind::kQualifiedRead>(callable::BoundMethod{method, object},
+                                                  std::move(name));
+  }
+  template <typename Callable, typename Tag = Untagged>
+  Offer& AddCommandQualifiedRead(Callable function, LocatedName name, Tag = {}) {
+    static_assert(RequireThreadSafe<Tag>());
+    return AddDirect<CommandKind::kQualifiedRead>(std::move(function), std::move(name));
+  }
+
+  // These forms select one of several methods or functions that have the same name.
 
   template <typename Owner, std::derived_from<Owner> Object>
+  Offer& AddCommandVoid(void (Owner::*method)(), Object* object, LocatedName name) {
+    return AddQueued<CommandKind::kVoid>(callable::BoundMethod{method, object}, std::move(name));
+  }
+  template <typename Owner, typename Argument, std::derived_from<Owner> Object>
+  Offer& AddCommandWrite(void (Owner::*method)(Argument), Object* object, LocatedName name) {
+    return AddQueued<CommandKind::kWrite>(callable::BoundMethod{method, object}, std::move(name));
+  }
+  template <typename Owner, typename Out, std::derived_from<Owner> Object>
+  Offer& AddCommandVoidReturn(void (Owner::*method)(Out&), Object* object, LocatedName name) {
+    return AddQueued<CommandKind::kVoidReturn>(callable::BoundMethod{method, object},
+                                               std::move(name));
+  }
+  template <typename Owner, typename Argument, typename Out, std::derived_from<Owner> Object>
+  Offer& AddCommandWriteReturn(void (Owner::*method)(Argument, Out&), Object* object,
+                               LocatedName name) {
+    return AddQueued<CommandKind::kWriteReturn>(callable::BoundMethod{method, object},
+                                                std::move(name));
+  }
+  template <typename In, typename Filtered, typename Owner, typename Argument,
+            std::derived_from<Owner> Object>
+  Offer& AddCommandFilteredWrite(void (*filter)(const In&, Filtered&),
+                                 void (Owner::*method)(Argument), Object* object,
+                                 LocatedName name) {
+    return AddFiltered(filter, callable::BoundMethod{method, object}, std::move(name));
+  }
+  template <typename Owner, std::derived_from<Owner> Object>
   Offer& AddCommandVoid(void (Owner::*method)(), Object* object, LocatedName name, ThreadSafe) {
-    return AddDirect<None, None>(CommandKind::kVoid, std::move(name),
-                                 CallMethod<None>(method, object));
+    return AddDirect<CommandKind::kVoid>(callable::BoundMethod{method, object}, std::move(name));
   }
   template <typename Owner, typename Argument, std::derived_from<Owner> Object>
   Offer& AddCommandWrite(void (Owner::*method)(Argument), Object* object, LocatedName name,
                          ThreadSafe) {
-    using In = std::remove_cvref_t<Argument>;
-    return AddDirect<In, None>(CommandKind::kWrite, std::move(name),
-                               CallMethod<In>(method, object));
+    return AddDirect<CommandKind::kWrite>(callable::BoundMethod{method, object}, std::move(name));
   }
   template <typename Owner, typename Out, std::derived_from<Owner> Object>
   Offer& AddCommandRead(void (Owner::*method)(Out&) const, const Object* object, LocatedName name,
                         ThreadSafe) {
-    return AddDirect<None, Out>(CommandKind::kRead, std::move(name),
-                                [method, object](const None&, Out& out) -> Status {
-                                  (object->*method)(out);
-                                  return Status::kDone;
-                                });
-  }
-  /// Adds a read of a value that never changes after the method has returned it, such as an image
-  /// or a map. For another process, the value is encoded without copying it first; callers in this
-  /// process get a copy. If the method returns null, the caller gets kNoSample. The method runs in
-  /// the caller's thread. The last thread that uses the value frees it; this may be the caller's
-  /// thread.
-  template <typename Owner, Payload Out, std::derived_from<Owner> Object>
-  Offer& AddCommandRead(std::shared_ptr<const Out> (Owner::*method)() const, const Object* object,
-                        LocatedName name, ThreadSafe) {
-    static_assert(RequirePayload<Out>());
-    const auto body = [method, object] { return (object->*method)(); };
-    return AddOffer(std::make_unique<SharedReadOffer<Out, decltype(body)>>(
-                        DescribeMember<None, Out>(std::move(name.text), CommandKind::kRead), body),
-                    name.location);
+    return AddRead(callable::BoundMethod{method, object}, std::move(name));
   }
   template <typename Owner, typename Argument, typename Out, std::derived_from<Owner> Object>
   Offer& AddCommandQualifiedRead(void (Owner::*method)(Argument, Out&) const, const Object* object,
                                  LocatedName name, ThreadSafe) {
-    using In = std::remove_cvref_t<Argument>;
-    return AddDirect<In, Out>(CommandKind::kQualifiedRead, std::move(name),
-                              [method, object](const In& in, Out& out) -> Status {
-                                (object->*method)(in, out);
-                                return Status::kDone;
-                              });
+    return AddDirect<CommandKind::kQualifiedRead>(callable::BoundMethod{method, object},
+                                                  std::move(name));
   }
 
   /// Lets clients handle `event`, which the component raises by calling `event`.
@@ -222,21 +284,76 @@ class ProvidedInterface {
     EventBase* event;
   };
 
-  template <typename In, typename Out, typename Handler>
-  Offer& AddQueued(CommandKind kind, LocatedName name, Handler handler) {
-    static_assert(RequirePayload<In>() && RequirePayload<Out>());
-    return AddOffer(std::make_unique<QueuedOffer<In, Out, Handler>>(
-                        DescribeMember<In, Out>(std::move(name.text), kind), std::move(handler)),
-                    name.location);
+  template <CommandKind kKind, typename Callable>
+  Offer& AddQueued(Callable function, LocatedName name) {
+    using Form = callable::Traits<Callable>;
+    static_assert(RequireCommandFunction<Callable, kKind>());
+    if constexpr (CommandFunction<Callable, kKind>) {
+      using Handler = callable::Handler<Callable>;
+      return AddOffer(
+          std::make_unique<QueuedOffer<typename Form::In, typename Form::Out, Handler>>(
+              DescribeMember<typename Form::In, typename Form::Out>(std::move(name.text), kKind),
+              Handler(std::move(function))),
+          name.location);
+    } else {
+      std::abort();
+    }
   }
-  template <typename In, typename Out, typename Body>
-  Offer& AddDirect(CommandKind kind, LocatedName name, Body body) {
-    static_assert(RequirePayload<In>() && RequirePayload<Out>());
-    const bool asks = kind == CommandKind::kRead || kind == CommandKind::kQualifiedRead;
-    return AddOffer(std::make_unique<DirectOffer<In, Out, Body>>(
-                        DescribeMember<In, Out>(std::move(name.text), kind), std::move(body),
-                        asks ? ExceptionPolicy::kCaller : ExceptionPolicy::kComponent),
-                    name.location);
+  template <typename Filter, typename Callable>
+  Offer& AddFiltered(Filter filter, Callable function, LocatedName name) {
+    using In = typename callable::Traits<Filter>::In;
+    using Filtered = typename callable::Traits<Filter>::Out;
+    static_assert(RequireCommandFunction<Filter, CommandKind::kWriteReturn>());
+    static_assert(RequireCommandFunction<Callable, CommandKind::kWrite>());
+    if constexpr (CommandFunction<Filter, CommandKind::kWriteReturn> &&
+                  CommandFunction<Callable, CommandKind::kWrite>) {
+      using Handler = callable::Handler<Callable>;
+      using FilterHandler = callable::Handler<Filter>;
+      return AddOffer(std::make_unique<FilteredOffer<In, Filtered, FilterHandler, Handler>>(
+                          DescribeMember<In, None>(std::move(name.text), CommandKind::kWrite),
+                          FilterHandler(std::move(filter)), Handler(std::move(function))),
+                      name.location);
+    } else {
+      std::abort();
+    }
+  }
+  template <CommandKind kKind, typename Callable>
+  Offer& AddDirect(Callable function, LocatedName name) {
+    using Form = callable::Traits<Callable>;
+    static_assert(RequireCommandFunction<Callable, kKind>());
+    if constexpr (CommandFunction<Callable, kKind>) {
+      return AddBody<kKind, typename Form::In, typename Form::Out>(
+          std::move(name), callable::DirectHandler<Callable>(std::move(function)));
+    } else {
+      std::abort();
+    }
+  }
+  template <typename Callable>
+  Offer& AddRead(Callable function, LocatedName name) {
+    if constexpr (callable::SharedRead<Callable>) {
+      using Out = typename callable::SharedValue<typename callable::Traits<Callable>::Out>::Type;
+      using Body = callable::Handler<Callable>;
+      static_assert(callable::RequireConst<Callable>() && RequirePayload<Out>());
+      if constexpr (Payload<Out>) {
+        return AddOffer(std::make_unique<SharedReadOffer<Out, Body>>(
+                            DescribeMember<None, Out>(std::move(name.text), CommandKind::kRead),
+                            Body(std::move(function))),
+                        name.location);
+      } else {
+        std::abort();
+      }
+    } else {
+      return AddDirect<CommandKind::kRead>(std::move(function), std::move(name));
+    }
+  }
+  template <CommandKind kKind, typename In, typename Out, typename Body>
+  Offer& AddBody(LocatedName name, Body body) {
+    constexpr auto kPolicy =
+        callable::IsRead(kKind) ? ExceptionPolicy::kCaller : ExceptionPolicy::kComponent;
+    return AddOffer(
+        std::make_unique<DirectOffer<In, Out, Body>>(
+            DescribeMember<In, Out>(std::move(name.text), kKind), std::move(body), kPolicy),
+        name.location);
   }
 
   std::string name_;

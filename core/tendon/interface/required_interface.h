@@ -3,6 +3,7 @@
 #include <tendon/base/name.h>
 #include <tendon/base/source_location.h>
 #include <tendon/interface/event_waiter.h>
+#include <tendon/interface/execution/command_function.h>
 #include <tendon/interface/execution/member_names.h>
 #include <tendon/interface/execution/thread_safe.h>
 #include <tendon/interface/function.h>
@@ -14,6 +15,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -42,45 +44,89 @@ class RequiredInterface {
   [[nodiscard]] const std::string& name() const { return name_; }
 
   /// Binds `function`, a member of the component, to the command of this name.
-  template <CommandKind kKind, Payload In, Payload Out>
+  template <CommandKind kKind, typename In, typename Out>
   void AddFunction(Function<kKind, In, Out>& function, LocatedName name,
                    Need need = Need::kRequired) {
-    MemberDescription description = DescribeMember<In, Out>(std::move(name.text), kKind);
-    description.optional = need == Need::kOptional;
-    function.index_ = AddCaller(function, std::move(description), name.location);
-    function.binding_ = &binding_;
+    if constexpr (Payload<In> && Payload<Out>) {
+      MemberDescription description = DescribeMember<In, Out>(std::move(name.text), kKind);
+      description.optional = need == Need::kOptional;
+      function.index_ = AddCaller(function, std::move(description), name.location);
+      function.binding_ = &binding_;
+    }
   }
 
   // Handlers whose events are queued until the component's thread handles them in
-  // ProcessQueuedCommands().
+  // ProcessQueuedCommands(). A handler is a method and its object, or a lambda or another function
+  // alone; command_function.h lists the forms that a function may have.
+
+  template <typename Method, typename Object>
+  Offer& AddEventHandlerVoid(Method method, Object* object, LocatedName name,
+                             Need need = Need::kRequired) {
+    return AddQueued<CommandKind::kVoid>(callable::BoundMethod{method, object}, std::move(name),
+                                         need);
+  }
+  template <typename Callable>
+  Offer& AddEventHandlerVoid(Callable function, LocatedName name, Need need = Need::kRequired) {
+    return AddQueued<CommandKind::kVoid>(std::move(function), std::move(name), need);
+  }
+  template <typename Method, typename Object>
+  Offer& AddEventHandlerWrite(Method method, Object* object, LocatedName name,
+                              Need need = Need::kRequired) {
+    return AddQueued<CommandKind::kWrite>(callable::BoundMethod{method, object}, std::move(name),
+                                          need);
+  }
+  template <typename Callable>
+  Offer& AddEventHandlerWrite(Callable function, LocatedName name, Need need = Need::kRequired) {
+    return AddQueued<CommandKind::kWrite>(std::move(function), std::move(name), need);
+  }
+
+  // Handlers that run in the thread that raises the event; the tag kThreadSafe confirms that the
+  // function allows it.
+
+  template <typename Method, typename Object>
+  void AddEventHandlerVoid(Method method, Object* object, LocatedName name, ThreadSafe,
+                           Need need = Need::kRequired) {
+    AddDirect<CommandKind::kVoid>(callable::BoundMethod{method, object}, std::move(name), need);
+  }
+  template <typename Callable>
+  void AddEventHandlerVoid(Callable function, LocatedName name, ThreadSafe,
+                           Need need = Need::kRequired) {
+    AddDirect<CommandKind::kVoid>(std::move(function), std::move(name), need);
+  }
+  template <typename Method, typename Object>
+  void AddEventHandlerWrite(Method method, Object* object, LocatedName name, ThreadSafe,
+                            Need need = Need::kRequired) {
+    AddDirect<CommandKind::kWrite>(callable::BoundMethod{method, object}, std::move(name), need);
+  }
+  template <typename Callable>
+  void AddEventHandlerWrite(Callable function, LocatedName name, ThreadSafe,
+                            Need need = Need::kRequired) {
+    AddDirect<CommandKind::kWrite>(std::move(function), std::move(name), need);
+  }
+
+  // These forms select one of several methods that have the same name.
 
   template <typename Owner, std::derived_from<Owner> Object>
   Offer& AddEventHandlerVoid(void (Owner::*method)(), Object* object, LocatedName name,
                              Need need = Need::kRequired) {
-    return AddQueued<None>(CommandKind::kVoid, std::move(name), need,
-                           [method, object](const None&, None&) { (object->*method)(); });
+    return AddQueued<CommandKind::kVoid>(callable::BoundMethod{method, object}, std::move(name),
+                                         need);
   }
   template <typename Owner, typename Argument, std::derived_from<Owner> Object>
   Offer& AddEventHandlerWrite(void (Owner::*method)(Argument), Object* object, LocatedName name,
                               Need need = Need::kRequired) {
-    using In = std::remove_cvref_t<Argument>;
-    return AddQueued<In>(CommandKind::kWrite, std::move(name), need,
-                         [method, object](const In& in, None&) { (object->*method)(in); });
+    return AddQueued<CommandKind::kWrite>(callable::BoundMethod{method, object}, std::move(name),
+                                          need);
   }
-
-  // Handlers that run in the thread that raises the event; the tag ThreadSafe confirms that the
-  // method allows it.
-
   template <typename Owner, std::derived_from<Owner> Object>
   void AddEventHandlerVoid(void (Owner::*method)(), Object* object, LocatedName name, ThreadSafe,
                            Need need = Need::kRequired) {
-    AddDirect<None>(CommandKind::kVoid, std::move(name), need, CallMethod<None>(method, object));
+    AddDirect<CommandKind::kVoid>(callable::BoundMethod{method, object}, std::move(name), need);
   }
   template <typename Owner, typename Argument, std::derived_from<Owner> Object>
   void AddEventHandlerWrite(void (Owner::*method)(Argument), Object* object, LocatedName name,
                             ThreadSafe, Need need = Need::kRequired) {
-    using In = std::remove_cvref_t<Argument>;
-    AddDirect<In>(CommandKind::kWrite, std::move(name), need, CallMethod<In>(method, object));
+    AddDirect<CommandKind::kWrite>(callable::BoundMethod{method, object}, std::move(name), need);
   }
 
   /// Passes the events of this name to `waiter`, a member of the component, so that one thread of
@@ -220,20 +266,31 @@ class RequiredInterface {
     description.optional = need == Need::kOptional;
     return description;
   }
-  template <typename In, typename Handler>
-  Offer& AddQueued(CommandKind kind, LocatedName name, Need need, Handler handler) {
-    static_assert(RequirePayload<In>());
-    return AddOffer(std::make_unique<QueuedOffer<In, None, Handler>>(
-                        DescribeHandler<In>(kind, std::move(name.text), need), std::move(handler)),
-                    name.location);
+  template <CommandKind kKind, typename Callable>
+  Offer& AddQueued(Callable function, LocatedName name, Need need) {
+    using In = typename callable::Traits<Callable>::In;
+    static_assert(RequireCommandFunction<Callable, kKind>());
+    if constexpr (CommandFunction<Callable, kKind>) {
+      using Handler = callable::Handler<Callable>;
+      return AddOffer(
+          std::make_unique<QueuedOffer<In, None, Handler>>(
+              DescribeHandler<In>(kKind, std::move(name.text), need), Handler(std::move(function))),
+          name.location);
+    } else {
+      std::abort();
+    }
   }
-  template <typename In, typename Body>
-  void AddDirect(CommandKind kind, LocatedName name, Need need, Body body) {
-    static_assert(RequirePayload<In>());
-    AddOffer(std::make_unique<DirectOffer<In, None, Body>>(
-                 DescribeHandler<In>(kind, std::move(name.text), need), std::move(body),
-                 ExceptionPolicy::kComponent),
-             name.location);
+  template <CommandKind kKind, typename Callable>
+  void AddDirect(Callable function, LocatedName name, Need need) {
+    using In = typename callable::Traits<Callable>::In;
+    static_assert(RequireCommandFunction<Callable, kKind>());
+    if constexpr (CommandFunction<Callable, kKind>) {
+      using Body = callable::DirectHandler<Callable>;
+      AddOffer(std::make_unique<DirectOffer<In, None, Body>>(
+                   DescribeHandler<In>(kKind, std::move(name.text), need),
+                   Body(std::move(function)), ExceptionPolicy::kComponent),
+               name.location);
+    }
   }
 
   static constexpr std::size_t kDefaultCapacity = 64;

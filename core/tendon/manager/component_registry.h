@@ -36,13 +36,16 @@ class ComponentRegistry {
   void Add(std::string class_name) {
     ComponentClass added{std::move(class_name), {}, ToJson(None{})};
     if constexpr (kConfigurable<T>) {
-      static_assert(RequirePayload<typename T::Configuration>());
-      added.configuration = SchemaOf<typename T::Configuration>();
-      added.defaults = ToJson(typename T::Configuration{});
+      using Configuration = typename T::Configuration;
+      static_assert(RequirePayload<Configuration>());
+      if constexpr (Payload<Configuration>) {
+        added.configuration = SchemaOf<Configuration>();
+        added.defaults = ToJson(Configuration{});
+        AddFactory(std::move(added), &Make<T>);
+      }
+    } else {
+      AddFactory(std::move(added), &Make<T>);
     }
-    AddFactory(std::move(added), [](const std::string& name, const std::string& json) {
-      return Make<T>(name, json);
-    });
   }
   void AddFactory(ComponentClass added, Factory factory);
 

@@ -28,7 +28,11 @@ concept FixedPayload = Payload<T> && payload::IsFixed<T>();
 /// type: a wrong type then gives one clear message instead of a failed constraint.
 template <typename T>
 consteval bool RequirePayload() {
-  static_assert(Payload<T>, "T is not described: write kPayload<T> beside it");
+  if constexpr (!payload::IsPayload<T>() || !std::same_as<T, std::remove_cvref_t<T>>) {
+    payload::ExplainPayload<T>();
+  } else {
+    static_assert(Payload<T>, "T has no default value, or it cannot be copied or assigned");
+  }
   return true;
 }
 

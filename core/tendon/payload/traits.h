@@ -134,9 +134,63 @@ consteval bool HoldsNumbers() {
 template <typename T>
 consteval bool IsPayload();
 
+/// Points to a value: `T*`, std::unique_ptr, std::shared_ptr.
+template <typename T>
+concept Pointer = std::is_pointer_v<T> || std::is_member_pointer_v<T> ||
+    std::is_null_pointer_v<T> || requires(const T& pointer) {
+  typename T::element_type;
+  pointer.get();
+};
+/// Refers to memory that it does not own: std::string_view, std::span.
+template <typename T>
+concept View = std::is_class_v<T> && std::is_trivially_copyable_v<T> && requires(const T& view) {
+  view.data();
+  view.size();
+};
+
+/// Does not compile if T cannot be a payload; the sentence says why. Gives no sentence for a
+/// structure, because its fields have given theirs.
+template <typename T>
+consteval void ExplainPayload() {
+  if constexpr (std::is_array_v<T>) {
+    static_assert(!std::is_array_v<T>, "T is a C array, which cannot be a payload: use std::array");
+  } else if constexpr (!std::same_as<T, std::remove_cvref_t<T>>) {
+    static_assert(std::same_as<T, std::remove_cvref_t<T>>,
+                  "T is const or a reference, which cannot be a payload: name the plain type");
+  } else if constexpr (Array<T>) {
+    ExplainPayload<ElementOf<T>>();
+  } else if constexpr (Sequence<T>) {
+    ExplainPayload<ItemOf<T>>();
+  } else if constexpr (Substituted<T>) {
+    ExplainPayload<SubstituteOf<T>>();
+  } else if constexpr (Character<T>) {
+    static_assert(!Character<T>,
+                  "T is a character, which cannot be a payload because its sign and size differ "
+                  "between machines: use std::string for text, and std::int8_t or std::uint8_t for "
+                  "a number");
+  } else if constexpr (Pointer<T>) {
+    static_assert(!Pointer<T>,
+                  "T is a pointer, which cannot be a payload because it has no meaning in another "
+                  "process: send the value, std::string for text, or std::vector for a list");
+  } else if constexpr (View<T>) {
+    static_assert(!View<T>,
+                  "T is a view, which cannot be a payload because it does not own its memory: use "
+                  "std::string, std::vector or std::array");
+  } else if constexpr (std::same_as<T, long double>) {
+    static_assert(!std::same_as<T, long double>,
+                  "T is a long double, which cannot be a payload because its size differs between "
+                  "machines: use double");
+  } else if constexpr (std::is_enum_v<T>) {
+    static_assert(Enum<T>, "T is an enum of more than 32 bits, which cannot be a payload");
+  } else if constexpr (!Structure<T>) {
+    static_assert(IsPayload<T>(), "T is not described: write kPayload<T> beside it");
+  }
+}
+
 template <typename T>
 constexpr bool FieldIsPayload(bool has_range) {
-  static_assert(IsPayload<T>(), "T is not described: write kPayload<T> beside it");
+  ExplainPayload<T>();
+  if constexpr (!IsPayload<T>()) return false;
   if (has_range && !HoldsNumbers<T>()) throw ConfigurationError("only a number can have a range");
   return true;
 }

@@ -45,14 +45,18 @@ class StateTable {
   template <typename T>
   requires(FixedPayload<T> || !Payload<T>) void Add(const T& variable, std::string name) {
     static_assert(RequirePayload<T>());
-    AddColumn<T>(variable, std::move(name), {.bytes = kEncodedSize<T>, .is_dynamic = false});
+    if constexpr (Payload<T>) {
+      AddColumn<T>(variable, std::move(name), {.bytes = kEncodedSize<T>, .is_dynamic = false});
+    }
   }
   /// Makes a variable of a dynamic type a column. A value of more than `capacity` bytes on the wire
   /// is left out of its row. Then reads return kAbsent, and the column counts the value as absent.
   template <typename T>
   requires(!FixedPayload<T>) void Add(const T& variable, std::string name, std::size_t capacity) {
     static_assert(RequirePayload<T>());
-    AddColumn<T>(variable, std::move(name), {.bytes = capacity, .is_dynamic = true});
+    if constexpr (Payload<T>) {
+      AddColumn<T>(variable, std::move(name), {.bytes = capacity, .is_dynamic = true});
+    }
   }
 
   /// Makes `body` a column of a type that is known only at run time: before each row it must hold a

@@ -1,28 +1,23 @@
 #pragma once
 
-#include <tendon/base/status.h>
-#include <tendon/payload/payload.h>
-
-#include <type_traits>
+#include <concepts>
 
 namespace tendon {
 
-/// Marks a method that may run in any thread, concurrently with its component. The method uses only
-/// constant or synchronised data.
+/// Marks a function that may run in any thread, concurrently with its component. The function uses
+/// only constant or synchronised data.
 struct ThreadSafe {};
 inline constexpr ThreadSafe kThreadSafe;
 
-/// Returns the body of a direct void or write command, or of a direct event handler.
-template <typename In, typename Method, typename Object>
-auto CallMethod(Method method, Object* object) {
-  return [method, object](const In& in, None&) -> Status {
-    if constexpr (std::is_same_v<In, None>) {
-      (object->*method)();
-    } else {
-      (object->*method)(in);
-    }
-    return Status::kDone;
-  };
+/// Stands for a forgotten tag, so that the compiler can say which one.
+struct Untagged {};
+
+template <typename Tag>
+consteval bool RequireThreadSafe() {
+  static_assert(std::same_as<Tag, ThreadSafe>,
+                "given a read without the tag tendon::kThreadSafe; expected it as the last "
+                "argument, because the function runs in the thread of its caller");
+  return true;
 }
 
 }  // namespace tendon

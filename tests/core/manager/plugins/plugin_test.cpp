@@ -136,10 +136,11 @@ TEST_F(PluginTest, NamesAMissingSymbol) {
 }
 
 TEST_F(PluginTest, RefusesALibraryWithoutEntryPoint) {
-  EXPECT_EQ(Refusal("no_entry"),
-            "expected the function TendonRegisterComponents, found none: either the file is not a "
-            "plug-in, or -fvisibility=hidden or a missing extern \"C\" hides the function; define it "
-            "outside of any namespace, and include tendon/manager/component_registry.h");
+  EXPECT_EQ(
+      Refusal("no_entry"),
+      "expected the function TendonRegisterComponents, found none: either the file is not a "
+      "plug-in, or -fvisibility=hidden or a missing extern \"C\" hides the function; define it "
+      "outside of any namespace, and include tendon/manager/component_registry.h");
 }
 
 TEST_F(PluginTest, TheHeaderExportsTheEntryOfALibraryThatHidesItsFunctions) {

@@ -2,7 +2,8 @@
 #include <tendon/interface/required_interface.h>
 #include <tendon/manager/component_registry.h>
 
-// The framework receives each of these types once.
+// The framework receives each of these types once. The compiler prints one sentence for each, and
+// nothing else.
 struct Sent {};
 struct Asked {};
 struct Raised {};
