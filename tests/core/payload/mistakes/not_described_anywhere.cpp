@@ -2,23 +2,34 @@
 #include <tendon/interface/required_interface.h>
 #include <tendon/manager/component_registry.h>
 
-// The framework receives each of these types once. The compiler prints one sentence for each, and
-// nothing else.
+// The framework receives each of these types once.
+// error: T is not described: write kPayload<T> beside it
 struct Sent {};
+// error: T is not described: write kPayload<T> beside it
 struct Asked {};
+// error: T is not described: write kPayload<T> beside it
 struct Raised {};
+// error: T is not described: write kPayload<T> beside it
 struct Awaited {};
+// error: T is not described: write kPayload<T> beside it
 struct Kept {};
-struct Listed {
-  std::vector<int*> all;
-};
+// error: T is not described: write kPayload<T> beside it
+struct Listed {};
+// error: T is not described: write kPayload<T> beside it
 struct Filtered {};
+// error: T is not described: write kPayload<T> beside it
 struct Written {};
+// error: T is not described: write kPayload<T> beside it
 struct Returned {};
+// error: T is not described: write kPayload<T> beside it
 struct Questioned {};
+// error: T is not described: write kPayload<T> beside it
 struct ReadInAnyThread {};
+// error: T is not described: write kPayload<T> beside it
 struct WrittenInAnyThread {};
+// error: T is not described: write kPayload<T> beside it
 struct Handled {};
+// error: T is not described: write kPayload<T> beside it
 struct HandledInAnyThread {};
 
 struct Component {
@@ -54,6 +65,7 @@ struct Component {
 };
 
 struct Configured : tendon::Component {
+  // error: T is not described: write kPayload<T> beside it
   struct Configuration {};
   Configured(std::string name, const Configuration& /*configuration*/)
       : tendon::Component(std::move(name)) {}
