@@ -49,7 +49,7 @@ void Write(CdrWriter& writer, const T& value) {
   } else {
     WithFields<T>([&](const auto&... field) {
       if constexpr (sizeof...(field) == 0) writer.Write(std::uint8_t{0});
-      (Write(writer, value.*field.member), ...);
+      (Write(writer, field.Of(value)), ...);
     });
   }
 }
@@ -130,7 +130,7 @@ bool Read(CdrReader& reader, T& value) {
   } else {
     return WithFields<T>([&](const auto&... field) {
       if constexpr (sizeof...(field) == 0) return reader.Skip(1, 1);
-      return (Read(reader, value.*field.member) && ...);
+      return (Read(reader, field.Of(value)) && ...);
     });
   }
 }

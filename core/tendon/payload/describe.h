@@ -1,13 +1,16 @@
 #pragma once
 
 #include <tendon/base/error.h>
+#include <tendon/payload/aggregate.h>
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 namespace tendon {
@@ -44,6 +47,12 @@ struct Field {
   std::string_view help = {};
   std::optional<Range> range = {};
 
+  /// Returns the member of `value`.
+  template <typename Value>
+  [[nodiscard]] constexpr auto& Of(Value& value) const {
+    return value.*member;
+  }
+
   /// Sets the range. Allowed for a number, a duration, or a list of these.
   [[nodiscard]] constexpr Field Within(double lowest, double highest) const {
     return {name, member, unit, help, Range{lowest, highest}};
@@ -56,7 +65,56 @@ struct Field {
 template <typename Owner, typename Member>
 Field(std::string_view, Member Owner::*, std::string_view = {}) -> Field<Owner, Member>;
 
+/// The name of a field, and its unit if it has one: "position" or "position in rad". For a
+/// structure that is described without pointers to its members.
+///
+///     FieldName("speed in rad/s").Within(0, 2.5).Help("Of the fastest joint.")
+struct FieldName {
+  // NOLINTNEXTLINE(google-explicit-constructor): so that a text is enough
+  consteval FieldName(std::string_view text) : name(text.substr(0, text.find(kIn))) {
+    if (name.size() < text.size()) unit = text.substr(name.size() + kIn.size());
+  }
+  // NOLINTNEXTLINE(google-explicit-constructor)
+  consteval FieldName(const char* text) : FieldName(std::string_view(text)) {}
+
+  /// See Field.
+  [[nodiscard]] consteval FieldName Within(double lowest, double highest) const {
+    FieldName result = *this;
+    result.range = Range{lowest, highest};
+    return result;
+  }
+  [[nodiscard]] consteval FieldName Help(std::string_view line) const {
+    FieldName result = *this;
+    result.help = line;
+    return result;
+  }
+
+  std::string_view name;
+  std::string_view unit = {};
+  std::string_view help = {};
+  std::optional<Range> range = {};
+
+ private:
+  static constexpr std::string_view kIn = " in ";
+};
+
 namespace payload {
+/// A field of an aggregate that has kCount fields, found by its position.
+template <typename Owner, std::size_t kIndex, std::size_t kCount>
+struct FieldByPosition {
+  using Type = std::remove_cvref_t<decltype(MemberAt<kIndex, kCount>(std::declval<Owner&>()))>;
+
+  template <typename Value>
+  [[nodiscard]] static constexpr auto& Of(Value& value) {
+    return MemberAt<kIndex, kCount>(value);
+  }
+
+  std::string_view name;
+  std::string_view unit;
+  std::string_view help;
+  std::optional<Range> range;
+};
+
 /// One field of a FieldList. The index makes the base classes of FieldList different types.
 template <std::size_t kIndex, typename AField>
 struct FieldAt {
@@ -156,9 +214,10 @@ constexpr bool FitsInt32(Enum value) {
 
 }  // namespace payload
 
-/// Describes a structure. A wrong description does not compile.
-template <typename... Owner, typename... Member>
-consteval auto Describe(std::string_view name, Field<Owner, Member>... fields) {
+namespace payload {
+/// Does not compile if a name, a unit, a help text or a range is wrong.
+template <typename... Fields>
+consteval auto CheckedDescription(std::string_view name, Fields... fields) {
   if (!payload::IsTypeName(name))
     throw ConfigurationError("the name of a type must be like arm.JointState");
   if (!(payload::IsIdentifier(fields.name) && ...)) {
@@ -176,7 +235,51 @@ consteval auto Describe(std::string_view name, Field<Owner, Member>... fields) {
   if (!payload::AreDistinct(std::array<std::string_view, sizeof...(fields)>{fields.name...})) {
     throw ConfigurationError("two fields have the same name");
   }
-  return Description<Field<Owner, Member>...>{name, {{fields}...}};
+  return Description<Fields...>{name, {{fields}...}};
+}
+
+template <typename T, std::size_t... kIndices, typename... Names>
+consteval auto DescribeByPosition(std::string_view name, std::index_sequence<kIndices...>,
+                                  Names... names) {
+  return CheckedDescription(name, FieldByPosition<T, kIndices, sizeof...(names)>{
+                                      names.name, names.unit, names.help, names.range}...);
+}
+}  // namespace payload
+
+/// Describes a structure. A wrong description does not compile.
+template <typename... Owner, typename... Member>
+consteval auto Describe(std::string_view name, Field<Owner, Member>... fields) {
+  return payload::CheckedDescription(name, fields...);
+}
+
+/// Describes an aggregate without a base class: the names of all of its members, in their order.
+/// The result is the same as with Field, but the compiler cannot notice names in a wrong order.
+///
+///     Describe<arm::JointState>("arm.JointState", "position in rad", "velocity in rad/s")
+template <typename T, std::convertible_to<FieldName>... Names>
+consteval auto Describe(std::string_view name, const Names&... names) {
+  constexpr std::size_t kCount = sizeof...(names);
+  static_assert(std::is_aggregate_v<T>,
+                "given a class that is not an aggregate; describe it with "
+                "Field{\"name\", &T::member} for each member");
+  static_assert(kCount <= payload::kMostFields,
+                "given more than 24 names; describe T with Field{\"name\", &T::member} for each "
+                "member");
+  if constexpr (std::is_aggregate_v<T> && kCount <= payload::kMostFields) {
+    static_assert(payload::kHasAtLeast<T, kCount>,
+                  "given more names than T has members; expected one name for each member");
+    static_assert(!payload::kHasAtLeast<T, kCount + 1>,
+                  "given fewer names than T has members; expected one name for each member, and "
+                  "std::array instead of a C array");
+    if constexpr (payload::kHasAtLeast<T, kCount> && !payload::kHasAtLeast<T, kCount + 1>) {
+      return payload::DescribeByPosition<T>(name, std::make_index_sequence<kCount>(),
+                                            FieldName(names)...);
+    } else {
+      return NotDescribed{};
+    }
+  } else {
+    return NotDescribed{};
+  }
 }
 
 /// Describes an enum. On the wire it is an int32; a value without a name cannot be decoded.

@@ -70,7 +70,7 @@ std::size_t EndOf(const T& value, std::size_t start) {
     return EndOf(SubstituteFor<T>::From(value), start);
   } else {
     return WithFields<T>([&](const auto&... field) {
-      ((start = EndOf(value.*field.member, start)), ...);
+      ((start = EndOf(field.Of(value), start)), ...);
       return start;
     });
   }

@@ -43,7 +43,7 @@ Layout Of(Layout hash) {
     const auto* base = reinterpret_cast<const std::byte*>(probe.get());
     payload::WithFields<T>([&](const auto&... field) {
       ((hash = Mix(hash, static_cast<std::uint64_t>(
-                             reinterpret_cast<const std::byte*>(&((*probe).*field.member)) - base)),
+                             reinterpret_cast<const std::byte*>(&field.Of(*probe)) - base)),
         hash = Of<payload::TypeOf<decltype(field)>>(hash)),
        ...);
     });

@@ -44,7 +44,7 @@ bool LiesAsOnWire(const T& value) noexcept {
       return is_here && LiesAsOnWire(member);
     };
     return payload::WithFields<T>([&](const auto&... field) {
-      return sizeof...(field) > 0 && (is_next(value.*field.member) && ...);
+      return sizeof...(field) > 0 && (is_next(field.Of(value)) && ...);
     });
   } else {
     return payload::IsPlain<T>();

@@ -33,8 +33,7 @@ inline constexpr auto tendon::kPayload<kitchen::Recipe> = tendon::Describe(
 
 template <>
 inline constexpr auto tendon::kPayload<kitchen::Batch> =
-    tendon::Describe("kitchen.Batch", tendon::Field{"number", &kitchen::Batch::number},
-                     tendon::Field{"temperature", &kitchen::Batch::temperature, "degC"});
+    tendon::Describe<kitchen::Batch>("kitchen.Batch", "number", "temperature in degC");
 
 template <>
 inline constexpr auto tendon::kPayload<kitchen::OvenConfiguration> = tendon::Describe(
