@@ -197,9 +197,14 @@ Error Explained(const std::string& words) {
                                     "with this version of Tendon"};
   }
   if (const auto at = words.find(kMissing); at != words.npos) {
-    return {ErrorCode::kFailed,
-            "a library that this library needs is missing: " + Printable(words.substr(0, at), 256) +
-                "; install the missing library, or add its folder to LD_LIBRARY_PATH"};
+    const std::string library = Printable(words.substr(0, at), 256);
+    // The names of Tendon's libraries end with their version.
+    const bool is_ours = library.starts_with("libtendon_");
+    return {
+        ErrorCode::kFailed,
+        "a library that this library needs is missing: " + library +
+            (is_ours ? "; build the plug-in again with this version of Tendon, or install that one"
+                     : "; install the missing library, or add its folder to LD_LIBRARY_PATH")};
   }
   return {ErrorCode::kFailed, "the library cannot be loaded: " + Printable(words, 512)};
 }

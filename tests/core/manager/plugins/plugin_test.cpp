@@ -125,8 +125,15 @@ TEST_F(PluginTest, ReportsAPlugInForAnotherMachine) {
 
 TEST_F(PluginTest, NamesAMissingDependency) {
   EXPECT_EQ(Refusal("missing_dependency"),
-            "a library that this library needs is missing: libtest_plugin_gone.so; install the "
-            "missing library, or add its folder to LD_LIBRARY_PATH");
+            "a library that this library needs is missing: "
+            "libtest_plugin_gone_dependency.so; install the missing library, or add its folder to "
+            "LD_LIBRARY_PATH");
+}
+
+TEST_F(PluginTest, NamesTheMissingVersionOfTendon) {
+  EXPECT_EQ(Refusal("missing_version"),
+            "a library that this library needs is missing: libtendon_core.so.7.2; build the "
+            "plug-in again with this version of Tendon, or install that one");
 }
 
 TEST_F(PluginTest, NamesAMissingSymbol) {
