@@ -1,4 +1,5 @@
-# Finds Qwt 6.3 for Qt 6 and makes the target Qwt::Qwt. Uses the first one found, in this order:
+# Finds Qwt 6.3 for Qt 6, makes the target Qwt::Qwt, and sets Qwt_LIBRARY to its file. Uses the first one found, in this
+# order:
 #   1. the system's package (pkg-config Qt6Qwt6),
 #   2. Qwt_ROOT, a variable of CMake or of the environment: a folder with include/ and lib/,
 #   3. the cache in which tools/setup builds it on systems that package Qwt for Qt 5 only.
@@ -12,6 +13,8 @@ endif()
 
 if(Qt6Qwt6_FOUND)
   set(Qwt_VERSION ${Qt6Qwt6_VERSION})
+  set(Qwt_LIBRARY ${Qt6Qwt6_LINK_LIBRARIES})
+  list(FILTER Qwt_LIBRARY INCLUDE REGEX "/libqwt[^/]*$")
   set(required_variables Qt6Qwt6_FOUND)
 else()
   include(${CMAKE_CURRENT_LIST_DIR}/tendon_cache.cmake)

@@ -25,6 +25,7 @@
 #include <tendon/base/os/termination.h>
 #include <tendon/lockfree/flag.h>
 #include <tendon/middleware/connect_cancellation.h>
+#include <tendon/process/version_messages.h>
 
 #include <CLI/CLI.hpp>
 #include <QMetaObject>
@@ -55,6 +56,7 @@ struct Options {
 void AddOptions(CLI::App& app, Options& options) {
   auto* gcm =
       program::AddGcmOption(app, options.gcm, "; with this option, the window never hosts a GCM");
+  app.set_version_flag("--version", "gcm-gui " + tendon::OwnVersion().release);
   app.add_option("--listen", options.listen, "host a GCM at this address")->excludes(gcm);
   app.add_option(
       "file", options.file,

@@ -46,7 +46,7 @@ std::vector<Library> LibrariesInUse() {
       {QStringLiteral("Qwt"),
        QStringLiteral(QWT_VERSION_STR),
        QStringLiteral("LGPL-2.1 with the exceptions of the Qwt License 1.0"),
-       {"lgpl-2.1"}}};
+       {"qwt", "lgpl-2.1"}}};
   if (with_ice) {
     all.push_back({QStringLiteral("ZeroC Ice"),
                    IceVersion(),

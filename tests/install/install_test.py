@@ -7,32 +7,15 @@ user would, with find_package, and runs it in the installed lcm.
 """
 
 import argparse
-import contextlib
-import os
 import re
 import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).resolve().parents[2] / "tools"))
-from free_port import free_port
+from installed import environment_of_a_user, free_port, install, run, running, wait_for
 
 LAMP = Path(__file__).resolve().parent / "lamp"
-TIMEOUT = 60  # s, for a machine that is busy
-
-
-def run(*command, **options):
-    done = subprocess.run(command, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **options)
-    if done.returncode != 0:
-        sys.exit(f"{' '.join(map(str, command))}\nended with {done.returncode}:\n{done.stdout[-4000:]}")
-    return done.stdout
-
-
-def install(arguments, prefix):
-    for part in arguments.parts:
-        run(arguments.cmake, "--install", arguments.build, "--prefix", prefix, "--component", part)
 
 
 def check_headers(include):
@@ -53,26 +36,6 @@ def libraries(arguments):
     return [part for part in arguments.parts if part in ("core", "network", "ice", "eigen")]
 
 
-@contextlib.contextmanager
-def running(*command, environment):
-    """Runs a program until the end of the block. Its output goes to the output of this test."""
-    process = subprocess.Popen(command, env=environment)
-    try:
-        yield process
-    finally:
-        process.terminate()
-        process.wait(TIMEOUT)
-
-
-def wait_for(what, succeeds, *processes):
-    deadline = time.monotonic() + TIMEOUT
-    while not succeeds():
-        ended = [process.args[0] for process in processes if process.poll() is not None]
-        if ended or time.monotonic() > deadline:
-            sys.exit(f"{what} did not appear within {TIMEOUT} s; programs that ended: {ended}")
-        time.sleep(0.1)
-
-
 def check_pages(share):
     for page in ("man/man1/gcm.1", "man/man1/gcm-watch.1", "bash-completion/completions/gcm",
                  "zsh/site-functions/_gcm", "fish/vendor_completions.d/gcm.fish"):
@@ -81,9 +44,7 @@ def check_pages(share):
 
 
 def run_lamp(prefix, plugins, folder):
-    environment = {**os.environ, "TENDON_COMPONENTS": str(plugins), "XDG_STATE_HOME": str(folder),
-                   "XDG_RUNTIME_DIR": str(folder)}
-    environment.pop("LD_LIBRARY_PATH", None)  # installed programs must find their libraries without it
+    environment = environment_of_a_user(folder, TENDON_COMPONENTS=plugins)
     address = f"127.0.0.1:{free_port()}"
     gcm = [prefix / "bin" / "gcm", "--gcm", address, "--timeout", "20000"]
 
@@ -91,11 +52,11 @@ def run_lamp(prefix, plugins, folder):
         done = subprocess.run([*gcm, *words], env=environment, text=True, capture_output=True, check=False)
         return done.returncode == 0 and text in done.stdout
 
-    with running(*gcm, "serve", environment=environment) as server:
+    with running(*gcm, "serve", env=environment) as server:
         wait_for("the GCM", lambda: says("ls", text=""), server)
         lcm = [prefix / "bin" / "lcm", "--name", "room", "--gcm", address, "--system", LAMP / "system.json",
                "--timeout", "20000"]
-        with running(*lcm, environment=environment) as room:
+        with running(*lcm, env=environment) as room:
             wait_for("the lamp", lambda: says("get", "room/lamp/state.Brightness", text="0.75"), server, room)
             wait_for("an installed plug-in", lambda: says("ls", "room", text="host_monitor"), server, room)
 
@@ -109,8 +70,7 @@ def main():
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary)
-        prefix = folder / "prefix"
-        install(arguments, prefix)
+        prefix = install(arguments, folder)
         check_headers(prefix / "include")
         check_pages(prefix / "share")
         for compiler in arguments.compiler:
