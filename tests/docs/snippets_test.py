@@ -2,7 +2,7 @@
 """snippets_test.py ROOT: checks the code blocks of the README, of docs/ and of the pages beside the code.
 
 Every C++, JSON and Python block must occur, line for line, in a file that the build or a test reads. The lines of every
-CMake block must occur, in the same order, in the plug-in that is built outside of the tree.
+CMake block must occur, in the same order, in one of the projects of tests/install, which are outside of the tree.
 """
 import pathlib
 import re
@@ -29,8 +29,8 @@ def main(root):
     sources = [lines_of(path.read_text(encoding="utf-8"))
                for folder in FOLDERS for path in (root / folder).rglob("*")
                if path.suffix in {".h", ".cpp", ".json", ".py"}]
-    plugin = lines_of((root / "tests/install/lamp/CMakeLists.txt").read_text(encoding="utf-8"))
-    plugin = [line.replace("${COMPONENTS}", "core") for line in plugin]
+    projects = [lines_of(path.read_text(encoding="utf-8").replace("${COMPONENTS}", "core"))
+                for path in (root / "tests/install").glob("*/CMakeLists.txt")]
     missing = blocks = 0
     pages = [page for folder in ("docs", "components", "core") for page in sorted((root / folder).rglob("*.md"))]
     for page in [root / "README.md", *pages]:
@@ -39,7 +39,7 @@ def main(root):
             blocks += 1
             block = lines_of(text)
             if language == "cmake":
-                found = stands_in_order(block, plugin)
+                found = any(stands_in_order(block, project) for project in projects)
             else:
                 found = any(stands_in(block, source) for source in sources)
             if not found:
