@@ -10,7 +10,7 @@ from pathlib import Path
 sys.path.append(str(Path(__file__).resolve().parents[2] / "tools"))
 from free_port import free_port  # noqa: F401
 
-PATIENCE = 60  # s, for a machine that is busy
+TIMEOUT = 60  # s, for a machine that is busy
 
 
 def run(*command, **options):
@@ -47,13 +47,13 @@ def running(*command, **options):
         yield process
     finally:
         process.terminate()
-        process.wait(PATIENCE)
+        process.wait(TIMEOUT)
 
 
 def wait_for(what, succeeds, *processes):
-    deadline = time.monotonic() + PATIENCE
+    deadline = time.monotonic() + TIMEOUT
     while not succeeds():
         ended = [str(process.args[0]) for process in processes if process.poll() is not None]
         if ended or time.monotonic() > deadline:
-            sys.exit(f"{what} did not appear within {PATIENCE} s; programs that ended: {ended}")
+            sys.exit(f"{what} did not appear within {TIMEOUT} s; programs that ended: {ended}")
         time.sleep(0.1)

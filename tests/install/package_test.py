@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""package_test.py --cmake CMAKE --compiler C++ --build FOLDER --version VERSION PART...: proves that the installed files
-describe themselves: to CMake, to pkg-config, to the loader and to a lawyer."""
+"""package_test.py --cmake CMAKE --compiler C++ --build FOLDER --version VERSION PART...: proves that the
+installed files describe themselves: to CMake, to pkg-config, to the loader and to a lawyer."""
 
 import argparse
 import re

@@ -262,10 +262,10 @@ consteval auto Describe(std::string_view name, const Names&... names) {
   static_assert(std::is_aggregate_v<T>,
                 "given a class that is not an aggregate; describe it with "
                 "Field{\"name\", &T::member} for each member");
-  static_assert(kCount <= payload::kMostFields,
+  static_assert(kCount <= payload::kMaxFields,
                 "given more than 24 names; describe T with Field{\"name\", &T::member} for each "
                 "member");
-  if constexpr (std::is_aggregate_v<T> && kCount <= payload::kMostFields) {
+  if constexpr (std::is_aggregate_v<T> && kCount <= payload::kMaxFields) {
     static_assert(payload::kHasAtLeast<T, kCount>,
                   "given more names than T has members; expected one name for each member");
     static_assert(!payload::kHasAtLeast<T, kCount + 1>,

@@ -289,70 +289,86 @@ consteval bool RequireConst() {
   return true;
 }
 
+template <typename F>
+consteval void RequireVoid() {
+  static_assert(Traits<F>::kGiven != Given::kWrite,
+                "given a function with an argument; a void command or handler needs void f(); "
+                "add this one as a write");
+  static_assert(Traits<F>::kGiven != Given::kReturn,
+                "given a function with a result; a void command or handler needs void f(); add "
+                "this one as a void-return or read command");
+  static_assert(Traits<F>::kGiven == Given::kWrite || Traits<F>::kGiven == Given::kReturn,
+                "given a function with several arguments, or with an argument and a result; a "
+                "void command or handler needs void f()");
+}
+
+template <typename F>
+consteval void RequireWrite() {
+  static_assert(Traits<F>::kGiven != Given::kVoid,
+                "given a function without an argument; a write command or handler needs "
+                "void f(T); add this one as void");
+  static_assert(Traits<F>::kGiven != Given::kReturn,
+                "given a function with a result and no argument (an argument T& that is not "
+                "const is a result); a write command or handler needs void f(T) or "
+                "void f(const T&)");
+  static_assert(Traits<F>::kGiven != Given::kWriteReturn,
+                "given a function with an argument and a result; a write command or handler "
+                "needs void f(T); add this one as a write-return or qualified-read command");
+  static_assert(Traits<F>::kGiven == Given::kVoid || Traits<F>::kGiven == Given::kReturn ||
+                    Traits<F>::kGiven == Given::kWriteReturn,
+                "given a function with several arguments, or with a T&& argument; a write "
+                "command or handler needs void f(T) or void f(const T&)");
+}
+
+template <typename F>
+consteval void RequireReturn() {
+  static_assert(Traits<F>::kGiven != Given::kVoid,
+                "given a function without a result; a void-return or read command needs U f() "
+                "or void f(U&); add this one as a void command");
+  static_assert(Traits<F>::kGiven != Given::kWrite,
+                "given a function with an argument that it cannot change; a void-return or read "
+                "command needs U f() or void f(U&); add this one as a write command");
+  static_assert(Traits<F>::kGiven != Given::kWriteReturn,
+                "given a function with an argument and a result; a void-return or read command "
+                "needs U f() or void f(U&); add this one as a write-return or qualified-read "
+                "command");
+  static_assert(Traits<F>::kGiven == Given::kVoid || Traits<F>::kGiven == Given::kWrite ||
+                    Traits<F>::kGiven == Given::kWriteReturn,
+                "given a function with several arguments; a void-return or read command needs "
+                "U f() or void f(U&)");
+}
+
+template <typename F>
+consteval void RequireWriteReturn() {
+  static_assert(Traits<F>::kGiven != Given::kVoid,
+                "given a function without an argument and a result; a write-return or "
+                "qualified-read command needs U f(T) or void f(T, U&); add this one as a void "
+                "command");
+  static_assert(Traits<F>::kGiven != Given::kWrite,
+                "given a function without a result; a write-return or qualified-read command "
+                "needs U f(T) or void f(T, U&); add this one as a write command");
+  static_assert(Traits<F>::kGiven != Given::kReturn,
+                "given a function without an argument; a write-return or qualified-read command "
+                "needs U f(T) or void f(T, U&); add this one as a void-return or read command");
+  static_assert(Traits<F>::kGiven == Given::kVoid || Traits<F>::kGiven == Given::kWrite ||
+                    Traits<F>::kGiven == Given::kReturn,
+                "given a function with other arguments; a write-return or qualified-read command "
+                "needs U f(T) or void f(T, U&)");
+}
+
 /// Does not compile if an author gave a function of another form than the command needs.
 template <typename F, Given kExpected>
 consteval void RequireForm() {
-  constexpr Given kVoid = Given::kVoid;
-  constexpr Given kWrite = Given::kWrite;
-  constexpr Given kReturn = Given::kReturn;
-  constexpr Given kWriteReturn = Given::kWriteReturn;
   if constexpr (Traits<F>::kGiven > Given::kOtherForm) {
     RequireSomeForm<F>();
-  } else if constexpr (kExpected == kVoid) {
-    static_assert(Traits<F>::kGiven != kWrite,
-                  "given a function with an argument; a void command or handler needs void f(); "
-                  "add this one as a write");
-    static_assert(Traits<F>::kGiven != kReturn,
-                  "given a function with a result; a void command or handler needs void f(); add "
-                  "this one as a void-return or read command");
-    static_assert(Traits<F>::kGiven == kWrite || Traits<F>::kGiven == kReturn,
-                  "given a function with several arguments, or with an argument and a result; a "
-                  "void command or handler needs void f()");
-  } else if constexpr (kExpected == kWrite) {
-    static_assert(Traits<F>::kGiven != kVoid,
-                  "given a function without an argument; a write command or handler needs "
-                  "void f(T); add this one as void");
-    static_assert(Traits<F>::kGiven != kReturn,
-                  "given a function with a result and no argument (an argument T& that is not "
-                  "const is a result); a write command or handler needs void f(T) or "
-                  "void f(const T&)");
-    static_assert(Traits<F>::kGiven != kWriteReturn,
-                  "given a function with an argument and a result; a write command or handler "
-                  "needs void f(T); add this one as a write-return or qualified-read command");
-    static_assert(Traits<F>::kGiven == kVoid || Traits<F>::kGiven == kReturn ||
-                      Traits<F>::kGiven == kWriteReturn,
-                  "given a function with several arguments, or with a T&& argument; a write "
-                  "command or handler needs void f(T) or void f(const T&)");
-  } else if constexpr (kExpected == kReturn) {
-    static_assert(Traits<F>::kGiven != kVoid,
-                  "given a function without a result; a void-return or read command needs U f() "
-                  "or void f(U&); add this one as a void command");
-    static_assert(Traits<F>::kGiven != kWrite,
-                  "given a function with an argument that it cannot change; a void-return or read "
-                  "command needs U f() or void f(U&); add this one as a write command");
-    static_assert(Traits<F>::kGiven != kWriteReturn,
-                  "given a function with an argument and a result; a void-return or read command "
-                  "needs U f() or void f(U&); add this one as a write-return or qualified-read "
-                  "command");
-    static_assert(Traits<F>::kGiven == kVoid || Traits<F>::kGiven == kWrite ||
-                      Traits<F>::kGiven == kWriteReturn,
-                  "given a function with several arguments; a void-return or read command needs "
-                  "U f() or void f(U&)");
-  } else if constexpr (kExpected == kWriteReturn) {
-    static_assert(Traits<F>::kGiven != kVoid,
-                  "given a function without an argument and a result; a write-return or "
-                  "qualified-read command needs U f(T) or void f(T, U&); add this one as a void "
-                  "command");
-    static_assert(Traits<F>::kGiven != kWrite,
-                  "given a function without a result; a write-return or qualified-read command "
-                  "needs U f(T) or void f(T, U&); add this one as a write command");
-    static_assert(Traits<F>::kGiven != kReturn,
-                  "given a function without an argument; a write-return or qualified-read command "
-                  "needs U f(T) or void f(T, U&); add this one as a void-return or read command");
-    static_assert(
-        Traits<F>::kGiven == kVoid || Traits<F>::kGiven == kWrite || Traits<F>::kGiven == kReturn,
-        "given a function with other arguments; a write-return or qualified-read command "
-        "needs U f(T) or void f(T, U&)");
+  } else if constexpr (kExpected == Given::kVoid) {
+    RequireVoid<F>();
+  } else if constexpr (kExpected == Given::kWrite) {
+    RequireWrite<F>();
+  } else if constexpr (kExpected == Given::kReturn) {
+    RequireReturn<F>();
+  } else if constexpr (kExpected == Given::kWriteReturn) {
+    RequireWriteReturn<F>();
   } else {
     static_assert(Traits<F>::kGiven == kExpected,
                   "given a function with other arguments; a qualified read of a table needs "

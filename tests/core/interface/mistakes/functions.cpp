@@ -31,8 +31,7 @@ struct Arm {
 
 using tendon::kThreadSafe;
 
-void Mistakes(tendon::ProvidedInterface& provided, tendon::RequiredInterface& required, Arm* arm,
-              const Arm* fixed, Other* other, const tendon::StateTable& table) {
+void NoFunctions(tendon::ProvidedInterface& provided, Arm* arm, const Arm* fixed, Other* other) {
   // error: given a value that is not a function; expected
   provided.AddCommandVoid(arm->speed, "A");
   // error: whose call operator is generic or overloaded
@@ -45,7 +44,9 @@ void Mistakes(tendon::ProvidedInterface& provided, tendon::RequiredInterface& re
   provided.AddCommandVoid(&Arm::Stop, other, "E");
   // error: given a const object and a method that is not const
   provided.AddCommandVoid(&Arm::Stop, fixed, "F");
+}
 
+void OtherForms(tendon::ProvidedInterface& provided, Arm* arm, const tendon::StateTable& table) {
   // error: given a function with an argument; a void command or handler needs void f(); add
   provided.AddCommandVoid(&Arm::MoveTo, arm, "G");
   // error: given a function with a result; a void command or handler needs
@@ -83,7 +84,9 @@ void Mistakes(tendon::ProvidedInterface& provided, tendon::RequiredInterface& re
   provided.AddCommandQualifiedRead(table, arm->row, &Arm::Scaled, "W");
   // error: given a function without a result; a write-return or qualified-read
   provided.AddCommandFilteredWrite([](double) {}, [](double) {}, "X");
+}
 
+void OtherUses(tendon::ProvidedInterface& provided, tendon::RequiredInterface& required, Arm* arm) {
   // error: given a method that is not const, or a mutable lambda; a read needs
   provided.AddCommandRead(&Arm::Read, arm, "Y", kThreadSafe);
   // error: given a method that is not const, or a mutable lambda; a read needs
