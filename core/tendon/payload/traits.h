@@ -181,7 +181,7 @@ consteval void ExplainPayload() {
                   "T is a long double, which cannot be a payload because its size differs between "
                   "machines: use double");
   } else if constexpr (std::is_enum_v<T>) {
-    static_assert(Enum<T>, "T is an enum of more than 32 bits, which cannot be a payload");
+    static_assert(IsPayload<T>(), "T is an enum of more than 32 bits, which cannot be a payload");
   } else if constexpr (!Structure<T>) {
     static_assert(IsPayload<T>(), "T is not described: write kPayload<T> beside it");
   }
