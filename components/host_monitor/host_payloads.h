@@ -10,8 +10,8 @@ namespace host {
 
 /// The load of the processor in the last second.
 struct Cpu {
-  double total = 0.0;         ///< %, over all cores
-  std::vector<double> cores;  ///< %, of each core
+  double total = 0.0;           ///< %, over all cores
+  std::vector<double> cores{};  ///< %, of each core
 };
 
 struct Memory {
@@ -35,12 +35,12 @@ struct Network {
 
 /// One thermometer.
 struct Temperature {
-  std::string sensor;
+  std::string sensor{};
   double value = 0.0;  ///< °C; NaN if there is no reading at the moment
 };
 
 struct Temperatures {
-  std::vector<Temperature> sensors;
+  std::vector<Temperature> sensors{};
 };
 
 }  // namespace host

@@ -25,10 +25,10 @@ struct RecorderConfiguration {
   std::uint64_t keep = 0;        ///< files of one recording; 0: all
   bool log = true;
   bool record_at_start = false;
-  std::string start_when;  ///< a condition; empty: begins at once
-  std::string stop_when;   ///< a condition; empty: only an order ends the recording
-  double before = 0.0;     ///< s
-  double after = 0.0;      ///< s
+  std::string start_when{};  ///< a condition; empty: begins at once
+  std::string stop_when{};   ///< a condition; empty: only an order ends the recording
+  double before = 0.0;       ///< s
+  double after = 0.0;        ///< s
 };
 
 /// The state of a recording, or of the last one.

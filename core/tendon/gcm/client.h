@@ -22,7 +22,7 @@ namespace tendon {
 
 /// The next log records of all processes, oldest first.
 struct LogBatch {
-  std::vector<message::LogRecord> records;
+  std::vector<message::LogRecord> records{};
   std::uint64_t lost = 0;  ///< number of earlier records that the GCM had already dropped
   /// True if the listener now has all records that the GCM had at the time of the request.
   bool is_current = false;
@@ -73,7 +73,7 @@ class GcmClient {
   struct Options {
     /// The name of this program in the GCM's history and log: "gcm connect", "gcm-gui".
     std::string name = "viewer";
-    std::string address;  ///< address of the GCM
+    std::string address{};  ///< address of the GCM
     /// The time to wait for a reply. It must be longer than the time that the GCM waits for a
     /// process, so that the GCM can forward the reply of the process.
     std::chrono::milliseconds timeout{2000};

@@ -19,8 +19,8 @@ namespace tendon {
 /// calls of its commands can be subscribed to as if they were events; the value is then an observed
 /// call, see SchemaOfCalls().
 struct EventSubscription {
-  InterfaceName provided;
-  std::vector<std::string> events;
+  InterfaceName provided{};
+  std::vector<std::string> events{};
   std::vector<std::string> commands = {};  ///< no reads; see CanBeObserved()
   /// The number of events that may wait in the sending process. Further events are lost.
   std::uint32_t capacity = 1024;
@@ -44,12 +44,12 @@ struct PastEvents {
   /// The number of missing events: they were raised between the events that were read, but were not
   /// kept. Includes events of the interface that were not requested.
   std::uint64_t lost = 0;
-  std::optional<Error> failure;  ///< the reason why not all events could be read
+  std::optional<Error> failure{};  ///< the reason why not all events could be read
 };
 
 /// The time when an event was raised.
 struct EventTime {
-  SteadyTime raised;  ///< on the steady clock of the receiving process; never later than now
+  SteadyTime raised{};  ///< on the steady clock of the receiving process; never later than now
   /// The largest possible error of `raised`: at most half a round trip, about 10 us on one host. If
   /// the clock of the sending process is unknown, `raised` is the time of arrival, and this is the
   /// largest value of the type.

@@ -28,13 +28,13 @@ struct HistoryOptions {
 
 /// The network settings of a process. Tcp() and Ice() fill in the middleware.
 struct ProcessOptions {
-  std::shared_ptr<Middleware> middleware;
-  std::string gcm;                     ///< "host" or "host:port" of the GCM; empty: no GCM
+  std::shared_ptr<Middleware> middleware{};
+  std::string gcm{};                   ///< "host" or "host:port" of the GCM; empty: no GCM
   std::string listen = "127.0.0.1:0";  ///< peers and viewers connect here; 0 takes a free port
   /// The address to announce, if it differs from `listen`: "host:port", or only a host with the
   /// port of `listen`. By default, a process that listens at every address announces the address
   /// from which it reaches the GCM.
-  std::string advertise;
+  std::string advertise{};
   bool retry = true;  ///< true: tries again until it finds the GCM
   /// Loads plug-ins for orders from the GCM. Other code must not use it while the Process object
   /// exists. If null, orders to load plug-ins are refused.

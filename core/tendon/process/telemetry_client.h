@@ -79,10 +79,10 @@ class RowSink {
 
 /// The columns and rows of one table: "robot", "arm", "state", {"Joints"}.
 struct TableSubscription {
-  std::string process;
-  std::string component;
-  std::string table;  ///< the name of the table's interface: "state" or "state-NAME"
-  std::vector<std::string> columns;
+  std::string process{};
+  std::string component{};
+  std::string table{};  ///< the name of the table's interface: "state" or "state-NAME"
+  std::vector<std::string> columns{};
   RowChoice rows = {};  ///< every row by default
 };
 

@@ -27,8 +27,8 @@
 namespace tendon::recording {
 
 struct RecorderOptions {
-  std::vector<std::string> patterns;  ///< the paths to record, such as "robot/**"
-  FileOptions files;
+  std::vector<std::string> patterns{};  ///< the paths to record, such as "robot/**"
+  FileOptions files{};
   bool has_log = true;
   /// Writes nothing before this condition is true; then the file is created.
   std::optional<Condition> start_when{};

@@ -11,9 +11,9 @@ namespace tendon::recording {
 
 /// The tables, events and commands of a running system that a recorder records.
 struct RecordingSelection {
-  std::vector<TableSubscription> tables;
-  std::vector<EventSubscription> events;
-  std::vector<EventSubscription> commands;
+  std::vector<TableSubscription> tables{};
+  std::vector<EventSubscription> events{};
+  std::vector<EventSubscription> commands{};
 
   [[nodiscard]] bool is_empty() const {
     return tables.empty() && events.empty() && commands.empty();

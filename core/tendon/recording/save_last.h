@@ -18,8 +18,8 @@ namespace tendon::recording {
 
 /// The data that SaveLast() saves, and the file.
 struct SaveLastOptions {
-  std::vector<std::string> patterns;
-  FileOptions files;                 ///< one file: without a split
+  std::vector<std::string> patterns{};
+  FileOptions files{};               ///< one file: without a split
   std::chrono::nanoseconds last{0};  ///< how far back
   bool has_log = true;
   /// The timeout of the client of `system`. The GCM must send its log within this time, and no

@@ -18,9 +18,9 @@ enum class SchedulingPolicy : std::int32_t {
 /// option, the option is ignored, and the process logs one warning.
 struct ThreadOptions {
   SchedulingPolicy policy = SchedulingPolicy::kNormal;
-  std::int32_t priority = 0;       ///< 1 to 99 for kFifo and kRoundRobin, otherwise 0
-  std::vector<std::int32_t> cpus;  ///< allowed processors, 0 to 1023; empty: all
-  bool lock_memory = false;        ///< locks the memory of the whole process
+  std::int32_t priority = 0;         ///< 1 to 99 for kFifo and kRoundRobin, otherwise 0
+  std::vector<std::int32_t> cpus{};  ///< allowed processors, 0 to 1023; empty: all
+  bool lock_memory = false;          ///< locks the memory of the whole process
   /// The number of stack bytes that are touched before the first cycle; at most 4 MiB.
   std::uint64_t stack_bytes = 0;
   /// The longest delay of a sleep, 1 ns to 100 ms. A long delay saves power, but a stop of the task

@@ -39,32 +39,32 @@ struct Quaternion {
 
 /// Position and orientation of a frame in the coordinates of another frame.
 struct Pose {
-  Point position;
-  Quaternion orientation;
+  Point position{};
+  Quaternion orientation{};
 
   bool operator==(const Pose&) const = default;
 };
 
 /// Maps coordinates in one frame to another: rotates, then translates.
 struct Transform {
-  Vector3 translation;
-  Quaternion rotation;
+  Vector3 translation{};
+  Quaternion rotation{};
 
   bool operator==(const Transform&) const = default;
 };
 
 /// The velocity of a frame.
 struct Twist {
-  Vector3 linear;
-  Vector3 angular;
+  Vector3 linear{};
+  Vector3 angular{};
 
   bool operator==(const Twist&) const = default;
 };
 
 /// Force and torque at the origin of a frame.
 struct Wrench {
-  Vector3 force;
-  Vector3 torque;
+  Vector3 force{};
+  Vector3 torque{};
 
   bool operator==(const Wrench&) const = default;
 };

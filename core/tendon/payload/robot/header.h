@@ -11,8 +11,8 @@ namespace tendon::robot {
 /// The time of a measurement and the frame of its coordinates. Rows of a state table and events
 /// already have a time; a header is for measurements taken at a different time.
 struct Header {
-  std::chrono::sys_time<std::chrono::nanoseconds> stamp;
-  std::string frame_id;
+  std::chrono::sys_time<std::chrono::nanoseconds> stamp{};
+  std::string frame_id{};
 
   bool operator==(const Header&) const = default;
 };

@@ -12,13 +12,13 @@ namespace tendon::robot {
 /// left to right. An image from another program may be incomplete: check that `data` has `height`
 /// times `step` bytes.
 struct Image {
-  Header header;  ///< axes of its frame: z points out of the camera, x right, y down
+  Header header{};  ///< axes of its frame: z points out of the camera, x right, y down
   std::uint32_t height = 0;
   std::uint32_t width = 0;
-  std::string encoding;           ///< "rgb8", "bgr8", "mono8", "mono16", "16UC1", "32FC1", ...
+  std::string encoding{};         ///< "rgb8", "bgr8", "mono8", "mono16", "16UC1", "32FC1", ...
   std::uint8_t is_bigendian = 0;  ///< 1: the highest byte of a pixel comes first
   std::uint32_t step = 0;         ///< bytes of a row, including padding
-  std::vector<std::uint8_t> data;
+  std::vector<std::uint8_t> data{};
 
   bool operator==(const Image&) const = default;
 };

@@ -41,11 +41,11 @@ struct JointCommand {
 /// is empty if its values are unknown. The units are rad, rad/s and N m for a revolute joint, and
 /// m, m/s and N for a prismatic joint.
 struct NamedJointState {
-  Header header;
-  std::vector<std::string> name;
-  std::vector<double> position;
-  std::vector<double> velocity;
-  std::vector<double> effort;
+  Header header{};
+  std::vector<std::string> name{};
+  std::vector<double> position{};
+  std::vector<double> velocity{};
+  std::vector<double> effort{};
 
   bool operator==(const NamedJointState&) const = default;
 };

@@ -9,9 +9,9 @@ namespace tendon::robot {
 
 /// The sticks, pedals and buttons of an input device, as many as it has.
 struct Joystick {
-  Header header;
-  std::vector<float> axes;            ///< -1 to 1; 0 when released
-  std::vector<std::int32_t> buttons;  ///< 1 while pressed, otherwise 0
+  Header header{};
+  std::vector<float> axes{};            ///< -1 to 1; 0 when released
+  std::vector<std::int32_t> buttons{};  ///< 1 while pressed, otherwise 0
 
   bool operator==(const Joystick&) const = default;
 };

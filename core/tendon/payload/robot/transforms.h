@@ -12,9 +12,9 @@ namespace tendon::robot {
 /// `header.frame_id`. `transform` maps coordinates in the child frame to coordinates in the parent
 /// frame.
 struct TransformStamped {
-  Header header;
-  std::string child_frame_id;
-  Transform transform;
+  Header header{};
+  std::string child_frame_id{};
+  Transform transform{};
 
   bool operator==(const TransformStamped&) const = default;
 };
@@ -22,7 +22,7 @@ struct TransformStamped {
 /// Some frames of a robot, in any order. Together with the frames that were sent before, they form
 /// a tree.
 struct Transforms {
-  std::vector<TransformStamped> transforms;
+  std::vector<TransformStamped> transforms{};
 
   bool operator==(const Transforms&) const = default;
 };
