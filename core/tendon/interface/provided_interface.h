@@ -80,8 +80,8 @@ class ProvidedInterface {
     return AddQueued<CommandKind::kWriteReturn>(std::move(function), std::move(name));
   }
   /// Adds a write command with the argument of `filter`, a function of the form
-  /// `void f(const In&, Filtered&)` or `Filtered f(const In&)`. `filter` runs in the caller's
-  /// thread, and its result is queued. If `filter` throws, the caller gets kFailed.
+  /// `void f(const In&, Filtered&)` or `Filtered f(const In&)` that captures nothing. `filter` runs
+  /// in the caller's thread, and its result is queued. If `filter` throws, the caller gets kFailed.
   template <typename Filter, typename Method, typename Object>
   Offer& AddCommandFilteredWrite(Filter filter, Method method, Object* object, LocatedName name) {
     return AddFiltered(std::move(filter), callable::BoundMethod{method, object}, std::move(name));
@@ -116,6 +116,8 @@ class ProvidedInterface {
         .SetReadsTableOnly();
   }
   /// Adds a read that runs `function(row, argument, result)` with the newest value of a column.
+  /// `function` runs in the caller's thread, so it must be a free function or a lambda that
+  /// captures nothing.
   template <Payload T, typename Callable>
   Offer& AddCommandQualifiedRead(const StateTable& table, const T& variable, Callable function,
                                  LocatedName name) {
@@ -159,6 +161,8 @@ class ProvidedInterface {
   /// Adds a read. If the function returns a std::shared_ptr<const T>, the command reads a T, such
   /// as an image or a map, which must never change after the function has returned it. For another
   /// process, this value is encoded without copying it first; callers in this process get a copy.
+  /// A function that returns a string or a list by value allocates memory in the caller's thread;
+  /// with the form `void f(U&)`, the caller's memory is reused.
   /// If the function returns null, the caller gets kNoSample. The last thread that uses the value
   /// frees it; this may be the caller's thread.
   template <typename Method, typename Object, typename Tag = Untagged>
@@ -303,10 +307,8 @@ class ProvidedInterface {
   Offer& AddFiltered(Filter filter, Callable function, LocatedName name) {
     using In = typename callable::Traits<Filter>::In;
     using Filtered = typename callable::Traits<Filter>::Out;
-    static_assert(RequireCommandFunction<Filter, CommandKind::kWriteReturn>());
-    static_assert(RequireCommandFunction<Callable, CommandKind::kWrite>());
-    if constexpr (CommandFunction<Filter, CommandKind::kWriteReturn> &&
-                  CommandFunction<Callable, CommandKind::kWrite>) {
+    static_assert(RequireFilter<Filter, Callable>());
+    if constexpr (FilterFor<Filter, Callable>) {
       using Handler = callable::Handler<Callable>;
       using FilterHandler = callable::Handler<Filter>;
       return AddOffer(std::make_unique<FilteredOffer<In, Filtered, FilterHandler, Handler>>(

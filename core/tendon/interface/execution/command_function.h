@@ -1,10 +1,12 @@
 #pragma once
 
+#include <tendon/base/error.h>
 #include <tendon/base/status.h>
 #include <tendon/interface/signature.h>
 #include <tendon/payload/payload.h>
 
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <type_traits>
@@ -45,7 +47,7 @@ concept Input = !std::is_rvalue_reference_v<T> &&
 template <typename T>
 concept Output = std::is_lvalue_reference_v<T> && !Input<T>;
 template <typename T>
-concept Result = !std::is_void_v<T>;
+concept Result = !std::is_void_v<T> && !std::is_rvalue_reference_v<T>;
 
 /// A form of a function, and the types in it.
 template <Given kForm, typename T = None, typename U = None, typename R = None>
@@ -155,6 +157,16 @@ struct Traits<BoundMethod<Method, Object>> : MethodTraits<Method> {
                                                                             : Base::kGiven;
 };
 
+/// True for pointers and for std::function, but not for a lambda that converts to a pointer.
+template <typename F>
+concept CanBeNull = std::is_constructible_v<F, std::nullptr_t> && requires(const F& function) {
+  function == nullptr;
+};
+
+/// True if the function can use only its arguments and what is global.
+template <typename F>
+concept Stateless = std::is_pointer_v<F> ||(FunctionObject<F>&& std::is_empty_v<F>);
+
 /// True if copies of the function behave like the function itself.
 template <typename F>
 inline constexpr bool kIsCopied = std::is_trivially_copyable_v<F>&& Traits<F>::kIsConst;
@@ -166,7 +178,15 @@ inline constexpr bool kIsCopied<BoundMethod<Method, Object>> = true;
 template <typename F>
 class Handler {
  public:
-  explicit Handler(F function) : function_(Store(std::move(function))) {}
+  /// Throws ConfigurationError if `function` is a null pointer or an empty std::function.
+  explicit Handler(F function) : function_(Store(std::move(function))) {
+    if constexpr (CanBeNull<F>) {
+      if (stored() == nullptr) {
+        throw ConfigurationError(
+            "the function is null or empty: give a function that can be called");
+      }
+    }
+  }
 
   template <typename In, typename Out>
   void operator()(const In& in, Out& out) const {
@@ -356,6 +376,19 @@ consteval void RequireWriteReturn() {
                 "needs U f(T) or void f(T, U&)");
 }
 
+/// Filters and functions of a row run in the threads of all callers at once.
+template <typename F>
+consteval bool RequireStateless() {
+  static_assert(!std::is_member_pointer_v<F>,
+                "given a method as a filter or as the function of a row; expected a lambda or a "
+                "free function, because it runs in the thread of its caller");
+  static_assert(Stateless<F> || std::is_member_pointer_v<F>,
+                "given a lambda that captures something as a filter or as the function of a row; "
+                "expected one that uses only its arguments, because it runs in the thread of its "
+                "caller");
+  return true;
+}
+
 /// Does not compile if an author gave a function of another form than the command needs.
 template <typename F, Given kExpected>
 consteval void RequireForm() {
@@ -405,21 +438,49 @@ consteval bool RequireCommandFunction() {
 /// Like CommandFunction, for a qualified read of a variable of type Row in a state table.
 template <typename F, typename Row>
 concept RowFunction =
-    callable::Traits<F>::kGiven ==
+    callable::Stateless<F> && callable::Traits<F>::kGiven ==
     callable::Given::kRowRead&& std::same_as<typename callable::Traits<F>::Row, Row>&&
         Payload<typename callable::Traits<F>::In>&& Payload<typename callable::Traits<F>::Out>;
 
 template <typename F, typename Row>
 consteval bool RequireRowFunction() {
   using Traits = callable::Traits<F>;
-  if constexpr (Traits::kGiven != callable::Given::kRowRead) {
+  if constexpr (std::is_member_pointer_v<F>) {
+    return callable::RequireStateless<F>();
+  } else if constexpr (Traits::kGiven != callable::Given::kRowRead) {
     callable::RequireForm<F, callable::Given::kRowRead>();
     return true;
   } else {
+    static_assert(callable::RequireStateless<F>());
     static_assert(std::same_as<typename Traits::Row, Row>,
                   "given a function for a row of another type; expected const R&, where R is the "
                   "type of the variable");
     return RequirePayload<typename Traits::In>() && RequirePayload<typename Traits::Out>();
+  }
+}
+
+/// A filter for a write command with the code Callable.
+template <typename Filter, typename Callable>
+concept FilterFor =
+    callable::Stateless<Filter> && CommandFunction<Filter, CommandKind::kWriteReturn> &&
+    CommandFunction<Callable, CommandKind::kWrite> &&
+    std::same_as < typename callable::Traits<Filter>::Out,
+typename callable::Traits<Callable>::In > ;
+
+template <typename Filter, typename Callable>
+consteval bool RequireFilter() {
+  if constexpr (std::is_member_pointer_v<Filter>) {
+    return callable::RequireStateless<Filter>();
+  } else if constexpr (CommandFunction<Filter, CommandKind::kWriteReturn> &&
+                       CommandFunction<Callable, CommandKind::kWrite>) {
+    static_assert(std::same_as<typename callable::Traits<Filter>::Out,
+                               typename callable::Traits<Callable>::In>,
+                  "given a filter whose result is not the argument of the command; expected the "
+                  "same type, because nothing is converted");
+    return callable::RequireStateless<Filter>();
+  } else {
+    return RequireCommandFunction<Filter, CommandKind::kWriteReturn>() &&
+           RequireCommandFunction<Callable, CommandKind::kWrite>();
   }
 }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <future>
 #include <memory>
 #include <string>
@@ -217,6 +218,15 @@ TEST(CommandFunction, CommandsThatReturnAResultTakeFunctionsThatReturnIt) {
   EXPECT_EQ(WhileServed(ask.server.inbox, [&] { return ask.function.Wait(2.0, result, 5s); }),
             Status::kDone);
   EXPECT_EQ(result, -2.0);
+}
+
+TEST(CommandFunction, ANullFunctionIsRefusedWhenItIsAdded) {
+  WinchServer server;
+  void (*const null)() = nullptr;
+
+  EXPECT_THROW(server.control.AddCommandVoid(null, "Null"), tendon::ConfigurationError);
+  EXPECT_THROW(server.control.AddCommandVoid(std::function<void()>(), "Empty"),
+               tendon::ConfigurationError);
 }
 
 TEST(CommandFunction, AFilterAndItsCommandCanBeLambdas) {

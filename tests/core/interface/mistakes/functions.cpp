@@ -84,6 +84,17 @@ void OtherForms(tendon::ProvidedInterface& provided, Arm* arm, const tendon::Sta
   provided.AddCommandQualifiedRead(table, arm->row, &Arm::Scaled, "W");
   // error: given a function without a result; a write-return or qualified-read
   provided.AddCommandFilteredWrite([](double) {}, [](double) {}, "X");
+  // error: given a filter whose result is not the argument of the command
+  provided.AddCommandFilteredWrite([](int cm) { return cm / 100.0; }, [](int) {}, "XA");
+  // error: given a lambda that captures something as a filter or as the function of a row
+  provided.AddCommandFilteredWrite([arm](double in) { return in + arm->speed; }, [](double) {},
+                                   "XB");
+  // error: given a method as a filter or as the function of a row
+  provided.AddCommandFilteredWrite(
+      &Arm::Ask, [](double) {}, "XC");
+  // error: given a lambda that captures something as a filter or as the function of a row
+  provided.AddCommandQualifiedRead(
+      table, arm->row, [n = 0](const Goal&, int) mutable { return ++n; }, "XD");
 }
 
 void OtherUses(tendon::ProvidedInterface& provided, tendon::RequiredInterface& required, Arm* arm) {
