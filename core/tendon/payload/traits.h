@@ -148,7 +148,7 @@ concept View = std::is_class_v<T> && std::is_trivially_copyable_v<T> && requires
   view.size();
 };
 
-/// Does not compile if T cannot be a payload; the sentence says why. Gives no sentence for a
+/// Does not compile, and says why T, which is not a payload, cannot be one. Gives no sentence for a
 /// structure, because its fields have given theirs.
 template <typename T>
 consteval void ExplainPayload() {
@@ -181,7 +181,7 @@ consteval void ExplainPayload() {
                   "T is a long double, which cannot be a payload because its size differs between "
                   "machines: use double");
   } else if constexpr (std::is_enum_v<T>) {
-    static_assert(IsPayload<T>(), "T is an enum of more than 32 bits, which cannot be a payload");
+    static_assert(Enum<T>, "T is an enum of more than 32 bits, which cannot be a payload");
   } else if constexpr (!Structure<T>) {
     static_assert(IsPayload<T>(), "T is not described: write kPayload<T> beside it");
   }
@@ -189,10 +189,13 @@ consteval void ExplainPayload() {
 
 template <typename T>
 constexpr bool FieldIsPayload(bool has_range) {
-  ExplainPayload<T>();
-  if constexpr (!IsPayload<T>()) return false;
-  if (has_range && !HoldsNumbers<T>()) throw ConfigurationError("only a number can have a range");
-  return true;
+  if constexpr (IsPayload<T>()) {
+    if (has_range && !HoldsNumbers<T>()) throw ConfigurationError("only a number can have a range");
+    return true;
+  } else {
+    ExplainPayload<T>();
+    return false;
+  }
 }
 
 /// True if T is a payload. Does not compile for a structure with a field that is not a payload.

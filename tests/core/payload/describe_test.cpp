@@ -13,6 +13,17 @@ struct Stamped : sample::Point {
   std::int64_t time = 0;
 };
 
+/// Looks like a view, but has a description.
+struct Window {
+  int first = 0;
+  [[nodiscard]] const int* data() const { return &first; }
+  [[nodiscard]] static std::size_t size() { return 1; }
+};
+struct Framed {
+  Window window;
+  std::vector<std::byte> bytes;
+};
+
 struct NotDescribedAtAll {
   int number = 0;
 };
@@ -25,6 +36,14 @@ template <>
 inline constexpr auto tendon::kPayload<Stamped> =
     tendon::Describe("sample.Stamped", tendon::Field{"time", &Stamped::time, "ns"},
                      tendon::Field{"x", &Stamped::x, "m"});
+
+template <>
+inline constexpr auto tendon::kPayload<Window> =
+    tendon::Describe("sample.Window", tendon::Field{"first", &Window::first});
+template <>
+inline constexpr auto tendon::kPayload<Framed> =
+    tendon::Describe("sample.Framed", tendon::Field{"window", &Framed::window},
+                     tendon::Field{"bytes", &Framed::bytes});
 
 namespace tendon {
 namespace {
@@ -41,6 +60,10 @@ TEST(Description, DefinesWhichTypesArePayloads) {
   static_assert(!Payload<const int> && !Payload<int&> && !Payload<std::array<int, 0>>);
   static_assert(!Payload<std::chrono::duration<int, std::pico>>);
   static_assert(!Payload<std::map<int, int>> && !Payload<std::string_view>);
+}
+
+TEST(Description, AFieldThatLooksLikeAViewIsAPayloadIfItIsDescribed) {
+  static_assert(Payload<Window> && Payload<std::vector<Window>> && Payload<Framed>);
 }
 
 TEST(Description, DefinesWhichPayloadsHaveAFixedSize) {
