@@ -58,6 +58,7 @@ struct Form {
   using Out = std::remove_cvref_t<U>;
   using Row = std::remove_cvref_t<R>;
 };
+/// A form whose result is returned by value.
 template <Given kForm, typename T, typename U, typename R = None>
 struct ReturningForm : Form<kForm, T, U, R> {
   static constexpr bool kReturns = true;
@@ -83,6 +84,7 @@ struct FormOf<void(R, T, U)> : Form<Given::kRowRead, T, U, R> {};
 template <Result U, Input R, Input T>
 struct FormOf<U(R, T)> : ReturningForm<Given::kRowRead, T, U, R> {};
 
+/// The form of a function type, and whether the function is const.
 template <typename F>
 struct SignatureTraits
     : FormOf<void(F, F, F, F)> {  // has C-style variable arguments, or is volatile
