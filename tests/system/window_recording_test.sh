@@ -133,10 +133,10 @@ plays_and_steps() {
 
   moment=$(settled_moment)
   ui click widgets replayStep
-  ui wait "$moment < $replay"'["seconds"] < '"$moment + 0.1"
+  ui wait "$moment < $replay"'["seconds"] < '"$moment + 1"
   former=$(settled_moment)
   ui key period
-  ui wait "$former < $replay"'["seconds"] < '"$former + 0.1"
+  ui wait "$former < $replay"'["seconds"] < '"$former + 1"
   ui key comma
   ui wait "$replay"'["seconds"] == '"$former"
   passed "it is stepped row by row, by click and keys, forward and back"

@@ -20,6 +20,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <functional>
 #include <map>
@@ -148,6 +149,7 @@ class RecordingWorkerTest : public ::testing::Test {
   }
 
   const QTemporaryDir folder_;
+  const std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
   const std::shared_ptr<LoopbackNetwork> network_ = std::make_shared<LoopbackNetwork>();
   std::unique_ptr<GlobalManager> gcm_;
   std::string address_;
@@ -218,7 +220,9 @@ TEST_F(RecordingWorkerTest, TheLastSecondsAreInTheFileAndTheReportCountsThem) {
                                           .arg(numbers.size())
                                           .arg(events.size())))
       << Reason();
-  EXPECT_TRUE(report.detail.contains("it has not been running longer")) << Reason();
+  if (std::chrono::steady_clock::now() - began_ < 30s) {  // or the process is old enough by now
+    EXPECT_TRUE(report.detail.contains("it has not been running longer")) << Reason();
+  }
   EXPECT_EQ(session_->activity().command(0),
             "gcm save-last 30s robot/counter -o '" + report.file + "'");
   EXPECT_GT(session_->activity().action(0).seconds, 0.0) << "the duration of the saving";
