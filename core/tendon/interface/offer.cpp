@@ -16,6 +16,9 @@ Offer& Offer::SetExpiry(std::chrono::nanoseconds after, std::function<void()> en
                              " cannot expire: it runs in the thread of its caller. Only commands "
                              "that run in the thread of the component can expire");
   }
+  if (end == nullptr) {
+    throw ConfigurationError(what + " needs a function that ends its effect; this one is empty");
+  }
   description_.expires_after = std::chrono::duration<double>(after).count();
   expiry_ = std::make_unique<Expiry>(description_.name, after, std::move(end));
   return *this;

@@ -9,6 +9,7 @@
 
 #include <atomic>
 #include <concepts>
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -36,6 +37,7 @@ class Motor final : public Base {
         .ExpiresAfter(after, &Motor::Brake, this);
   }
 
+  using Base::AddProvidedInterface;
   using Base::EndExpired;
   using Base::next_expiry;
 
@@ -250,6 +252,16 @@ TEST_F(Expiring, IsPartOfTheDescription) {
 TEST_F(Expiring, RefusesATimeOutOfRange) {
   EXPECT_EQ(test::Refusal([] { Motor<CallbackTask>("motor", 0ms); }),
             "command 'Turn' must expire after 1 ms..3600 s, got 0 ns");
+}
+
+TEST_F(Expiring, RefusesAnEmptyFunction) {
+  Motor<CallbackTask> motor("motor");
+  auto& more = motor.AddProvidedInterface("More");
+
+  EXPECT_EQ(test::Refusal([&] {
+              more.AddCommandVoid([] {}, "Glow").ExpiresAfter(1s, std::function<void()>());
+            }),
+            "command 'Glow' needs a function that ends its effect; this one is empty");
 }
 
 /// A component without a thread.
